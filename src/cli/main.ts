@@ -1,0 +1,23 @@
+import { commands } from './commands.ts';
+import { UsageError } from './usage-error.ts';
+
+/** Exit codes: 0, 1 for a file that can't be used, 2 for wrong usage. */
+async function main(words: readonly string[]): Promise<number> {
+  const [name, ...rest] = words;
+  const command = commands.find((candidate) => candidate.name === name);
+  const usage = commands.map((each) => `  sinew ${each.usage}`).join('\n');
+  if (name === 'help' || name === '--help') {
+    console.log(`Usage:\n${usage}`);
+    return 0;
+  }
+  try {
+    if (!command) throw new UsageError(`expected a command, found "${name ?? ''}"`);
+    return await command.run(rest);
+  } catch (error) {
+    if (!(error instanceof UsageError)) throw error;
+    console.error(`${error.message}\nUsage:\n${command ? `  sinew ${command.usage}` : usage}`);
+    return 2;
+  }
+}
+
+process.exitCode = await main(process.argv.slice(2));

@@ -1,0 +1,10 @@
+import { UsageError } from './usage-error.ts';
+
+/** Turns what `parseArgs` throws at unknown or unfinished options into a usage error. */
+export function parseWords<T>(parse: () => T): T {
+  try {
+    return parse();
+  } catch (error) {
+    throw new UsageError(error instanceof Error ? error.message : String(error));
+  }
+}

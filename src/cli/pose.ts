@@ -1,0 +1,98 @@
+import { readFileSync, writeFileSync } from 'node:fs';
+import { parseArgs } from 'node:util';
+import type { Character } from '../core/character.ts';
+import { type Diagnostic, hasErrors } from '../core/diagnostics.ts';
+import type { Pose } from '../core/pose.ts';
+import { normalizeSkin } from '../core/skin.ts';
+import { extensionOf } from '../formats/file-entry.ts';
+import { writeObj } from '../formats/obj/write-obj.ts';
+import { readPoseJson } from '../formats/pose-json.ts';
+import { readCharacters } from '../formats/read-characters.ts';
+import { isMethodId, methodById, methods } from '../skinning/registry.ts';
+import { skinVertices } from '../skinning/skin-vertices.ts';
+import type { Command } from './commands.ts';
+import { printDiagnostics, readFiles, unreadable, userPath } from './files.ts';
+import { parseWords } from './parse-words.ts';
+import { UsageError } from './usage-error.ts';
+
+const methodIds = methods.map(({ id }) => id).join('|');
+
+/** `pose FILES --pose POSE.json --out OUT`: posed vertices, in the file's order and units. */
+export const pose: Command = {
+  name: 'pose',
+  usage: `pose FILES --pose POSE.json [--method ${methodIds}] [--normalize] --out OUT.obj|OUT.f32`,
+  async run(words) {
+    const options = parseOptions(words);
+    const { files, diagnostics: missing } = readFiles(options.files);
+    const { characters, diagnostics } = await readCharacters(files);
+    const found = [...missing, ...diagnostics];
+    const character = characters[0]?.character;
+    const parsed = character && readPose(options.pose, character);
+    found.push(...(parsed?.diagnostics ?? []));
+    printDiagnostics(found);
+    if (characters.length > 1) throw new UsageError('expected the files of one character');
+    if (!character || character.mesh.pointCount === 0 || !parsed?.value || hasErrors(found)) {
+      if (character?.mesh.pointCount === 0) console.error('error: there is no mesh to pose');
+      return 1;
+    }
+    const bytes = poseMesh(character, parsed.value, options);
+    return writeOut(options.out, bytes) ? 0 : 1;
+  },
+};
+
+type Options = ReturnType<typeof parseOptions>;
+
+function parseOptions(words: readonly string[]) {
+  const { values, positionals: files } = parseWords(() =>
+    parseArgs({
+      args: [...words],
+      options: {
+        pose: { type: 'string' },
+        method: { type: 'string', default: methods[0]!.id },
+        normalize: { type: 'boolean', default: false },
+        out: { type: 'string' },
+      },
+      allowPositionals: true,
+    }),
+  );
+  const { pose: posePath, method, out, normalize } = values;
+  if (files.length === 0) throw new UsageError('expected files, found none');
+  if (posePath === undefined) throw new UsageError('expected --pose POSE.json');
+  if (!isMethodId(method)) throw new UsageError(`expected ${methodIds}, found "${method}"`);
+  const extension = extensionOf(out ?? '');
+  if (out === undefined || (extension !== '.obj' && extension !== '.f32')) {
+    throw new UsageError('expected --out with a name that ends in .obj or .f32');
+  }
+  return { files, pose: posePath, method, normalize, out };
+}
+
+function readPose(
+  path: string,
+  character: Character,
+): { value?: Pose; diagnostics: readonly Diagnostic[] } {
+  try {
+    return readPoseJson(path, readFileSync(userPath(path), 'utf8'), character.skeleton);
+  } catch (error) {
+    return { diagnostics: [unreadable(path, error)] };
+  }
+}
+
+function poseMesh(character: Character, posed: Pose, options: Options): Uint8Array {
+  const { mesh, skin } = character;
+  const used = options.normalize ? normalizeSkin(skin) : skin;
+  const { positions } = skinVertices(character, used, posed, methodById(options.method));
+  if (extensionOf(options.out) === '.obj') return writeObj(mesh, positions);
+  const bytes = new DataView(new ArrayBuffer(mesh.pointCount * 12));
+  for (let i = 0; i < mesh.pointCount * 3; i++) bytes.setFloat32(i * 4, positions[i]!, true);
+  return new Uint8Array(bytes.buffer);
+}
+
+function writeOut(path: string, bytes: Uint8Array): boolean {
+  try {
+    writeFileSync(userPath(path), bytes);
+    return true;
+  } catch (error) {
+    printDiagnostics([unreadable(path, error)]);
+    return false;
+  }
+}

@@ -1,0 +1,92 @@
+import { deriveBones } from './bones.ts';
+import { type Bounds, emptyBounds, includePositions } from './bounds.ts';
+import { buildMesh } from './build-mesh.ts';
+import { buildSkeleton, emptySkeleton } from './build-skeleton.ts';
+import { buildSkin, buildStaticSkin } from './build-skin.ts';
+import type { CharacterParts, SkinParts } from './character-parts.ts';
+import type { Character } from './character.ts';
+import { type Diagnostic, DiagnosticLog, type Parsed } from './diagnostics.ts';
+import { worldMatrices } from './forward-kinematics.ts';
+import { defaultLimits, type Limits } from './limits.ts';
+import { emptyMesh, type Mesh } from './mesh.ts';
+import type { Skeleton } from './skeleton.ts';
+import type { Skin } from './skin.ts';
+
+/**
+ * The one builder behind all formats: checks loose parts against each other, sorts, packs, and
+ * reports. A part with an error gives nothing, the others still do; there is a value as soon as
+ * there is a skeleton or a mesh.
+ */
+export function buildCharacter(
+  parts: CharacterParts,
+  limits: Limits = defaultLimits,
+): Parsed<Character> {
+  const diagnostics: Diagnostic[] = [];
+  const skeleton = buildPart(parts.skeleton, (part, log) => buildSkeleton(part, log, limits));
+  const mesh = parts.mesh ? buildMesh(parts.mesh) : emptyMesh;
+  const skin = buildPart(parts.skin, (part, log) =>
+    skinFits(part, mesh, skeleton, log) ? buildSkin(part, skeleton!, log) : undefined,
+  );
+  if (!skeleton && !parts.mesh) return { diagnostics };
+  return {
+    value: assemble(parts, skeleton ?? emptySkeleton, mesh, skin),
+    diagnostics,
+  };
+
+  function buildPart<P extends { readonly file: string }, T>(
+    part: P | undefined,
+    build: (part: P, log: DiagnosticLog) => T | undefined,
+  ): T | undefined {
+    if (!part) return undefined;
+    const log = new DiagnosticLog(part.file);
+    const { value, diagnostics: found } = log.finish(build(part, log));
+    diagnostics.push(...found);
+    return value;
+  }
+}
+
+function assemble(
+  parts: CharacterParts,
+  skeleton: Skeleton,
+  mesh: Mesh,
+  skin: Skin = buildStaticSkin(mesh.pointCount),
+): Character {
+  return {
+    name: parts.name,
+    skeleton,
+    mesh,
+    skin,
+    bones: deriveBones(skeleton, skin, mesh),
+    bounds: restBounds(skeleton, mesh),
+    missing: parts.missing,
+  };
+}
+
+/** Whether rows and points agree; a skin whose mesh or skeleton is missing waits without a word. */
+function skinFits(
+  parts: SkinParts,
+  mesh: Mesh,
+  skeleton: Skeleton | undefined,
+  log: DiagnosticLog,
+): boolean {
+  if (!skeleton || skeleton.jointCount === 0 || mesh.pointCount === 0) return false;
+  const rowCount = parts.start.length - 1;
+  if (rowCount === mesh.pointCount) return true;
+  log.error({
+    code: 'character/count',
+    expected: `${mesh.pointCount} rows of weights, one for each vertex of the mesh`,
+    found: `${rowCount} rows`,
+    effect: 'the mesh is shown without its weights',
+  });
+  return false;
+}
+
+function restBounds(skeleton: Skeleton, mesh: Mesh): Bounds {
+  const bounds = emptyBounds();
+  includePositions(bounds, mesh.positions, mesh.vertexCount);
+  const worldFromJoint = worldMatrices(skeleton, skeleton.qRest);
+  for (let joint = 0; joint < skeleton.jointCount; joint++) {
+    includePositions(bounds, worldFromJoint.subarray(joint * 16 + 12, joint * 16 + 15), 1);
+  }
+  return bounds;
+}

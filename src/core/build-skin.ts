@@ -1,0 +1,127 @@
+import { mat4 } from 'gl-matrix';
+import type { SkinParts } from './character-parts.ts';
+import type { DiagnosticLog } from './diagnostics.ts';
+import { worldMatrices } from './forward-kinematics.ts';
+import { firstRoot, type Skeleton } from './skeleton.ts';
+import { noJoint, type Skin } from './skin.ts';
+
+/** Weights smaller than this are noise of a file; kept, they would be slow and change nothing. */
+const smallestWeight = 1e-6;
+const sumTolerance = 1e-3;
+
+/**
+ * Packs the weights over a palette of one entry a joint, and reports rows that do not sum to one.
+ * Weights stay as the file has them; a row without any follows the first root rigidly.
+ */
+export function buildSkin(parts: SkinParts, skeleton: Skeleton, log: DiagnosticLog): Skin {
+  const rows = packRows(parts, skeleton);
+  reportRows(rows, log);
+  return {
+    ...rows.skin,
+    paletteJoint: Uint16Array.from({ length: skeleton.jointCount }, (_, joint) => joint),
+    jointFromBind: bindMatrices(parts, skeleton),
+  };
+}
+
+/** A skin for a mesh without weights: every point stands still in the character's space. */
+export function buildStaticSkin(pointCount: number): Skin {
+  return {
+    paletteJoint: Uint16Array.of(noJoint),
+    jointFromBind: Float64Array.from(mat4.identity(new Float64Array(16))),
+    start: Uint32Array.from({ length: pointCount + 1 }, (_, point) => point),
+    entries: new Uint16Array(pointCount),
+    weights: new Float32Array(pointCount).fill(1),
+  };
+}
+
+interface Rows {
+  readonly skin: Pick<Skin, 'start' | 'entries' | 'weights'>;
+  readonly zeroRows: readonly number[];
+  readonly negativeRows: readonly number[];
+  readonly unevenRows: readonly { readonly point: number; readonly sum: number }[];
+}
+
+function packRows(parts: SkinParts, skeleton: Skeleton): Rows {
+  const pointCount = parts.start.length - 1;
+  const root = firstRoot(skeleton);
+  const start = new Uint32Array(pointCount + 1);
+  const entries: number[] = [];
+  const weights: number[] = [];
+  const zeroRows: number[] = [];
+  const negativeRows: number[] = [];
+  const unevenRows: { point: number; sum: number }[] = [];
+  for (let point = 0; point < pointCount; point++) {
+    let sum = 0;
+    let negative = false;
+    for (let i = parts.start[point]!; i < parts.start[point + 1]!; i++) {
+      const weight = parts.weights[i]!;
+      if (Math.abs(weight) < smallestWeight) continue;
+      entries.push(skeleton.jointOfSource[parts.joints[i]!]!);
+      weights.push(weight);
+      sum += weight;
+      negative ||= weight < 0;
+    }
+    if (weights.length === start[point]!) {
+      zeroRows.push(point);
+      entries.push(root);
+      weights.push(1);
+    } else if (!(Math.abs(sum - 1) <= sumTolerance)) unevenRows.push({ point, sum });
+    if (negative) negativeRows.push(point);
+    start[point + 1] = weights.length;
+  }
+  const skin = { start, entries: Uint16Array.from(entries), weights: Float32Array.from(weights) };
+  return { skin, zeroRows, negativeRows, unevenRows };
+}
+
+function reportRows({ zeroRows, negativeRows, unevenRows }: Rows, log: DiagnosticLog): void {
+  if (zeroRows.length > 0) {
+    log.warn({
+      code: 'character/weight-zero',
+      expected: 'at least one weight for every vertex',
+      found: `none for ${zeroRows.length} (${listed(zeroRows)})`,
+      effect: 'they follow the root rigidly',
+    });
+  }
+  if (negativeRows.length > 0) {
+    log.warn({
+      code: 'character/weight-negative',
+      expected: 'weights of at least 0',
+      found: `negative ones for ${negativeRows.length} (${listed(negativeRows)})`,
+      effect: 'they are kept as they are',
+    });
+  }
+  if (unevenRows.length > 0) {
+    const worst = unevenRows.reduce((a, b) => (Math.abs(b.sum - 1) > Math.abs(a.sum - 1) ? b : a));
+    const sum = Number(worst.sum.toPrecision(6));
+    log.warn({
+      code: 'character/weight-sum',
+      expected: 'weights that sum to 1 for every vertex',
+      found: `${unevenRows.length} that do not; worst: vertex ${worst.point + 1}, ${sum}`,
+      effect: 'they are used as they are; "normalise weights" divides them by their sum',
+    });
+  }
+}
+
+/** Vertices one-based, as OBJ counts them. */
+function listed(points: readonly number[]): string {
+  const shown = points.slice(0, 5).map((point) => point + 1);
+  return `vertex ${shown.join(', ')}${points.length > shown.length ? ', …' : ''}`;
+}
+
+/** The file's inverse bind matrices, or the inverses of the rest pose's world matrices. */
+function bindMatrices(parts: SkinParts, skeleton: Skeleton): Float64Array {
+  const jointFromBind = new Float64Array(skeleton.jointCount * 16);
+  if (parts.jointFromBind) {
+    skeleton.sourceIndex.forEach((source, joint) => {
+      const matrix = parts.jointFromBind!.subarray(source * 16, source * 16 + 16);
+      jointFromBind.set(matrix, joint * 16);
+    });
+    return jointFromBind;
+  }
+  const bindFromJoint = worldMatrices(skeleton, skeleton.qRest);
+  for (let joint = 0; joint < skeleton.jointCount; joint++) {
+    const range = [joint * 16, joint * 16 + 16] as const;
+    mat4.invert(jointFromBind.subarray(...range), bindFromJoint.subarray(...range));
+  }
+  return jointFromBind;
+}

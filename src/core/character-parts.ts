@@ -1,0 +1,76 @@
+import type { DofKind } from './skeleton.ts';
+
+/**
+ * Loose parts, pleasant for a reader to fill. A reader never makes a `Character`: one builder
+ * checks, sorts and packs these, so that a new format cannot break an invariant further down.
+ */
+export interface CharacterParts {
+  readonly name: string;
+  readonly skeleton?: SkeletonParts;
+  readonly mesh?: MeshParts;
+  readonly skin?: SkinParts;
+  /** Kinds of file that the format has and that were not there, for the user: ".attach". */
+  readonly missing: readonly string[];
+}
+
+export interface SkeletonParts {
+  readonly file: string;
+  /** In file order. */
+  readonly joints: readonly JointParts[];
+}
+
+export interface JointParts {
+  /** Unique display name; where the format is nameless its reader makes one. */
+  readonly name: string;
+  readonly fileName?: string;
+  /** One-based line in the file, for messages. */
+  readonly line?: number;
+  /** File index of the parent; -1 for a root. */
+  readonly parent: number;
+  /** In the parent's frame, model units. */
+  readonly restOffset: readonly [number, number, number];
+  /** Unit quaternion xyzw; identity where absent. */
+  readonly restRotation?: readonly [number, number, number, number];
+  /** In order of application: the first is outermost. */
+  readonly dofs: readonly DofParts[];
+}
+
+export interface DofParts {
+  readonly kind: DofKind;
+  /** Unit, joint frame; unused by a ball. */
+  readonly axis: readonly [number, number, number];
+  /** One value, or four of a ball; zero (the identity) where absent. */
+  readonly rest?: readonly number[];
+  /** Radians or model units; unlimited where absent. */
+  readonly limits?: readonly [number, number];
+}
+
+/** A corner of a triangle names a point, and perhaps a texture coordinate and a normal. */
+export interface MeshParts {
+  readonly file: string;
+  /** (pointCount × 3) file order, model units. */
+  readonly positions: Float32Array;
+  /** (triangleCount × 3) index into `positions`. */
+  readonly cornerPoints: Uint32Array;
+  /** (n × 2), with `cornerUvs` (triangleCount × 3) into it; -1 where a corner has none. */
+  readonly uvs?: Float32Array;
+  readonly cornerUvs?: Int32Array;
+  /** (n × 3), with `cornerNormals` (triangleCount × 3) into it; -1 where a corner has none. */
+  readonly normals?: Float32Array;
+  readonly cornerNormals?: Int32Array;
+  /** Runs of triangles of one material, in order; the whole mesh where absent. */
+  readonly submeshes?: readonly { readonly material: string; readonly firstTriangle: number }[];
+}
+
+/** Weights in compressed sparse rows, a row a point; joints by file index. */
+export interface SkinParts {
+  readonly file: string;
+  /** (pointCount + 1) */
+  readonly start: Uint32Array;
+  /** (start[pointCount]) file index of the joint. */
+  readonly joints: Uint16Array;
+  /** (start[pointCount]) as the file has them. */
+  readonly weights: Float32Array;
+  /** (jointCount × 16) file order, column-major; the inverse of the rest pose where absent. */
+  readonly jointFromBind?: Float64Array;
+}

@@ -1,0 +1,21 @@
+import type { Bone } from './bones.ts';
+import type { Bounds } from './bounds.ts';
+import type { Mesh } from './mesh.ts';
+import type { Skeleton } from './skeleton.ts';
+import type { Skin } from './skin.ts';
+
+/**
+ * A character, checked and packed by `buildCharacter`; it never changes. A part that was not in the
+ * files is empty (no joints, no points), so nothing further down asks whether it is there.
+ */
+export interface Character {
+  readonly name: string;
+  readonly skeleton: Skeleton;
+  readonly mesh: Mesh;
+  readonly skin: Skin;
+  readonly bones: readonly Bone[];
+  /** Of mesh and joints at the file's pose, character space. */
+  readonly bounds: Bounds;
+  /** Kinds of file that were not there, for the user: ".attach". */
+  readonly missing: readonly string[];
+}

@@ -1,0 +1,130 @@
+/**
+ * What a reader says about a bad file: a value with place, found, expected and effect, never an
+ * exception. Codes are closed, so that a test and a translation can name them.
+ */
+export type Severity = 'error' | 'warning';
+
+export type DiagnosticCode = `${DiagnosticArea}/${DiagnosticKind}`;
+
+type DiagnosticArea = 'file' | 'skel' | 'obj' | 'attach' | 'pose' | 'character';
+
+type DiagnosticKind =
+  | 'binary' // text expected, other bytes found
+  | 'count' // two numbers of things that must agree
+  | 'cycle' // joints that are their own ancestors
+  | 'degenerate' // triangles without area
+  | 'empty' // nothing of what the file is for
+  | 'encoding' // not UTF-8
+  | 'face' // a face that is none
+  | 'field-count' // too few or too many values on a line
+  | 'html' // a web page in place of the file
+  | 'ignored' // read and left out on purpose
+  | 'index' // refers to something that is not there
+  | 'integer' // a whole number expected
+  | 'json' // not JSON, or not of the shape
+  | 'limit' // larger than Sinew takes
+  | 'missing' // a part of the character is not there
+  | 'more' // further diagnostics left out
+  | 'number' // a number expected
+  | 'pairing' // files joined by guess
+  | 'parent' // a parent that is no joint
+  | 'range' // a number outside float32
+  | 'root' // no root, several, or not the first
+  | 'unknown' // nothing here reads it
+  | 'unknown-joint' // a joint name that no joint has, or that several have
+  | 'weight-negative'
+  | 'weight-sum'
+  | 'weight-zero';
+
+export interface Diagnostic {
+  readonly severity: Severity;
+  readonly code: DiagnosticCode;
+  readonly file: string;
+  /** One-based; absent where the whole file is meant. */
+  readonly line?: number;
+  /** One-based, in bytes of the line; absent where the whole line is meant. */
+  readonly column?: number;
+  readonly expected: string;
+  readonly found: string;
+  /** What became of it, for the user: "the file is not used", "kept as it is". */
+  readonly effect: string;
+  /** The line itself, shortened, for the Problems panel. */
+  readonly source?: string;
+}
+
+/** The outcome of reading: a value, if one could be had, and everything worth saying about it. */
+export interface Parsed<T> {
+  readonly value?: T;
+  readonly diagnostics: readonly Diagnostic[];
+}
+
+const maximumFound = 40;
+const maximumPerFile = 100;
+
+/** Control and format characters (bidi overrides among them) must not act on the page or terminal. */
+export function printable(text: string, maximum = maximumFound): string {
+  const safe = text.replace(/[\p{Cc}\p{Cf}\p{Zl}\p{Zp}]/gu, '\uFFFD');
+  return safe.length > maximum ? `${safe.slice(0, maximum)}…` : safe;
+}
+
+/** `FILE:LINE:COL: expected EXPECTED, found "FOUND"`, the form of every message. */
+export function formatDiagnostic(diagnostic: Diagnostic): string {
+  const { file, line, column, expected, found } = diagnostic;
+  const place = [printable(file, 200), line, column].filter((part) => part !== undefined).join(':');
+  return `${place}: expected ${expected}, found "${printable(found)}"`;
+}
+
+export function hasErrors(diagnostics: readonly Diagnostic[]): boolean {
+  return diagnostics.some(({ severity }) => severity === 'error');
+}
+
+export type DiagnosticDetails = Omit<Diagnostic, 'severity' | 'file'>;
+
+/** Collects the diagnostics of one file; past a hundred it only counts, so that none can flood. */
+export class DiagnosticLog {
+  private readonly listed: Diagnostic[] = [];
+  private omitted = 0;
+  private errorCount = 0;
+  private readonly file: string;
+
+  constructor(file: string) {
+    this.file = file;
+  }
+
+  error(details: DiagnosticDetails): void {
+    this.errorCount++;
+    this.add({ severity: 'error', file: this.file, ...details });
+  }
+
+  warn(details: DiagnosticDetails): void {
+    this.add({ severity: 'warning', file: this.file, ...details });
+  }
+
+  get failed(): boolean {
+    return this.errorCount > 0;
+  }
+
+  get diagnostics(): readonly Diagnostic[] {
+    if (this.omitted === 0) return this.listed;
+    const more: Diagnostic = {
+      severity: this.failed ? 'error' : 'warning',
+      code: 'file/more',
+      file: this.file,
+      expected: 'at most a hundred problems',
+      found: `${this.omitted} more`,
+      effect: 'they are not listed',
+    };
+    return [...this.listed, more];
+  }
+
+  /** The outcome: a file with an error gives nothing. */
+  finish<T>(value: T | undefined): Parsed<T> {
+    const { diagnostics } = this;
+    return value === undefined || this.failed ? { diagnostics } : { value, diagnostics };
+  }
+
+  private add(diagnostic: Diagnostic): void {
+    if (this.listed.length < maximumPerFile) this.listed.push(diagnostic);
+    else this.omitted++;
+  }
+}

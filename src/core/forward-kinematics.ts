@@ -1,0 +1,73 @@
+import { mat4, type quat, type vec3 } from 'gl-matrix';
+import { MatrixStack } from './matrix-stack.ts';
+import { DofKind, type Skeleton } from './skeleton.ts';
+
+/**
+ * Writes the matrix from every joint's frame to the character's space, for the values q.
+ *
+ * `worldFromJoint[j] = worldFromJoint[parent] · T(offset) · R(rest) · D1 · … · Dk` (6.837 handout,
+ * part 3; DESIGN of the degrees of freedom after MuJoCo's `qpos`). One walk over the depth-first
+ * joints with the matrix stack; float64 throughout; nothing is allocated.
+ *
+ * @param q (qCount) see `Skeleton.dofQ`
+ * @param worldFromJoint (jointCount × 16) column-major, written
+ */
+export function forwardKinematics(
+  skeleton: Skeleton,
+  q: Float64Array,
+  worldFromJoint: Float64Array,
+): void {
+  stack.popTo(0);
+  for (let joint = 0; joint < skeleton.jointCount; joint++) {
+    stack.popTo(skeleton.depths[joint]!);
+    writeLocalMatrix(skeleton, joint, q, parentFromJoint);
+    stack.push(parentFromJoint);
+    const top = stack.top;
+    for (let i = 0; i < 16; i++) worldFromJoint[joint * 16 + i] = top[i]!;
+  }
+}
+
+/** A new array with the matrices of `forwardKinematics`. */
+export function worldMatrices(skeleton: Skeleton, q: Float64Array): Float64Array {
+  const worldFromJoint = new Float64Array(skeleton.jointCount * 16);
+  forwardKinematics(skeleton, q, worldFromJoint);
+  return worldFromJoint;
+}
+
+function writeLocalMatrix(skeleton: Skeleton, joint: number, q: Float64Array, out: mat4): void {
+  readVector(skeleton.restOffsets, joint * 3, vector);
+  readQuaternion(skeleton.restRotations, joint * 4, quaternion);
+  mat4.fromRotationTranslation(out, quaternion, vector);
+  for (let dof = skeleton.dofStart[joint]!; dof < skeleton.dofStart[joint + 1]!; dof++) {
+    const value = skeleton.dofQ[dof]!;
+    switch (skeleton.dofKind[dof] as DofKind) {
+      case DofKind.slide:
+        readVector(skeleton.dofAxis, dof * 3, vector, q[value]!);
+        mat4.translate(out, out, vector);
+        break;
+      case DofKind.hinge:
+        readVector(skeleton.dofAxis, dof * 3, vector);
+        mat4.rotate(out, out, q[value]!, vector);
+        break;
+      case DofKind.ball:
+        readQuaternion(q, value, quaternion);
+        mat4.fromQuat(rotation, quaternion);
+        mat4.multiply(out, out, rotation);
+        break;
+    }
+  }
+}
+
+function readVector(from: Float64Array, at: number, out: vec3, scale = 1): void {
+  for (let i = 0; i < 3; i++) out[i] = from[at + i]! * scale;
+}
+
+function readQuaternion(from: Float64Array, at: number, out: quat): void {
+  for (let i = 0; i < 4; i++) out[i] = from[at + i]!;
+}
+
+const stack = new MatrixStack();
+const parentFromJoint: mat4 = new Float64Array(16);
+const rotation: mat4 = new Float64Array(16);
+const vector: vec3 = new Float64Array(3);
+const quaternion: quat = new Float64Array(4);

@@ -1,0 +1,46 @@
+import { DofKind, type Skeleton } from './skeleton.ts';
+
+/** All that posing changes: one value vector for a skeleton that never changes. */
+export interface Pose {
+  /** (qCount) radians, model units, quaternions xyzw; see `Skeleton.dofQ`. */
+  readonly q: Float64Array;
+}
+
+/** The file's pose. */
+export function restPose(skeleton: Skeleton): Pose {
+  return { q: skeleton.qRest.slice() };
+}
+
+/** A degree of freedom as the interface shows it: a joint's slide or hinge along x, y or z. */
+export interface AxisDof {
+  readonly dof: number;
+  readonly kind: typeof DofKind.slide | typeof DofKind.hinge;
+  readonly axis: 0 | 1 | 2;
+  /** Its place in q. */
+  readonly index: number;
+}
+
+/** The joint's slides and hinges along the coordinate axes, in stored order. */
+export function axisDofs(skeleton: Skeleton, joint: number): AxisDof[] {
+  const found: AxisDof[] = [];
+  for (let dof = skeleton.dofStart[joint]!; dof < skeleton.dofStart[joint + 1]!; dof++) {
+    const kind = skeleton.dofKind[dof]!;
+    if (kind === DofKind.ball) continue;
+    const axis = [0, 1, 2].find((i) => skeleton.dofAxis[dof * 3 + i] === 1);
+    if (axis === undefined) continue;
+    found.push({
+      dof,
+      kind: kind as AxisDof['kind'],
+      axis: axis as AxisDof['axis'],
+      index: skeleton.dofQ[dof]!,
+    });
+  }
+  return found;
+}
+
+/** The range of q that a joint's degrees of freedom take up, end exclusive. */
+export function jointRange(skeleton: Skeleton, joint: number): [number, number] {
+  const valueStart = (dof: number): number =>
+    dof < skeleton.dofQ.length ? skeleton.dofQ[dof]! : skeleton.qRest.length;
+  return [valueStart(skeleton.dofStart[joint]!), valueStart(skeleton.dofStart[joint + 1]!)];
+}

@@ -1,0 +1,41 @@
+/** A palette entry that follows no joint but stands still in the character's space. */
+export const noJoint = 0xffff;
+
+/**
+ * Which joints move which point, and how much: compressed sparse rows of *palette entries*. An
+ * entry is a joint with its inverse bind matrix. Rows have as many influences as the file gives.
+ */
+export interface Skin {
+  /** (entryCount) joint of each palette entry, or `noJoint`. */
+  readonly paletteJoint: Uint16Array;
+  /** (entryCount × 16) column-major, float64: character space at bind → joint frame. */
+  readonly jointFromBind: Float64Array;
+  /** (pointCount + 1) where each point's influences start. */
+  readonly start: Uint32Array;
+  /** (start[pointCount]) palette entry of each influence. */
+  readonly entries: Uint16Array;
+  /** (start[pointCount]) as the file has them: the courses' formula does not renormalise. */
+  readonly weights: Float32Array;
+}
+
+export function largestInfluenceCount(skin: Skin): number {
+  let largest = 0;
+  for (let point = 0; point + 1 < skin.start.length; point++) {
+    largest = Math.max(largest, skin.start[point + 1]! - skin.start[point]!);
+  }
+  return largest;
+}
+
+/** The same skin with each row divided by its sum; rows that sum to zero stay as they are. */
+export function normalizeSkin(skin: Skin): Skin {
+  const weights = skin.weights.slice();
+  for (let point = 0; point + 1 < skin.start.length; point++) {
+    const from = skin.start[point]!;
+    const to = skin.start[point + 1]!;
+    let sum = 0;
+    for (let i = from; i < to; i++) sum += skin.weights[i]!;
+    if (Math.abs(sum) < 1e-6) continue;
+    for (let i = from; i < to; i++) weights[i] = skin.weights[i]! / sum;
+  }
+  return { ...skin, weights };
+}

@@ -1,0 +1,38 @@
+import type { Character } from '../core/character.ts';
+import type { CharacterParts } from '../core/character-parts.ts';
+import type { Diagnostic, Parsed } from '../core/diagnostics.ts';
+
+/** A file that was dropped, fetched or named on the command line; its bytes come when asked for. */
+export interface FileEntry {
+  /** As given: perhaps with folders, `/` between them. */
+  readonly path: string;
+  readonly size: number;
+  /** The first 4 KiB, so that a format can tell its dialect by content. */
+  readonly head: Uint8Array;
+  bytes(): Promise<Uint8Array>;
+}
+
+/** The files of one character. */
+export interface FileGroup {
+  readonly name: string;
+  readonly files: readonly FileEntry[];
+  /** What was guessed in putting them together. */
+  readonly diagnostics: readonly Diagnostic[];
+}
+
+export interface OutputFile {
+  readonly path: string;
+  readonly bytes: Uint8Array;
+}
+
+/** A seam: a new format is one folder or file that fills this in, and one line in the registry. */
+export interface Format {
+  readonly id: string;
+  readonly label: string;
+  /** Endings that the file dialog offers, with the dot. */
+  readonly extensions: readonly string[];
+  /** Groups those of the files that are this format's; the rest is left for others. */
+  claim(files: readonly FileEntry[]): readonly FileGroup[];
+  read(group: FileGroup): Promise<Parsed<CharacterParts>>;
+  write(character: Character): readonly OutputFile[];
+}

@@ -1,0 +1,91 @@
+import type { Character } from '../../core/character.ts';
+import type { CharacterParts } from '../../core/character-parts.ts';
+import { type Diagnostic, DiagnosticLog, type Parsed } from '../../core/diagnostics.ts';
+import { baseName, extensionOf } from '../file-entry.ts';
+import type { FileEntry, FileGroup, Format, OutputFile } from '../format.ts';
+import { groupByStem } from '../group-by-stem.ts';
+import { readObj } from '../obj/read-obj.ts';
+import { writeObj } from '../obj/write-obj.ts';
+import { decodeText } from '../text/check-text.ts';
+import { type AttachParts, readAttach, writeAttach } from './attach.ts';
+import { readSkel, writeSkel } from './skel.ts';
+
+const kinds = ['.skel', '.obj', '.attach'] as const;
+
+/** MIT 6.837 assignment 2: `Model1.skel`, `Model1.obj`, `Model1.attach`. */
+export const mitFormat: Format = {
+  id: 'mit',
+  label: 'MIT 6.837',
+  extensions: kinds,
+  claim: (files) => groupByStem(files.filter(isMitFile), kinds),
+  read: readGroup,
+  write: writeCharacter,
+};
+
+/** The other course's `.skel` says `balljoint`; this one has nothing but numbers and comments. */
+function isMitFile(file: FileEntry): boolean {
+  const extension = extensionOf(file.path);
+  if (extension === '.skel') return !/balljoint/i.test(decodeText(file.head));
+  return kinds.some((kind) => kind === extension);
+}
+
+async function readGroup(group: FileGroup): Promise<Parsed<CharacterParts>> {
+  const skeleton = await readPart(group, '.skel', readSkel);
+  const mesh = await readPart(group, '.obj', readObj);
+  const weights = await readPart(group, '.attach', readAttach);
+  const diagnostics: Diagnostic[] = [
+    ...skeleton.diagnostics,
+    ...mesh.diagnostics,
+    ...weights.diagnostics,
+  ];
+  const jointCount = skeleton.value?.joints.length;
+  const skin = weights.value && checkColumns(weights.value, jointCount, diagnostics);
+  const value: CharacterParts = {
+    name: group.name,
+    ...(skeleton.value ? { skeleton: skeleton.value } : {}),
+    ...(mesh.value ? { mesh: mesh.value } : {}),
+    ...(skin ? { skin } : {}),
+    missing: kinds.filter((kind) => !fileOf(group, kind)),
+  };
+  return value.skeleton || value.mesh ? { value, diagnostics } : { diagnostics };
+}
+
+async function readPart<T>(
+  group: FileGroup,
+  kind: string,
+  read: (file: string, bytes: Uint8Array) => Parsed<T>,
+): Promise<Parsed<T>> {
+  const file = fileOf(group, kind);
+  return file ? read(baseName(file.path), await file.bytes()) : { diagnostics: [] };
+}
+
+function fileOf(group: FileGroup, kind: string): FileEntry | undefined {
+  return group.files.find(({ path }) => extensionOf(path) === kind);
+}
+
+/** A column for every joint but the first; a file of another skeleton shows here first. */
+function checkColumns(
+  weights: AttachParts,
+  jointCount: number | undefined,
+  diagnostics: Diagnostic[],
+): AttachParts | undefined {
+  if (jointCount === undefined || weights.columnCount === jointCount - 1) return weights;
+  const log = new DiagnosticLog(weights.file);
+  log.error({
+    code: 'attach/field-count',
+    line: 1,
+    expected: `${jointCount - 1} weights (${jointCount} joints, less the root)`,
+    found: `${weights.columnCount}`,
+    effect: 'the mesh is shown without its weights',
+  });
+  diagnostics.push(...log.diagnostics);
+  return undefined;
+}
+
+function writeCharacter({ name, skeleton, mesh, skin }: Character): readonly OutputFile[] {
+  return [
+    { path: `${name}.skel`, bytes: writeSkel(skeleton) },
+    { path: `${name}.obj`, bytes: writeObj(mesh) },
+    { path: `${name}.attach`, bytes: writeAttach(skin, skeleton) },
+  ];
+}

@@ -1,0 +1,5 @@
+import type { Format } from './format.ts';
+import { mitFormat } from './mit/format.ts';
+
+/** Every format that Sinew reads; the first that claims a file owns it. */
+export const formats: readonly Format[] = [mitFormat];

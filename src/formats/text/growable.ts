@@ -1,0 +1,36 @@
+/** Typed arrays that grow while a file is read and are cut to exact size at its end. */
+type Numbers = Float32Array | Float64Array | Uint32Array | Int32Array | Uint16Array;
+
+export class Growable<T extends Numbers> {
+  length = 0;
+  private storage: T;
+  private readonly create: (length: number) => T;
+
+  constructor(create: (length: number) => T, capacity = 1024) {
+    this.create = create;
+    this.storage = create(capacity);
+  }
+
+  push(value: number): void {
+    if (this.length === this.storage.length) {
+      const larger = this.create(this.storage.length * 2);
+      larger.set(this.storage);
+      this.storage = larger;
+    }
+    this.storage[this.length++] = value;
+  }
+
+  at(index: number): number {
+    return this.storage[index]!;
+  }
+
+  /** A copy of exactly the values pushed. */
+  finish(): T {
+    return this.storage.slice(0, this.length) as T;
+  }
+}
+
+export const growFloat32 = (): Growable<Float32Array> => new Growable((n) => new Float32Array(n));
+export const growUint32 = (): Growable<Uint32Array> => new Growable((n) => new Uint32Array(n));
+export const growInt32 = (): Growable<Int32Array> => new Growable((n) => new Int32Array(n));
+export const growUint16 = (): Growable<Uint16Array> => new Growable((n) => new Uint16Array(n));

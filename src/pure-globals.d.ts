@@ -1,0 +1,11 @@
+/**
+ * The few globals that pages, workers and Node all have, for the pure folders, which compile
+ * without the DOM library so that they can never reach for it.
+ */
+declare class TextDecoder {
+  constructor(label?: string, options?: { fatal?: boolean; ignoreBOM?: boolean });
+  decode(input?: Uint8Array): string;
+}
+declare class TextEncoder {
+  encode(input: string): Uint8Array;
+}

@@ -1,0 +1,40 @@
+import type { Mesh } from '../core/mesh.ts';
+import type { Skin } from '../core/skin.ts';
+import { transformVertex } from './affine-kernel.ts';
+import { packAffinePalette } from './affine-palette.ts';
+import type { SkinningMethod, VertexStreams } from './method.ts';
+
+/**
+ * Every vertex follows its heaviest joint alone (the first of equals): the handout's figure of parts
+ * that collide, to show what blending is for.
+ */
+export const rigid: SkinningMethod = {
+  id: 'rigid',
+  label: 'Rigid parts',
+  source: '6.837 handout, part 4, the figure of two meshes that collide at a joint',
+  vec4sPerEntry: 3,
+  packPalette: packAffinePalette,
+  deform,
+  chunk: 'rigid',
+};
+
+function deform(mesh: Mesh, skin: Skin, palette: Float32Array, out: VertexStreams): void {
+  for (let vertex = 0; vertex < mesh.vertexCount; vertex++) {
+    const entry = heaviestEntry(skin, mesh.pointOf[vertex]!);
+    for (let i = 0; i < 12; i++) rows[i] = palette[entry * 12 + i]!;
+    transformVertex(rows, mesh, vertex, out);
+  }
+}
+
+const rows = new Float32Array(12);
+
+function heaviestEntry(skin: Skin, point: number): number {
+  let entry = 0;
+  let heaviest = 0;
+  for (let i = skin.start[point]!; i < skin.start[point + 1]!; i++) {
+    if (skin.weights[i]! <= heaviest) continue;
+    heaviest = skin.weights[i]!;
+    entry = skin.entries[i]!;
+  }
+  return entry;
+}
