@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { resolve } from 'node:path';
 import { gunzipSync } from 'node:zlib';
-import { type Diagnostic, formatDiagnostic } from '../core/diagnostics.ts';
+import { type Diagnostic, formatDiagnostic, printable } from '../core/diagnostics.ts';
 import { memoryFile } from '../formats/file-entry.ts';
 import type { FileEntry } from '../formats/format.ts';
 
@@ -46,6 +46,7 @@ export function unreadable(path: string, error: unknown): Diagnostic {
 /** One line each, to stderr. */
 export function printDiagnostics(diagnostics: readonly Diagnostic[]): void {
   for (const diagnostic of diagnostics) {
-    console.error(`${diagnostic.severity}: ${formatDiagnostic(diagnostic)}; ${diagnostic.effect}`);
+    const effect = printable(diagnostic.effect, 200); // it may name files
+    console.error(`${diagnostic.severity}: ${formatDiagnostic(diagnostic)}; ${effect}`);
   }
 }

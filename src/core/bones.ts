@@ -1,4 +1,4 @@
-import { vec3 } from 'gl-matrix';
+import { quat, vec3 } from 'gl-matrix';
 import type { Mesh } from './mesh.ts';
 import { noParent, type Skeleton } from './skeleton.ts';
 import { noJoint, type Skin } from './skin.ts';
@@ -45,8 +45,11 @@ function offsetOf(skeleton: Skeleton, joint: number): vec3 {
 
 /** Without skin, a leaf goes on for 0.6 of its parent's length, in the parent's direction. */
 function extendedTip(skeleton: Skeleton, joint: number): vec3 {
-  const offset = offsetOf(skeleton, joint);
   if (skeleton.parents[joint] === noParent) return [0, 0, 0];
+  const offset = offsetOf(skeleton, joint);
+  const jointFromParent = skeleton.restRotations.slice(joint * 4, joint * 4 + 4);
+  quat.conjugate(jointFromParent, jointFromParent);
+  vec3.transformQuat(offset, offset, jointFromParent);
   return vec3.scale(offset, offset, 0.6);
 }
 

@@ -41,7 +41,7 @@ interface Split {
 }
 
 function splitCorners(parts: MeshParts): Split {
-  const { cornerPoints, cornerUvs, cornerNormals } = parts;
+  const { cornerPoints, uvs, cornerUvs, normals, cornerNormals } = parts;
   const pointCount = parts.positions.length / 3;
   const pointOf = Array.from({ length: pointCount }, (_, point) => point);
   const uvOf = new Array<number>(pointCount).fill(unset);
@@ -54,8 +54,11 @@ function splitCorners(parts: MeshParts): Split {
     const point = cornerPoints[corner]!;
     const uv = cornerUvs ? cornerUvs[corner]! : -1;
     const normal = cornerNormals ? cornerNormals[corner]! : -1;
+    const fits = (vertex: number): boolean =>
+      uvOf[vertex] === unset ||
+      (sameTuple(uvs, 2, uvOf[vertex]!, uv) && sameTuple(normals, 3, normalOf[vertex]!, normal));
     let vertex = point;
-    while (uvOf[vertex] !== unset && (uvOf[vertex] !== uv || normalOf[vertex] !== normal)) {
+    while (!fits(vertex)) {
       if (nextOfPoint[vertex] === -1) {
         nextOfPoint[vertex] = pointOf.length;
         pointOf.push(point);
@@ -78,6 +81,15 @@ function splitCorners(parts: MeshParts): Split {
 }
 
 const unset = -2;
+
+/** Whether two corners agree: files often repeat a value under another index. */
+function sameTuple(values: Float32Array | undefined, size: number, a: number, b: number): boolean {
+  if (!values || a === b || a < 0 || b < 0) return a === b;
+  for (let i = 0; i < size; i++) {
+    if (values[a * size + i] !== values[b * size + i]) return false;
+  }
+  return true;
+}
 
 function packNormals(parts: MeshParts, split: Split, pointNormals: Float32Array): Float32Array {
   const packed = new Float32Array(split.pointOf.length * 3);

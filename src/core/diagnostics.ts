@@ -64,14 +64,17 @@ const maximumPerFile = 100;
 /** Control and format characters (bidi overrides among them) must not act on the page or terminal. */
 export function printable(text: string, maximum = maximumFound): string {
   const safe = text.replace(/[\p{Cc}\p{Cf}\p{Zl}\p{Zp}]/gu, '\uFFFD');
-  return safe.length > maximum ? `${safe.slice(0, maximum)}…` : safe;
+  // By characters, so that none is cut in two; at most two code units each.
+  const characters = Array.from(safe.slice(0, (maximum + 1) * 2));
+  return characters.length > maximum ? `${characters.slice(0, maximum).join('')}…` : safe;
 }
 
 /** `FILE:LINE:COL: expected EXPECTED, found "FOUND"`, the form of every message. */
 export function formatDiagnostic(diagnostic: Diagnostic): string {
   const { file, line, column, expected, found } = diagnostic;
   const place = [printable(file, 200), line, column].filter((part) => part !== undefined).join(':');
-  return `${place}: expected ${expected}, found "${printable(found)}"`;
+  // What was expected may name a joint or a file.
+  return `${place}: expected ${printable(expected, 200)}, found "${printable(found)}"`;
 }
 
 export function hasErrors(diagnostics: readonly Diagnostic[]): boolean {

@@ -42,7 +42,7 @@ function writeLocalMatrix(skeleton: Skeleton, joint: number, q: Float64Array, ou
     const value = skeleton.dofQ[dof]!;
     switch (skeleton.dofKind[dof] as DofKind) {
       case DofKind.slide:
-        readVector(skeleton.dofAxis, dof * 3, vector, q[value]!);
+        readVector(skeleton.dofAxis, dof * 3, vector, q[value]);
         mat4.translate(out, out, vector);
         break;
       case DofKind.hinge:

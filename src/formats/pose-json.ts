@@ -32,14 +32,14 @@ export function poseFromJson(file: string, json: unknown, skeleton: Skeleton): P
   const log = new DiagnosticLog(file);
   const pose = restPose(skeleton);
   if (!isRecord(json)) {
-    fail('json', 'an object with "joints" and "root"', JSON.stringify(json));
+    fail('json', 'an object with "joints" and "root"', display(json));
     return log.finish<Pose>(undefined);
   }
   for (const key of Object.keys(json)) {
     if (key !== 'joints' && key !== 'root') fail('unknown', '"joints" or "root"', key);
   }
   const { joints = {}, root } = json;
-  if (!isRecord(joints)) fail('json', '"joints" to be an object', JSON.stringify(joints));
+  if (!isRecord(joints)) fail('json', '"joints" to be an object', display(joints));
   else for (const [name, angles] of Object.entries(joints)) setAngles(name, angles);
   if (root !== undefined) setRoot(root);
   return log.finish(pose);
@@ -47,12 +47,12 @@ export function poseFromJson(file: string, json: unknown, skeleton: Skeleton): P
   function setAngles(name: string, value: unknown): void {
     const joint = findJoint(skeleton, name);
     if (typeof joint === 'string') fail('unknown-joint', joint, name);
-    else if (!isTriple(value)) fail('json', `three numbers for "${name}"`, JSON.stringify(value));
+    else if (!isTriple(value)) fail('json', `three numbers for "${name}"`, display(value));
     else setAxes(joint, DofKind.hinge, value);
   }
 
   function setRoot(value: unknown): void {
-    if (!isTriple(value)) fail('json', 'three numbers for "root"', JSON.stringify(value));
+    if (!isTriple(value)) fail('json', 'three numbers for "root"', display(value));
     else if (skeleton.jointCount > 0) setAxes(firstRoot(skeleton), DofKind.slide, value);
   }
 
@@ -112,6 +112,15 @@ function findJoint(skeleton: Skeleton, name: string): number | string {
 function suggestion(skeleton: Skeleton, name: string): string {
   const similar = skeleton.names.find((known) => known.toLowerCase() === name.toLowerCase());
   return similar === undefined ? '' : ` ("${similar}"?)`;
+}
+
+/** A value as a message shows it; callers may pass what JSON has not. */
+function display(value: unknown): string {
+  try {
+    return String(JSON.stringify(value));
+  } catch {
+    return typeof value;
+  }
 }
 
 function isRecord(value: unknown): value is Record<string, unknown> {

@@ -1,6 +1,6 @@
 /** GPUs flush subnormal numbers to zero; so do palettes, positions and normals here. */
-export const smallestNormal = 1.2e-38;
+const smallestKept = Math.fround(1.2e-38);
 
 export function flushSubnormal(value: number): number {
-  return Math.abs(value) < smallestNormal ? 0 : value;
+  return Math.abs(value) < smallestKept ? 0 : value;
 }

@@ -1,6 +1,7 @@
 import type { Character } from '../../core/character.ts';
 import type { CharacterParts } from '../../core/character-parts.ts';
 import { type Diagnostic, DiagnosticLog, type Parsed } from '../../core/diagnostics.ts';
+import { noJoint } from '../../core/skin.ts';
 import { baseName, extensionOf } from '../file-entry.ts';
 import type { FileEntry, FileGroup, Format, OutputFile } from '../format.ts';
 import { groupByStem } from '../group-by-stem.ts';
@@ -47,7 +48,20 @@ async function readGroup(group: FileGroup): Promise<Parsed<CharacterParts>> {
     ...(skin ? { skin } : {}),
     missing: kinds.filter((kind) => !fileOf(group, kind)),
   };
-  return value.skeleton || value.mesh ? { value, diagnostics } : { diagnostics };
+  if (value.skeleton || value.mesh) return { value, diagnostics };
+  if (weights.value) diagnostics.push(aloneDiagnostic(weights.value.file));
+  return { diagnostics };
+}
+
+function aloneDiagnostic(file: string): Diagnostic {
+  return {
+    severity: 'warning',
+    code: 'file/missing',
+    file,
+    expected: 'a .skel and an .obj with it',
+    found: 'weights alone',
+    effect: 'there is nothing to show',
+  };
 }
 
 async function readPart<T>(
@@ -82,10 +96,14 @@ function checkColumns(
   return undefined;
 }
 
+/** A file for each part that there is; a lone joint has no column of weights. */
 function writeCharacter({ name, skeleton, mesh, skin }: Character): readonly OutputFile[] {
-  return [
-    { path: `${name}.skel`, bytes: writeSkel(skeleton) },
-    { path: `${name}.obj`, bytes: writeObj(mesh) },
-    { path: `${name}.attach`, bytes: writeAttach(skin, skeleton) },
-  ];
+  const files: OutputFile[] = [];
+  const hasWeights = skeleton.jointCount > 1 && !skin.paletteJoint.includes(noJoint);
+  if (skeleton.jointCount > 0) files.push({ path: `${name}.skel`, bytes: writeSkel(skeleton) });
+  if (mesh.pointCount > 0) {
+    files.push({ path: `${name}.obj`, bytes: writeObj(mesh) });
+    if (hasWeights) files.push({ path: `${name}.attach`, bytes: writeAttach(skin, skeleton) });
+  }
+  return files;
 }

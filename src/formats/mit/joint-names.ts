@@ -30,7 +30,49 @@ const course: NamedTopology = {
   ],
 };
 
-const topologies: readonly NamedTopology[] = [course];
+/** MakeHuman's `cmu_mb` rig behind a weightless root, as the bundled human has it. */
+const makeHuman: NamedTopology = {
+  parents: [
+    -1, 0, 1, 2, 3, 4, 5, 6, 4, 8, 9, 10, 11, 12, 11, 4, 15, 16, 17, 18, 19, 18, 1, 22, 23, 24, 25,
+    1, 27, 28, 29, 30,
+  ],
+  names: [
+    'Root',
+    'Hips',
+    'Lower back',
+    'Spine',
+    'Chest',
+    'Neck',
+    'Upper neck',
+    'Head',
+    'Right shoulder',
+    'Right upper arm',
+    'Right forearm',
+    'Right hand',
+    'Right palm',
+    'Right fingers',
+    'Right thumb',
+    'Left shoulder',
+    'Left upper arm',
+    'Left forearm',
+    'Left hand',
+    'Left palm',
+    'Left fingers',
+    'Left thumb',
+    'Right hip',
+    'Right upper leg',
+    'Right lower leg',
+    'Right foot',
+    'Right toes',
+    'Left hip',
+    'Left upper leg',
+    'Left lower leg',
+    'Left foot',
+    'Left toes',
+  ],
+};
+
+const topologies: readonly NamedTopology[] = [course, makeHuman];
 
 /** Unique names: the known ones where the topology is known, else "joint 00", "joint 01", … */
 export function jointNames(parents: readonly number[]): readonly string[] {

@@ -62,7 +62,7 @@ export class FaceReader {
     } else if (face.points.length > this.limits.cornersPerFace) {
       const expected = `a face of at most ${this.limits.cornersPerFace} corners`;
       this.fail('limit', expected, `${face.points.length}`);
-    } else if (this.triangleCount > this.limits.triangleCount) {
+    } else if (this.triangleCount + face.points.length - 2 > this.limits.triangleCount) {
       this.fail('limit', `at most ${this.limits.triangleCount} triangles`, 'more');
     } else this.addTriangles(face);
   }

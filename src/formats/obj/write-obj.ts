@@ -12,8 +12,9 @@ export function writeObj(mesh: Mesh, positions: Float32Array = mesh.positions): 
     lines.push(`v ${tuple(positions, point, 3)}`);
   }
   const corner = mesh.uvs ? writeUvs(mesh, mesh.uvs, lines) : (vertex: number) => point(vertex);
-  for (const { material, firstIndex, indexCount } of mesh.submeshes) {
+  for (const [run, { material, firstIndex, indexCount }] of mesh.submeshes.entries()) {
     if (material !== '') lines.push(`usemtl ${material}`);
+    else if (run > 0) lines.push('usemtl'); // faces without material after faces with one
     for (let i = firstIndex; i < firstIndex + indexCount; i += 3) {
       const [a, b, c] = [mesh.indices[i]!, mesh.indices[i + 1]!, mesh.indices[i + 2]!];
       lines.push(`f ${corner(a)} ${corner(b)} ${corner(c)}`);

@@ -118,18 +118,18 @@ export class LineReader {
     let at = this.nextStart;
     while (at < bytes.length && bytes[at] !== lineFeed && bytes[at] !== carriageReturn) at++;
     this.lineEnd = at;
-    // LF, CRLF and CR CR LF are one end each; returns without a line feed are one end apiece.
-    const afterReturns = endOfReturns(bytes, at);
-    if (bytes[afterReturns] === lineFeed) at = afterReturns;
-    this.nextStart = at + 1;
+    this.nextStart = endOfLineEnd(bytes, at);
     this.nextLine++;
   }
 }
 
-function endOfReturns(bytes: Uint8Array, start: number): number {
-  let at = start;
-  while (bytes[at] === carriageReturn) at++;
-  return at;
+/** LF, CRLF and CR CR LF are one end each; returns without a line feed are one end apiece. */
+function endOfLineEnd(bytes: Uint8Array, start: number): number {
+  if (bytes[start] !== carriageReturn) return start + 1;
+  if (bytes[start + 1] === lineFeed) return start + 2;
+  return bytes[start + 1] === carriageReturn && bytes[start + 2] === lineFeed
+    ? start + 3
+    : start + 1;
 }
 
 function isBlank(byte: number): boolean {

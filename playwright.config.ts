@@ -1,0 +1,67 @@
+import { createServer } from 'node:net';
+import { defineConfig } from '@playwright/test';
+import { browserFlags, findBrowser } from './tools/browser.mjs';
+
+const { env } = process;
+
+// Every worker loads this file again: what was found and chosen once is handed on in the environment.
+env['TEST_BROWSER'] ??= findBrowser().path ?? 'playwright';
+env['TEST_PORT'] ??= String(await freePort());
+const browserFile = env['TEST_BROWSER'] === 'playwright' ? undefined : env['TEST_BROWSER'];
+
+// The built app, from a folder of a server: what works there works everywhere.
+const folder = '/deep/sinew/';
+const address = `http://127.0.0.1:${env['TEST_PORT']}${folder}`;
+const inContinuousIntegration = Boolean(env['CI']);
+
+export default defineConfig({
+  testDir: 'e2e',
+  outputDir: 'test-results',
+  // No system in the names: the renderer is the same everywhere.
+  snapshotPathTemplate: '{testDir}/expected/{arg}{ext}',
+  fullyParallel: true,
+  workers: 2,
+  retries: 0,
+  forbidOnly: inContinuousIntegration,
+  globalTimeout: 10 * 60_000,
+  expect: {
+    toHaveScreenshot: { threshold: 0.1, maxDiffPixelRatio: 0.001, animations: 'disabled' },
+  },
+  use: {
+    baseURL: address,
+    viewport: { width: 1280, height: 800 },
+    deviceScaleFactor: 1,
+    locale: 'en-US',
+    timezoneId: 'UTC',
+    colorScheme: 'light',
+    contextOptions: { reducedMotion: 'reduce' },
+    trace: 'retain-on-failure',
+    launchOptions: {
+      ...(browserFile !== undefined && { executablePath: browserFile }),
+      // Chromium refuses its sandbox to root, and many containers refuse it to anyone; the tests
+      // open our own pages alone.
+      chromiumSandbox: false,
+      args: browserFlags,
+    },
+  },
+  webServer: {
+    command: `node node_modules/vite/bin/vite.js preview --base ${folder} --host 127.0.0.1 --port ${env['TEST_PORT']} --strictPort`,
+    url: address,
+    // A server that someone left running may serve another version.
+    reuseExistingServer: false,
+  },
+});
+
+function freePort(): Promise<number> {
+  return new Promise((resolve, reject) => {
+    const server = createServer();
+    server.once('error', reject);
+    server.listen(0, '127.0.0.1', () => {
+      const found = server.address();
+      server.close(() => {
+        if (found === null || typeof found === 'string') reject(new Error('no free port'));
+        else resolve(found.port);
+      });
+    });
+  });
+}

@@ -1,0 +1,33 @@
+// The studio's light on a matte surface: a warm key, a cool fill, a rim from behind, and a soft dome
+// above a lit floor. Directions point to the light, scene space, unit length.
+#include "lib/key-shadow.glsl"
+
+uniform vec3 keyDirection;
+uniform vec3 fillDirection;
+uniform vec3 rimDirection;
+uniform vec3 eye;
+
+const vec3 keyColor = vec3(1.0, 0.93, 0.84) * 1.45;
+const vec3 fillColor = vec3(0.7, 0.83, 1.0) * 0.22;
+const vec3 rimColor = vec3(0.86, 0.93, 1.0) * 0.5;
+const vec3 skyColor = vec3(0.84, 0.91, 1.0) * 0.4;
+const vec3 groundColor = vec3(1.0, 0.92, 0.83) * 0.2;
+
+// Lambert, let a little past the terminator as clay does.
+float wrapped(float cosine) {
+  return max(0.0, (cosine + 0.12) / 1.12);
+}
+
+vec3 shadeMatte(vec3 albedo, vec3 normal, vec3 position) {
+  vec3 view = normalize(eye - position);
+  float visibility = keyVisibility(position, normal);
+  vec3 light = mix(groundColor, skyColor, 0.5 + 0.5 * normal.y);
+  light += keyColor * wrapped(dot(normal, keyDirection)) * visibility;
+  light += fillColor * wrapped(dot(normal, fillDirection));
+  light += rimColor * wrapped(dot(normal, rimDirection));
+  float grazing = pow(1.0 - max(dot(normal, view), 0.0), 4.0);
+  vec3 edge = rimColor * 0.35 * grazing * (0.5 + 0.5 * normal.y);
+  vec3 halfway = normalize(keyDirection + view);
+  vec3 sheen = keyColor * 0.06 * pow(max(dot(normal, halfway), 0.0), 28.0) * visibility;
+  return albedo * light + edge + sheen;
+}

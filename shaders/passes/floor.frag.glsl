@@ -1,0 +1,44 @@
+#include "lib/color.glsl"
+#include "lib/background.glsl"
+#include "lib/key-shadow.glsl"
+
+in vec3 scenePosition;
+
+uniform vec3 floorLight;
+uniform vec3 floorDark;
+uniform float checkSize;
+uniform float fadeStart;
+uniform float fadeEnd;
+// Contact (red) and broad (green) shadow over a square: its centre in x, z and half its side.
+uniform sampler2D contactShadow;
+uniform vec3 contactSquare;
+uniform float shadowStrength;
+
+out vec4 color;
+
+// A square wave of period 2 has a triangle wave as its integral; the difference of the integral
+// over the pixel's width is the wave as the pixel sees it.
+vec2 triangleWave(vec2 x) {
+  return abs(2.0 * fract(0.5 * x) - 1.0);
+}
+
+// 0 and 1 on neighbouring checks, their mean where checks are smaller than pixels.
+float checker(vec2 x) {
+  vec2 width = max(fwidth(x), 1e-4);
+  vec2 wave = (triangleWave(x + 0.5 * width) - triangleWave(x - 0.5 * width)) / width;
+  return 0.5 + 0.5 * wave.x * wave.y;
+}
+
+void main() {
+  vec3 surface = mix(floorLight, floorDark, checker(scenePosition.xz / checkSize));
+  vec2 at = (scenePosition.xz - contactSquare.xy) / contactSquare.z;
+  vec2 contact = texture(contactShadow, at * 0.5 + 0.5).rg;
+  // The square's rim is never quite empty; ease it out so that no edge shows.
+  vec2 inside = smoothstep(1.0, 0.8, abs(at));
+  contact *= inside.x * inside.y;
+  float shade = 1.0 - keyVisibility(scenePosition, vec3(0.0, 1.0, 0.0));
+  float light = (1.0 - 0.6 * contact.r) * (1.0 - 0.35 * contact.g) * (1.0 - 0.22 * shade);
+  surface *= mix(1.0, light, shadowStrength);
+  float fade = smoothstep(fadeStart, fadeEnd, length(scenePosition.xz));
+  color = vec4(dither(encodeSrgb(mix(surface, backdrop(), fade))), 1.0);
+}

@@ -1,0 +1,22 @@
+#include "lib/color.glsl"
+#include "lib/studio.glsl"
+
+in vec3 scenePosition;
+centroid in vec3 sceneNormal;
+
+uniform vec3 albedo;
+uniform bool faceted;
+
+out vec4 color;
+
+void main() {
+  // The face's own normal, from neighbouring pixels: the assignment's look without a second mesh.
+  vec3 face = normalize(cross(dFdx(scenePosition), dFdy(scenePosition)));
+  // Of open surfaces the inner side shows, its normals turned. Where a closed one curves away, slivers
+  // of its far side show too; their normals lie nearly across the view and must stay.
+  vec3 smoothed = normalize(sceneNormal);
+  bool inner = !gl_FrontFacing && dot(smoothed, normalize(eye - scenePosition)) < -0.3;
+  if (inner) smoothed = -smoothed;
+  vec3 normal = faceted ? face : smoothed;
+  color = vec4(dither(encodeSrgb(toneMap(shadeMatte(albedo, normal, scenePosition)))), 1.0);
+}

@@ -1,0 +1,17 @@
+in vec3 posedPosition;
+in vec3 posedNormal;
+
+uniform mat4 sceneFromCharacter;
+uniform mat4 clipFromScene;
+
+out vec3 scenePosition;
+// At pixels that a triangle only touches, its normal must not be guessed beyond its rim.
+centroid out vec3 sceneNormal;
+
+void main() {
+  vec4 position = sceneFromCharacter * vec4(posedPosition, 1.0);
+  scenePosition = position.xyz;
+  // The scene scales characters evenly, so that normals need no inverse transpose.
+  sceneNormal = mat3(sceneFromCharacter) * posedNormal;
+  gl_Position = clipFromScene * position;
+}

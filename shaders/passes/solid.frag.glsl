@@ -1,0 +1,20 @@
+#include "lib/color.glsl"
+#include "lib/studio.glsl"
+
+in vec3 scenePosition;
+in vec3 sceneNormal;
+in vec3 solidColor;
+
+// Below 1 where a solid shows through what hides it.
+uniform float opacity;
+
+out vec4 color;
+
+void main() {
+  vec3 normal = normalize(sceneNormal);
+  vec3 view = normalize(eye - scenePosition);
+  vec3 lit = shadeMatte(solidColor, normal, scenePosition);
+  // A thin dark rim sets solids off from each other and from the skin.
+  float outline = smoothstep(0.12, 0.34, abs(dot(normal, view)));
+  color = vec4(dither(encodeSrgb(toneMap(lit * mix(0.12, 1.0, outline)))), opacity);
+}

@@ -1,0 +1,10 @@
+/** Hands bytes to the user as a file. */
+export function download(name: string, content: BlobPart, type: string): void {
+  const url = URL.createObjectURL(new Blob([content], { type }));
+  const link = document.createElement('a');
+  link.href = url;
+  link.download = name;
+  link.click();
+  // The browser takes the URL at the click; it is kept a moment for those that are late.
+  setTimeout(() => URL.revokeObjectURL(url), 10_000);
+}

@@ -1,0 +1,59 @@
+import type { Viewer } from '../view/viewer.ts';
+
+/** The page's frame: the view in the middle, panels about it. */
+export interface Layout {
+  readonly canvas: HTMLCanvasElement;
+  readonly left: HTMLElement;
+  readonly right: HTMLElement;
+  readonly foot: HTMLElement;
+  /** Keeps the picture at the size of the view, in device pixels. */
+  follow(viewer: Viewer, pixelRatio?: number): void;
+  /** In place of the view. */
+  showMessage(text: string): void;
+}
+
+/** Enough for any eye, and no more than a GPU can fill. */
+const largestPixelRatio = 2;
+
+export function createLayout(root: HTMLElement): Layout {
+  const left = append(root, 'aside', 'left');
+  const view = append(root, 'main', 'view');
+  const right = append(root, 'aside', 'right');
+  const foot = append(root, 'div', 'foot');
+  left.setAttribute('aria-label', 'Characters and problems');
+  right.setAttribute('aria-label', 'Controls');
+  const canvas = view.appendChild(document.createElement('canvas'));
+  canvas.className = 'scene';
+  canvas.tabIndex = 0;
+  canvas.setAttribute('role', 'img');
+  canvas.setAttribute('aria-label', 'The character; arrow keys orbit, Home frames it');
+  return {
+    canvas,
+    left,
+    right,
+    foot,
+    follow(viewer, pixelRatio) {
+      const fit = (): void => {
+        const ratio = pixelRatio ?? Math.min(devicePixelRatio, largestPixelRatio);
+        const { width, height } = view.getBoundingClientRect();
+        viewer.resize(
+          Math.max(1, Math.round(width * ratio)),
+          Math.max(1, Math.round(height * ratio)),
+        );
+      };
+      new ResizeObserver(fit).observe(view);
+      fit();
+    },
+    showMessage(text) {
+      const message = append(view, 'p', 'message');
+      message.setAttribute('role', 'alert');
+      message.textContent = text;
+    },
+  };
+}
+
+function append(parent: HTMLElement, tag: string, className: string): HTMLElement {
+  const element = document.createElement(tag);
+  element.className = className;
+  return parent.appendChild(element);
+}

@@ -1,0 +1,95 @@
+import type { Diagnostic } from '../core/diagnostics.ts';
+import { setPose } from '../document/commands.ts';
+import { selectedCharacter } from '../document/document.ts';
+import type { SkinDevice } from '../document/session.ts';
+import type { FileEntry } from '../formats/format.ts';
+import { poseFromJson, type PoseJson, poseToJson } from '../formats/pose-json.ts';
+import { formatDiagnostic } from '../core/diagnostics.ts';
+import type { Editor } from '../ui/editor.ts';
+import { fileEntry } from '../ui/file-entry.ts';
+import { encodePicture, type PictureFormat } from '../view/picture.ts';
+import type { Verification } from '../view/viewer.ts';
+import { fetchFile } from './catalogue.ts';
+
+export interface CharacterSummary {
+  readonly name: string;
+  readonly joints: readonly string[];
+  readonly vertexCount: number;
+  readonly triangleCount: number;
+  readonly selected: boolean;
+}
+
+export interface CaptureOptions {
+  readonly format?: PictureFormat;
+}
+
+/** `window.sinew`: the page for scripts and tests; see docs/scripting.md. */
+export interface Scripting {
+  /** Settles when the first character has been drawn. */
+  readonly ready: Promise<void>;
+  /** Files to read, the id of a bundled character, or URLs of this page's own origin. */
+  open(source: readonly File[] | FileList | string | readonly string[]): Promise<void>;
+  readonly characters: readonly CharacterSummary[];
+  /** The pose, or sets it: joints that are not named take the file's pose. */
+  pose(json?: PoseJson): PoseJson;
+  /** (vertices × 3) posed positions, in the file's order and units. */
+  vertices(device: SkinDevice): Float32Array;
+  verify(): Verification | null;
+  /** The view's pixels as a file. */
+  capture(options?: CaptureOptions): Promise<Blob>;
+  readonly problems: readonly Diagnostic[];
+  /** Live WebGL objects by kind. */
+  readonly liveObjects: Readonly<Record<string, number>>;
+}
+
+export function createScripting(editor: Editor, ready: Promise<void>): Scripting {
+  const { store, session, viewer } = editor;
+  return {
+    ready,
+    async open(source) {
+      if (typeof source === 'string' && editor.bundled.value.some(({ id }) => id === source)) {
+        await editor.openBundled(source);
+      } else await editor.openFiles(await entriesOf(source));
+    },
+    get characters() {
+      const { characters, selectedId } = store.document.value;
+      return characters.map(({ id, character: { name, skeleton, mesh } }) => ({
+        name,
+        joints: skeleton.names,
+        vertexCount: mesh.pointCount,
+        triangleCount: mesh.indices.length / 3,
+        selected: id === selectedId,
+      }));
+    },
+    pose(json) {
+      const state = selectedCharacter(store.document.value);
+      if (!state) return {};
+      const { skeleton } = state.character;
+      if (json === undefined) return poseToJson(skeleton, { q: state.q });
+      const { value, diagnostics } = poseFromJson('pose', json, skeleton);
+      if (!value) throw new Error(diagnostics.map(formatDiagnostic).join('\n'));
+      store.dispatch(setPose(state.id, value.q));
+      return poseToJson(skeleton, value);
+    },
+    vertices: (device) => viewer.vertices(device),
+    verify: () => viewer.verify(),
+    capture: ({ format = 'png' } = {}) => encodePicture(viewer.capture(), format),
+    get problems() {
+      return session.problems.value;
+    },
+    get liveObjects() {
+      return viewer.liveObjects;
+    },
+  };
+}
+
+function entriesOf(
+  source: readonly File[] | FileList | string | readonly string[],
+): Promise<FileEntry[]> {
+  const items = typeof source === 'string' ? [source] : Array.from<File | string>(source);
+  return Promise.all(
+    items.map((item) =>
+      typeof item === 'string' ? fetchFile(new URL(item, document.baseURI)) : fileEntry(item),
+    ),
+  );
+}

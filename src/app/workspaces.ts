@@ -1,0 +1,40 @@
+import type { Workspace } from '../ui/workspace.ts';
+
+const degrees = Math.PI / 180;
+
+/** Every workspace, the first visit's first. */
+export const workspaces: readonly Workspace[] = [
+  {
+    id: 'studio',
+    label: 'Studio',
+    camera: {
+      target: [0, 0.5, 0],
+      distance: 2.4,
+      azimuth: 36 * degrees,
+      elevation: 9 * degrees,
+      fieldOfView: 28 * degrees,
+    },
+    framed: true,
+    shading: 'smooth',
+    showSkin: true,
+    showSkeleton: false,
+    showAxes: false,
+  },
+  {
+    id: '6.837',
+    label: 'MIT 6.837',
+    // The course's program looks at the middle of a character 0.9 tall from 1.5 away.
+    camera: {
+      target: [0, 0.5, 0],
+      distance: 1.5 / 0.9,
+      azimuth: 0,
+      elevation: 0,
+      fieldOfView: 50 * degrees,
+    },
+    framed: false,
+    shading: 'faceted',
+    showSkin: true,
+    showSkeleton: false,
+    showAxes: false,
+  },
+];

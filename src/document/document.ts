@@ -1,0 +1,41 @@
+import type { Character } from '../core/character.ts';
+import { normalizeSkin, type Skin } from '../core/skin.ts';
+import type { MethodId } from '../skinning/method.ts';
+
+/**
+ * All that is saved and undone, as a value: never changed in place, so that an older document stays
+ * what it was and undo restores the exact bits. Characters are shared by reference.
+ */
+export interface Document {
+  readonly characters: readonly CharacterState[];
+  readonly selectedId: CharacterId | null;
+}
+
+export type CharacterId = number;
+
+export interface CharacterState {
+  readonly id: CharacterId;
+  readonly character: Character;
+  /** (qCount) the pose; never written in place. */
+  readonly q: Float64Array;
+  readonly method: MethodId;
+  /** Whether rows of weights are divided by their sum; the file's weights are used as they are. */
+  readonly normalizeWeights: boolean;
+}
+
+export const emptyDocument: Document = { characters: [], selectedId: null };
+
+export function selectedCharacter(document: Document): CharacterState | undefined {
+  return document.characters.find(({ id }) => id === document.selectedId);
+}
+
+/** The weights in use: the file's, or those divided by their sums. */
+export function skinInUse({ character, normalizeWeights }: CharacterState): Skin {
+  if (!normalizeWeights) return character.skin;
+  let normalized = normalizedSkins.get(character.skin);
+  if (!normalized)
+    normalizedSkins.set(character.skin, (normalized = normalizeSkin(character.skin)));
+  return normalized;
+}
+
+const normalizedSkins = new WeakMap<Skin, Skin>();

@@ -1,0 +1,81 @@
+import { computed, type ReadonlySignal, signal } from '@preact/signals-core';
+import type { Command } from './commands.ts';
+import { type Document, emptyDocument } from './document.ts';
+import { emptyHistory, type History, record, stepBack, stepForward } from './history.ts';
+
+/** A change that is still under way, a slider or bone drag: one step of undo in the end. */
+export interface Gesture {
+  /** Shows the outcome of the command on the document as it was when the gesture began. */
+  preview(command: Command): void;
+  commit(): void;
+  /** Restores the document of the beginning, bit for bit. */
+  cancel(): void;
+}
+
+/** Holds the document and its history; every change goes through here. */
+export class Store {
+  private readonly current = signal<Document>(emptyDocument);
+  private readonly history = signal<History>(emptyHistory);
+  private open: Gesture | null = null;
+
+  readonly document: ReadonlySignal<Document> = this.current;
+  /** What Undo and Redo would do, or null. */
+  readonly undoLabel = computed(() => this.history.value.past.at(-1)?.label ?? null);
+  readonly redoLabel = computed(() => this.history.value.future.at(-1)?.label ?? null);
+
+  dispatch(command: Command): void {
+    const gesture = this.begin(command.label);
+    gesture.preview(command);
+    gesture.commit();
+  }
+
+  /** Begins a gesture; one that is still open is committed first. */
+  begin(label: string): Gesture {
+    this.open?.commit();
+    const before = this.current.value;
+    const isOpen = (): boolean => this.open === gesture;
+    const gesture: Gesture = {
+      preview: (command) => {
+        if (isOpen()) this.current.value = command.apply(before);
+      },
+      commit: () => {
+        if (!isOpen()) return;
+        this.open = null;
+        const after = this.current.value;
+        // An empty page is nothing to go back to: the first character opens without a step of undo.
+        if (after === before || before.characters.length === 0) return;
+        this.history.value = record(this.history.value, { label, before, after });
+      },
+      cancel: () => {
+        if (!isOpen()) return;
+        this.open = null;
+        this.current.value = before;
+      },
+    };
+    this.open = gesture;
+    return gesture;
+  }
+
+  /** Cancels an open gesture; true where there was one. */
+  cancelGesture(): boolean {
+    const gesture = this.open;
+    gesture?.cancel();
+    return gesture !== null;
+  }
+
+  undo(): void {
+    this.open?.commit();
+    const entry = this.history.value.past.at(-1);
+    if (!entry) return;
+    this.current.value = entry.before;
+    this.history.value = stepBack(this.history.value);
+  }
+
+  redo(): void {
+    this.open?.commit();
+    const entry = this.history.value.future.at(-1);
+    if (!entry) return;
+    this.current.value = entry.after;
+    this.history.value = stepForward(this.history.value);
+  }
+}

@@ -1,0 +1,139 @@
+import type { Gpu } from './gpu.ts';
+
+export interface ProgramSources {
+  /** For messages. */
+  readonly name: string;
+  readonly vertex: string;
+  readonly fragment: string;
+  /** Outputs of the vertex stage that transform feedback writes, each to a buffer of its own. */
+  readonly feedback?: readonly string[];
+}
+
+export type UniformValue = number | boolean | ArrayLike<number>;
+
+/** A linked program; uniforms are set by name, attributes found by name. */
+export class Program {
+  readonly name: string;
+  private readonly gl: WebGL2RenderingContext;
+  private readonly handle: WebGLProgram;
+  private readonly untrack: () => void;
+  private readonly uniforms = new Map<
+    string,
+    WebGLActiveInfo & { location: WebGLUniformLocation }
+  >();
+  private readonly attributes = new Map<string, number>();
+
+  constructor(gpu: Gpu, sources: ProgramSources) {
+    const { gl } = gpu;
+    this.gl = gl;
+    this.name = sources.name;
+    this.handle = gl.createProgram();
+    this.untrack = gpu.track('program');
+    const stages = [
+      compile(gl, gl.VERTEX_SHADER, sources.vertex, `${sources.name} (vertex)`),
+      compile(gl, gl.FRAGMENT_SHADER, sources.fragment, `${sources.name} (fragment)`),
+    ];
+    for (const stage of stages) gl.attachShader(this.handle, stage);
+    if (sources.feedback) {
+      gl.transformFeedbackVaryings(this.handle, [...sources.feedback], gl.SEPARATE_ATTRIBS);
+    }
+    gl.linkProgram(this.handle);
+    for (const stage of stages) gl.deleteShader(stage);
+    if (!gl.getProgramParameter(this.handle, gl.LINK_STATUS) && !gl.isContextLost()) {
+      throw new Error(`${sources.name} does not link: ${gl.getProgramInfoLog(this.handle) ?? ''}`);
+    }
+    this.findUniforms();
+    this.findAttributes();
+  }
+
+  use(): void {
+    this.gl.useProgram(this.handle);
+  }
+
+  /** The attribute's location, or -1 where the program does not read it. */
+  attribute(name: string): number {
+    return this.attributes.get(name) ?? -1;
+  }
+
+  /** Sets uniforms of this program, which must be in use; unknown names are passed over. */
+  set(values: Readonly<Record<string, UniformValue>>): void {
+    for (const [name, value] of Object.entries(values)) this.setUniform(name, value);
+  }
+
+  bindBlock(name: string, binding: number): void {
+    const index = this.gl.getUniformBlockIndex(this.handle, name);
+    if (index !== this.gl.INVALID_INDEX) {
+      this.gl.uniformBlockBinding(this.handle, index, binding);
+    }
+  }
+
+  dispose(): void {
+    this.gl.deleteProgram(this.handle);
+    this.untrack();
+  }
+
+  private setUniform(name: string, value: UniformValue): void {
+    const uniform = this.uniforms.get(name);
+    if (!uniform) return;
+    const { gl } = this;
+    const { location, type } = uniform;
+    const values = typeof value === 'object' ? Float32Array.from(value) : [Number(value)];
+    switch (type) {
+      case gl.FLOAT:
+        gl.uniform1fv(location, values);
+        break;
+      case gl.FLOAT_VEC2:
+        gl.uniform2fv(location, values);
+        break;
+      case gl.FLOAT_VEC3:
+        gl.uniform3fv(location, values);
+        break;
+      case gl.FLOAT_VEC4:
+        gl.uniform4fv(location, values);
+        break;
+      case gl.FLOAT_MAT4:
+        gl.uniformMatrix4fv(location, false, values);
+        break;
+      default:
+        gl.uniform1i(location, values[0]!);
+    }
+  }
+
+  private findUniforms(): void {
+    const { gl, handle } = this;
+    const count = (gl.getProgramParameter(handle, gl.ACTIVE_UNIFORMS) as number | null) ?? 0;
+    for (let i = 0; i < count; i++) {
+      const info = gl.getActiveUniform(handle, i);
+      const location = info && gl.getUniformLocation(handle, info.name);
+      if (!location) continue; // a member of a block
+      const { name, type, size } = info;
+      this.uniforms.set(name.replace(/\[0\]$/, ''), { name, type, size, location });
+    }
+  }
+
+  private findAttributes(): void {
+    const { gl, handle } = this;
+    const count = (gl.getProgramParameter(handle, gl.ACTIVE_ATTRIBUTES) as number | null) ?? 0;
+    for (let i = 0; i < count; i++) {
+      const info = gl.getActiveAttrib(handle, i);
+      if (info) this.attributes.set(info.name, gl.getAttribLocation(handle, info.name));
+    }
+  }
+}
+
+function compile(
+  gl: WebGL2RenderingContext,
+  type: number,
+  source: string,
+  name: string,
+): WebGLShader {
+  const shader = gl.createShader(type);
+  if (!shader) throw new Error(`${name}: the context is lost`);
+  gl.shaderSource(shader, source);
+  gl.compileShader(shader);
+  if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS) && !gl.isContextLost()) {
+    const numbered = source.split('\n').map((line, index) => `${index + 1}: ${line}`);
+    throw new Error(`${name}: ${gl.getShaderInfoLog(shader) ?? ''}\n${numbered.join('\n')}`);
+  }
+  return shader;
+}

@@ -1,0 +1,102 @@
+import { type Gpu, GpuLimitError } from './gpu.ts';
+
+/**
+ * A picture of our own: colour and depth with 4 samples a pixel, resolved to one, which is shown and
+ * read back. What is captured is thus exactly what was seen.
+ */
+export class RenderTarget {
+  readonly width: number;
+  readonly height: number;
+  private readonly gl: WebGL2RenderingContext;
+  private readonly disposers: (() => void)[] = [];
+  private readonly sampled: WebGLFramebuffer;
+  private readonly resolved: WebGLFramebuffer;
+
+  constructor(gpu: Gpu, width: number, height: number) {
+    const { gl } = gpu;
+    this.gl = gl;
+    this.width = width;
+    this.height = height;
+    const samples = Math.min(4, gpu.maxSamples);
+    this.sampled = this.createFramebuffer(gpu);
+    this.attach(gpu, gl.COLOR_ATTACHMENT0, gl.RGBA8, samples);
+    this.attach(gpu, gl.DEPTH_ATTACHMENT, gl.DEPTH_COMPONENT24, samples);
+    this.resolved = this.createFramebuffer(gpu);
+    this.attach(gpu, gl.COLOR_ATTACHMENT0, gl.RGBA8, 0);
+    const complete = gl.checkFramebufferStatus(gl.FRAMEBUFFER) === gl.FRAMEBUFFER_COMPLETE;
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    if (!complete && !gl.isContextLost()) {
+      this.dispose();
+      throw new GpuLimitError(`the GPU can't draw a picture of ${width} × ${height} pixels`);
+    }
+  }
+
+  /** Draws go here until `resolve`. */
+  begin(): void {
+    this.gl.bindFramebuffer(this.gl.FRAMEBUFFER, this.sampled);
+    this.gl.viewport(0, 0, this.width, this.height);
+  }
+
+  resolve(): void {
+    this.copy(this.sampled, this.resolved);
+  }
+
+  /** Copies the resolved picture to the canvas, which must have its size. */
+  show(): void {
+    this.copy(this.resolved, null);
+  }
+
+  /** (width × height × 4) bytes RGBA, the bottom row first. */
+  readPixels(): Uint8Array {
+    const { gl, width, height } = this;
+    const pixels = new Uint8Array(width * height * 4);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, this.resolved);
+    gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    return pixels;
+  }
+
+  dispose(): void {
+    for (const dispose of this.disposers.splice(0)) dispose();
+  }
+
+  private copy(from: WebGLFramebuffer, to: WebGLFramebuffer | null): void {
+    const { gl, width, height } = this;
+    gl.bindFramebuffer(gl.READ_FRAMEBUFFER, from);
+    gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, to);
+    gl.blitFramebuffer(
+      ...[0, 0, width, height],
+      ...[0, 0, width, height],
+      gl.COLOR_BUFFER_BIT,
+      gl.NEAREST,
+    );
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+  }
+
+  /** Leaves the framebuffer bound. */
+  private createFramebuffer(gpu: Gpu): WebGLFramebuffer {
+    const { gl } = this;
+    const handle = gl.createFramebuffer();
+    const untrack = gpu.track('framebuffer');
+    this.disposers.push(() => {
+      gl.deleteFramebuffer(handle);
+      untrack();
+    });
+    gl.bindFramebuffer(gl.FRAMEBUFFER, handle);
+    return handle;
+  }
+
+  private attach(gpu: Gpu, attachment: number, format: number, samples: number): void {
+    const { gl, width, height } = this;
+    const handle = gl.createRenderbuffer();
+    const untrack = gpu.track('renderbuffer');
+    this.disposers.push(() => {
+      gl.deleteRenderbuffer(handle);
+      untrack();
+    });
+    gl.bindRenderbuffer(gl.RENDERBUFFER, handle);
+    gl.renderbufferStorageMultisample(gl.RENDERBUFFER, samples, format, width, height);
+    gl.framebufferRenderbuffer(gl.FRAMEBUFFER, attachment, gl.RENDERBUFFER, handle);
+    gl.bindRenderbuffer(gl.RENDERBUFFER, null);
+  }
+}

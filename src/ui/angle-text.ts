@@ -1,0 +1,14 @@
+const degreesPerRadian = 180 / Math.PI;
+
+export function formatDegrees(radians: number): string {
+  const degrees = Math.round(radians * degreesPerRadian * 10) / 10;
+  return `${degrees === 0 ? 0 : degrees}°`;
+}
+
+/** A typed number: radians (or a length) as it stands, degrees with ° or deg; NaN if neither. */
+export function parseTyped(text: string): number {
+  const match = /^\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?)\s*(°|deg)?\s*$/i.exec(text);
+  if (!match) return NaN;
+  const value = Number(match[1]);
+  return match[2] === undefined ? value : value / degreesPerRadian;
+}

@@ -1,0 +1,78 @@
+import type { GUI } from 'lil-gui';
+import { diagonal } from '../../core/bounds.ts';
+import { axisDofs, type AxisDof } from '../../core/pose.ts';
+import { DofKind } from '../../core/skeleton.ts';
+import { resetJoint, setValue } from '../../document/commands.ts';
+import { type CharacterState, selectedCharacter } from '../../document/document.ts';
+import type { Editor } from '../editor.ts';
+import { addValueRow, type ValueRow } from './value-row.ts';
+
+const axisNames = ['X', 'Y', 'Z'] as const;
+
+/**
+ * A folder with the sliders of one joint. Its rows are built when it is first opened: a character
+ * may have hundreds.
+ */
+export class JointFolder {
+  private readonly rows: ValueRow[] = [];
+  private readonly folder: GUI;
+  private readonly editor: Editor;
+  private readonly joint: number;
+  private readonly state: CharacterState;
+  private built = false;
+
+  constructor(parent: GUI, editor: Editor, state: CharacterState, joint: number) {
+    this.editor = editor;
+    this.state = state;
+    this.joint = joint;
+    this.folder = parent.addFolder(this.name).close();
+    this.folder.onOpenClose((changed) => {
+      if (changed !== this.folder) return;
+      const open = !this.folder._closed;
+      if (open) this.build();
+      this.editor.session.selectedJoint.value = open ? joint : null;
+    });
+  }
+
+  refresh(): void {
+    for (const row of this.rows) row.refresh();
+  }
+
+  private get name(): string {
+    return this.state.character.skeleton.names[this.joint]!;
+  }
+
+  private build(): void {
+    if (this.built) return;
+    this.built = true;
+    const { skeleton } = this.state.character;
+    for (const dof of axisDofs(skeleton, this.joint)) this.rows.push(this.addRow(dof));
+    this.folder.add({ reset: () => this.reset() }, 'reset').name('Reset joint');
+  }
+
+  private addRow({ kind, axis, index }: AxisDof): ValueRow {
+    const { store } = this.editor;
+    const { id, character } = this.state;
+    const { qMin, qMax, qRest } = character.skeleton;
+    const isAngle = kind === DofKind.hinge;
+    const reach = isAngle ? Math.PI : diagonal(character.bounds);
+    const name = `${isAngle ? '' : 'Move '}${axisNames[axis]}`;
+    const label = `${isAngle ? 'Turn' : 'Move'} ${this.name} ${axisNames[axis]}`;
+    return addValueRow(this.folder, {
+      name,
+      fullName: `${this.name} ${name}`,
+      minimum: Math.max(qMin[index]!, -reach),
+      maximum: Math.min(qMax[index]!, reach),
+      isAngle,
+      legal: [qMin[index]!, qMax[index]!],
+      read: () => selectedCharacter(store.document.value)?.q[index] ?? 0,
+      begin: () => store.begin(label),
+      preview: (gesture, value) => gesture.preview(setValue(id, index, value, label)),
+      reset: () => store.dispatch(setValue(id, index, qRest[index]!, `Reset ${this.name} ${name}`)),
+    });
+  }
+
+  private reset(): void {
+    this.editor.store.dispatch(resetJoint(this.state.id, this.joint, this.name));
+  }
+}

@@ -1,0 +1,52 @@
+import { effect } from '@preact/signals-core';
+import type { GUI } from 'lil-gui';
+import type { Character } from '../../core/character.ts';
+import { selectedCharacter } from '../../document/document.ts';
+import type { Editor } from '../editor.ts';
+import { JointFolder } from './joint-folder.ts';
+import { rotationOrder } from './rotation-order.ts';
+
+/** All degrees of freedom of the selected character, and what can be done with its pose. */
+export function addPoseFolder(gui: GUI, editor: Editor): void {
+  const folder = gui.addFolder('Pose');
+  const actions = {
+    reset: () => editor.resetAll(),
+    copy: () => void editor.copyPose(),
+    save: () => editor.savePose(),
+    mesh: () => editor.exportMesh(),
+  };
+  folder.add(actions, 'reset').name('Reset all');
+  folder.add(actions, 'copy').name('Copy pose');
+  folder.add(actions, 'save').name('Save pose');
+  folder.add(actions, 'mesh').name('Export posed OBJ');
+  let joints: GUI | null = null;
+  let folders: JointFolder[] = [];
+  let shown: Character | null = null;
+
+  effect(() => {
+    const state = selectedCharacter(editor.store.document.value);
+    const character = state?.character ?? null;
+    if (character !== shown) {
+      joints?.destroy();
+      joints = folder.addFolder('Joints');
+      shown = character;
+      folders = [];
+      if (state) {
+        const { skeleton } = state.character;
+        addNote(joints, rotationOrder(skeleton));
+        for (let joint = 0; joint < skeleton.jointCount; joint++) {
+          folders.push(new JointFolder(joints, editor, state, joint));
+        }
+      }
+    }
+    for (const each of folders) each.refresh();
+  });
+}
+
+function addNote(folder: GUI, text: string): void {
+  if (text === '') return;
+  const note = document.createElement('p');
+  note.className = 'note';
+  note.textContent = `${text}, column vectors; angles in radians`;
+  folder.$children.append(note);
+}

@@ -1,0 +1,79 @@
+import { effect } from '@preact/signals-core';
+import type { GUI } from 'lil-gui';
+import { setMethod, setNormalizeWeights } from '../../document/commands.ts';
+import { selectedCharacter } from '../../document/document.ts';
+import type { Shading, SkinDevice } from '../../document/session.ts';
+import type { MethodId } from '../../skinning/method.ts';
+import { methods } from '../../skinning/registry.ts';
+import type { Editor } from '../editor.ts';
+import { watch } from '../watch.ts';
+
+/** How the skin is deformed and shaded, and the check of its numbers. */
+export function addSkinFolder(gui: GUI, editor: Editor): void {
+  const { store, session } = editor;
+  const selected = () => selectedCharacter(store.document.value);
+  const folder = gui.addFolder('Skin');
+  const bound = {
+    get method(): MethodId {
+      return selected()?.method ?? methods[0]!.id;
+    },
+    set method(method: MethodId) {
+      const state = selected();
+      if (state) store.dispatch(setMethod(state.id, method));
+    },
+    get normalize(): boolean {
+      return selected()?.normalizeWeights ?? false;
+    },
+    set normalize(normalize: boolean) {
+      const state = selected();
+      if (state) store.dispatch(setNormalizeWeights(state.id, normalize));
+    },
+    get shading(): Shading {
+      return session.shading.value;
+    },
+    set shading(shading: Shading) {
+      session.shading.value = shading;
+    },
+    get device(): SkinDevice {
+      return session.skinDevice.value;
+    },
+    set device(device: SkinDevice) {
+      session.skinDevice.value = device;
+    },
+    verify: () => editor.verify(),
+  };
+  const choices = Object.fromEntries(methods.map(({ label, id }) => [label, id]));
+  const rows = [
+    folder.add(bound, 'method', choices).name('Method'),
+    folder.add(bound, 'shading', { Smooth: 'smooth', Faceted: 'faceted' }).name('Shading'),
+    folder.add(bound, 'device', { GPU: 'gpu', CPU: 'cpu' }).name('Skin on'),
+    folder.add(bound, 'normalize').name('Normalise weights'),
+  ];
+  folder.add(bound, 'verify').name('Verify');
+  const result = document.createElement('output');
+  result.className = 'verification';
+  folder.$children.append(result);
+
+  watch([store.document, session.shading, session.skinDevice], () => {
+    for (const row of rows) row.updateDisplay();
+  });
+  effect(() => {
+    result.replaceChildren(...verificationLines(editor).map(textLine));
+  });
+}
+
+function verificationLines({ verification }: Editor): string[] {
+  const found = verification.value;
+  if (!found) return [];
+  const difference = found.identical
+    ? 'GPU = CPU, bit for bit'
+    : `|GPU − CPU| ≤ ${found.position.toExponential(2)} at vertex ${found.vertex}` +
+      ` (${found.relative.toExponential(1)} of its size)`;
+  return [difference, `|T · B⁻¹ − I| ≤ ${found.bindError.toExponential(1)} at rest`];
+}
+
+function textLine(text: string): HTMLElement {
+  const line = document.createElement('p');
+  line.textContent = text;
+  return line;
+}

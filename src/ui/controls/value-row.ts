@@ -1,0 +1,112 @@
+import type { GUI } from 'lil-gui';
+import type { Gesture } from '../../document/store.ts';
+import { formatDegrees, parseTyped } from '../angle-text.ts';
+
+/** A number shown as a slider with a field; what is typed may go past the slider's range. */
+export interface ValueRowOptions {
+  readonly name: string;
+  /** For screen readers: "Right elbow X". */
+  readonly fullName: string;
+  readonly minimum: number;
+  readonly maximum: number;
+  readonly isAngle: boolean;
+  /** What typing may reach. */
+  readonly legal: readonly [number, number];
+  read(): number;
+  /** Begins one step of undo; the row previews values in it. */
+  begin(): Gesture;
+  preview(gesture: Gesture, value: number): void;
+  reset(): void;
+}
+
+export interface ValueRow {
+  /** Shows the value as it is now. */
+  refresh(): void;
+}
+
+/**
+ * Adds a lil-gui row. lil-gui clamps what is typed to the slider, so the field's own events are taken
+ * over here: typed numbers reach all legal values, in radians or, with °, degrees; arrow keys step.
+ */
+export function addValueRow(folder: GUI, options: ValueRowOptions): ValueRow {
+  let gesture: Gesture | null = null;
+  const write = (value: number): void => {
+    gesture ??= options.begin();
+    options.preview(gesture, value);
+  };
+  const finish = (): void => {
+    gesture?.commit();
+    gesture = null;
+  };
+  const bound = {
+    get value(): number {
+      return options.read();
+    },
+    set value(value: number) {
+      write(value);
+    },
+  };
+  const { minimum, maximum } = options;
+  const controller = folder.add(bound, 'value', minimum, maximum).name(options.name).decimals(3);
+  controller.onFinishChange(finish);
+
+  const row = controller.domElement;
+  const field = row.querySelector('input')!;
+  const slider = row.querySelector<HTMLElement>('.lil-slider')!;
+  const degrees = document.createElement('span');
+  degrees.className = 'degrees';
+  if (options.isAngle) row.querySelector('.lil-widget')!.append(degrees);
+  field.setAttribute('aria-label', options.fullName);
+  field.removeAttribute('aria-labelledby');
+  slider.setAttribute('role', 'slider');
+  slider.setAttribute('aria-label', options.fullName);
+  slider.setAttribute('aria-valuemin', minimum.toFixed(3));
+  slider.setAttribute('aria-valuemax', maximum.toFixed(3));
+
+  const setTyped = (value: number): void => {
+    if (!Number.isFinite(value)) return;
+    const [least, most] = options.legal;
+    write(Math.min(most, Math.max(least, value)));
+    refresh();
+  };
+  row.addEventListener(
+    'input',
+    (event) => {
+      event.stopImmediatePropagation();
+      setTyped(parseTyped(field.value));
+    },
+    true,
+  );
+  row.addEventListener('keydown', (event) => onArrow(event, setTyped), true);
+  field.addEventListener('blur', finish);
+  // The second press of a double click would begin another drag; it resets instead.
+  row.addEventListener(
+    'mousedown',
+    (event) => {
+      if (event.detail !== 2 || event.target === field) return;
+      event.stopImmediatePropagation();
+      options.reset();
+    },
+    true,
+  );
+  refresh();
+  return { refresh };
+
+  function onArrow(event: KeyboardEvent, step: (value: number) => void): void {
+    if (event.key !== 'ArrowUp' && event.key !== 'ArrowDown') return;
+    event.stopImmediatePropagation();
+    event.preventDefault();
+    const fine = ((maximum - minimum) / 360) * (event.shiftKey ? 10 : 1);
+    step(options.read() + (event.key === 'ArrowUp' ? fine : -fine));
+    field.value = options.read().toFixed(3);
+  }
+
+  function refresh(): void {
+    controller.updateDisplay();
+    const value = options.read();
+    const shown = options.isAngle ? formatDegrees(value) : value.toFixed(3);
+    degrees.textContent = shown;
+    slider.setAttribute('aria-valuenow', value.toFixed(3));
+    slider.setAttribute('aria-valuetext', shown);
+  }
+}

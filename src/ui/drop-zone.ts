@@ -1,0 +1,28 @@
+import type { Editor } from './editor.ts';
+import { fileEntry } from './file-entry.ts';
+
+/** The whole window takes dropped files; an outline says so while some are held over it. */
+export function listenToDrops(editor: Editor): void {
+  let depth = 0;
+  const setOver = (over: boolean): void => {
+    document.body.classList.toggle('drop-over', over);
+  };
+  window.addEventListener('dragenter', (event) => {
+    event.preventDefault();
+    depth++;
+    setOver(true);
+  });
+  window.addEventListener('dragleave', () => {
+    depth = Math.max(0, depth - 1);
+    if (depth === 0) setOver(false);
+  });
+  window.addEventListener('dragover', (event) => event.preventDefault());
+  window.addEventListener('drop', (event) => {
+    event.preventDefault();
+    depth = 0;
+    setOver(false);
+    const files = Array.from(event.dataTransfer?.files ?? []);
+    if (files.length === 0) return;
+    void Promise.all(files.map(fileEntry)).then((entries) => editor.openFiles(entries));
+  });
+}

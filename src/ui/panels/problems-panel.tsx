@@ -1,0 +1,60 @@
+import { type Diagnostic, formatDiagnostic, printable } from '../../core/diagnostics.ts';
+import { copyText } from '../copy-text.ts';
+import type { Editor } from '../editor.ts';
+
+/** Everything that the last files had to say, errors first. */
+export function ProblemsPanel({ editor }: { readonly editor: Editor }) {
+  const problems = editor.session.problems.value;
+  if (problems.length === 0) return null;
+  const errors = problems.filter(({ severity }) => severity === 'error');
+  const sorted = [...errors, ...problems.filter((problem) => !errors.includes(problem))];
+  return (
+    <section class="problems" aria-labelledby="problems-title">
+      <h2 id="problems-title">Problems ({problems.length})</h2>
+      <div role={errors.length > 0 ? 'alert' : 'status'}>
+        <ol>
+          {sorted.map((problem, index) => (
+            <Problem key={index} problem={problem} />
+          ))}
+        </ol>
+      </div>
+      <div class="buttons">
+        <button type="button" onClick={() => void copyReport(editor, sorted)}>
+          Copy
+        </button>
+        <button type="button" onClick={() => (editor.session.problems.value = [])}>
+          Dismiss
+        </button>
+      </div>
+    </section>
+  );
+}
+
+function Problem({ problem }: { readonly problem: Diagnostic }) {
+  const { severity, file, line, column, source, expected, found, effect } = problem;
+  const place = [printable(file, 80), line, column].filter((part) => part !== undefined);
+  return (
+    <li class={severity}>
+      <strong>{place.join(':')}</strong>
+      {source !== undefined && source !== '' && <code>{printable(source, 120)}</code>}
+      <dl>
+        <dt>expected</dt>
+        <dd>{printable(expected, 400)}</dd>
+        <dt>found</dt>
+        <dd>{printable(found)}</dd>
+        <dt>so</dt>
+        <dd>{effect}</dd>
+      </dl>
+    </li>
+  );
+}
+
+async function copyReport(editor: Editor, problems: readonly Diagnostic[]): Promise<void> {
+  const lines = problems.map((problem) => {
+    const { severity, code, effect } = problem;
+    return `${severity}: ${formatDiagnostic(problem)}; ${effect} [${code}]`;
+  });
+  editor.notice.value = (await copyText(lines.join('\n')))
+    ? 'Problems copied'
+    : 'The browser did not let the text be copied';
+}

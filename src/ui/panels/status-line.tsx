@@ -1,0 +1,33 @@
+import { selectedCharacter } from '../../document/document.ts';
+import { methodById } from '../../skinning/registry.ts';
+import type { Editor } from '../editor.ts';
+
+/** One line on what is shown, and on what was just done. */
+export function StatusLine({ editor }: { readonly editor: Editor }) {
+  const { session, viewer, verification, notice } = editor;
+  const state = selectedCharacter(editor.store.document.value);
+  const problems = session.problems.value.length;
+  const found = verification.value;
+  return (
+    <footer class="status">
+      {state && (
+        <>
+          <strong>{state.character.name}</strong>
+          <span>{state.character.skeleton.jointCount} joints</span>
+          <span>{state.character.mesh.pointCount.toLocaleString('en')} vertices</span>
+          <span>{methodById(state.method).label}</span>
+          <span>pose {viewer.poseMilliseconds.value.toFixed(1)} ms</span>
+        </>
+      )}
+      {found && (
+        <span>|GPU − CPU| {found.position === 0 ? '0' : found.position.toExponential(1)}</span>
+      )}
+      {problems > 0 && (
+        <span class="warning">
+          {problems} {problems === 1 ? 'problem' : 'problems'}
+        </span>
+      )}
+      <output class="notice">{session.busy.value ?? notice.value}</output>
+    </footer>
+  );
+}

@@ -1,0 +1,17 @@
+import { orbit, pan, zoom } from '../../view/camera.ts';
+import type { Tool } from '../tool.ts';
+
+/** Radians for a drag over the height of the view. */
+const turnPerHeight = 4;
+const zoomPerHeight = 3;
+
+/** The camera by mouse, as in the course's program: left orbits, middle pans, right zooms. */
+export const orbitTool: Tool = {
+  id: 'orbit',
+  drag({ button, deltaX, deltaY, viewHeight }, { viewer: { camera } }) {
+    const [x, y] = [deltaX / viewHeight, deltaY / viewHeight];
+    if (button === 1) camera.value = pan(camera.value, -x, y);
+    else if (button === 2) camera.value = zoom(camera.value, Math.exp(y * zoomPerHeight));
+    else camera.value = orbit(camera.value, -x * turnPerHeight, y * turnPerHeight);
+  },
+};

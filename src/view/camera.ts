@@ -1,0 +1,93 @@
+import { mat4, vec3 } from 'gl-matrix';
+import { type Bounds, isEmpty } from '../core/bounds.ts';
+
+/** An orbit camera in scene space: it looks at `target` from `distance` away. Angles in radians. */
+export interface Camera {
+  readonly target: readonly [number, number, number];
+  readonly distance: number;
+  /** Around +y; 0 looks from +z, positive from the character's left (+x). */
+  readonly azimuth: number;
+  /** Above the horizon. */
+  readonly elevation: number;
+  /** Vertical field of view. */
+  readonly fieldOfView: number;
+}
+
+const highest = (89 * Math.PI) / 180;
+const [nearest, farthest] = [0.02, 40];
+
+export function eyeOf(camera: Camera): vec3 {
+  const { target, distance, azimuth, elevation } = camera;
+  const level = distance * Math.cos(elevation);
+  return [
+    target[0] + level * Math.sin(azimuth),
+    target[1] + distance * Math.sin(elevation),
+    target[2] + level * Math.cos(azimuth),
+  ];
+}
+
+/** Scene space to clip space; float64. */
+export function clipFromScene(camera: Camera, aspect: number): mat4 {
+  const viewFromScene: mat4 = new Float64Array(16);
+  mat4.lookAt(viewFromScene, eyeOf(camera), camera.target, [0, 1, 0]);
+  const clipFromView: mat4 = new Float64Array(16);
+  const near = camera.distance * 0.02;
+  mat4.perspective(clipFromView, camera.fieldOfView, aspect, near, camera.distance + 60);
+  return mat4.multiply(new Float64Array(16), clipFromView, viewFromScene);
+}
+
+export function orbit(camera: Camera, azimuthChange: number, elevationChange: number): Camera {
+  const elevation = camera.elevation + elevationChange;
+  return {
+    ...camera,
+    azimuth: camera.azimuth + azimuthChange,
+    elevation: Math.min(highest, Math.max(-highest, elevation)),
+  };
+}
+
+/** Nearer (factor below 1) or farther. */
+export function zoom(camera: Camera, factor: number): Camera {
+  const distance = Math.min(farthest, Math.max(nearest, camera.distance * factor));
+  return { ...camera, distance };
+}
+
+/** Moves the target in the picture's plane by fractions of the picture's height, right and up. */
+export function pan(camera: Camera, right: number, up: number): Camera {
+  const { azimuth, elevation, distance, fieldOfView } = camera;
+  const scale = 2 * distance * Math.tan(fieldOfView / 2);
+  const [sin, cos] = [Math.sin(azimuth), Math.cos(azimuth)];
+  const rise = Math.cos(elevation) * up * scale;
+  const back = Math.sin(elevation) * up * scale;
+  const side = right * scale;
+  const [x, y, z] = camera.target;
+  return {
+    ...camera,
+    target: [x + cos * side - sin * back, y + rise, z - sin * side - cos * back],
+  };
+}
+
+/** Room around what is framed, as a part of the picture. */
+const margin = 1.1;
+
+/** The same direction of view, with a box (scene space) filling the picture but for a margin. */
+export function frameBox(camera: Camera, box: Bounds, aspect: number): Camera {
+  if (isEmpty(box)) return camera;
+  const target = [0, 1, 2].map((axis) => (box.min[axis]! + box.max[axis]!) / 2);
+  const framed: Camera = { ...camera, target: target as [number, number, number] };
+  const viewFromScene = mat4.lookAt(
+    new Float64Array(16),
+    eyeOf({ ...framed, distance: 1 }),
+    framed.target,
+    [0, 1, 0],
+  );
+  const up = Math.tan(camera.fieldOfView / 2) / margin;
+  const right = up * aspect;
+  let distance = 0;
+  for (let corner = 0; corner < 8; corner++) {
+    const at: vec3 = [0, 1, 2].map((i) => (corner & (1 << i) ? box.max : box.min)[i]!);
+    const [x, y, z] = vec3.transformMat4(new Float64Array(3), at, viewFromScene);
+    // The view looks along -z from a distance of 1: z + 1 is how far a corner comes forward.
+    distance = Math.max(distance, Math.abs(x!) / right + z! + 1, Math.abs(y!) / up + z! + 1);
+  }
+  return zoom({ ...framed, distance }, 1);
+}

@@ -1,0 +1,83 @@
+import { forwardKinematics } from '../core/forward-kinematics.ts';
+import type { Skin } from '../core/skin.ts';
+import { type CharacterState, skinInUse } from '../document/document.ts';
+import type { SkinDevice } from '../document/session.ts';
+import type { Gpu } from '../gl/gpu.ts';
+import type { VertexStreams } from '../skinning/method.ts';
+import { methodById } from '../skinning/registry.ts';
+import { type DisplayTransform, displayTransform } from './display-transform.ts';
+import type { Programs } from './programs.ts';
+import { type LayoutChoice, SkinnedMesh } from './skinned-mesh.ts';
+
+/** A character of the document with its objects on the GPU, brought up to date on demand. */
+export class CharacterView {
+  readonly display: DisplayTransform;
+  readonly skin: Skin;
+  readonly skinned: SkinnedMesh;
+  /** (jointCount × 16) of the state last shown. */
+  readonly worldFromJoint: Float64Array;
+  state: CharacterState;
+  /** Grows when posed vertices or joints change, so that what derives from them can tell. */
+  version = 0;
+  /** Milliseconds that the last change of pose took on the CPU. */
+  poseMilliseconds = 0;
+  private shownDevice: SkinDevice | null = null;
+  private shown: CharacterState | null = null;
+  private palette = new Float32Array(0);
+
+  constructor(gpu: Gpu, programs: Programs, state: CharacterState, layout?: LayoutChoice) {
+    const { character } = state;
+    this.state = state;
+    this.skin = skinInUse(state);
+    this.display = displayTransform(character);
+    this.skinned = new SkinnedMesh(gpu, programs, character.mesh, this.skin, layout);
+    this.worldFromJoint = new Float64Array(character.skeleton.jointCount * 16);
+  }
+
+  /** Whether this view's buffers are those that the state needs. */
+  fits(state: CharacterState): boolean {
+    return state.character === this.state.character && skinInUse(state) === this.skin;
+  }
+
+  /** Fills the posed buffers where pose, method or device changed; else does nothing. */
+  update(device: SkinDevice): void {
+    if (this.shown === this.state && this.shownDevice === device) return;
+    const begin = performance.now();
+    const { character, q } = this.state;
+    forwardKinematics(character.skeleton, q, this.worldFromJoint);
+    this.packPalette();
+    if (device === 'gpu') this.skinned.skinOnGpu(methodById(this.state.method), this.palette);
+    else this.skinned.upload(this.skinOnCpu());
+    this.shown = this.state;
+    this.shownDevice = device;
+    this.version++;
+    this.poseMilliseconds = performance.now() - begin;
+  }
+
+  /** Posed vertices of the present state, skinned on the device named. */
+  posedVertices(device: SkinDevice): VertexStreams {
+    this.update('gpu');
+    return device === 'gpu' ? this.skinned.readBack() : this.skinOnCpu();
+  }
+
+  dispose(): void {
+    this.skinned.dispose();
+  }
+
+  private packPalette(): void {
+    const method = methodById(this.state.method);
+    const length = this.skin.paletteJoint.length * method.vec4sPerEntry * 4;
+    if (this.palette.length !== length) this.palette = new Float32Array(length);
+    method.packPalette(this.skin, this.worldFromJoint, this.palette);
+  }
+
+  private skinOnCpu(): VertexStreams {
+    const { mesh } = this.state.character;
+    const out = {
+      positions: new Float32Array(mesh.vertexCount * 3),
+      normals: new Float32Array(mesh.vertexCount * 3),
+    };
+    methodById(this.state.method).deform(mesh, this.skin, this.palette, out);
+    return out;
+  }
+}

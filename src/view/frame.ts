@@ -1,0 +1,41 @@
+import type { UniformValue } from '../gl/program.ts';
+import { type Camera, clipFromScene, eyeOf } from './camera.ts';
+import type { CharacterView } from './character-view.ts';
+import type { Theme } from './theme.ts';
+
+/** What is shown of the scene, beside the document. */
+export interface ViewOptions {
+  readonly showSkin: boolean;
+  readonly showSkeleton: boolean;
+  readonly showAxes: boolean;
+  readonly faceted: boolean;
+  /** Of the selected character, or null. */
+  readonly selectedJoint: number | null;
+}
+
+/** All that passes read to draw one picture. */
+export interface Frame {
+  readonly characters: readonly CharacterView[];
+  readonly options: ViewOptions;
+  readonly theme: Theme;
+  /** Uniforms that passes share: camera, backdrop and, once prepared, lights and shadows. */
+  readonly uniforms: Readonly<Record<string, UniformValue>>;
+}
+
+export function createFrame(
+  characters: readonly CharacterView[],
+  options: ViewOptions,
+  theme: Theme,
+  camera: Camera,
+  width: number,
+  height: number,
+): Frame {
+  const uniforms = {
+    clipFromScene: Float32Array.from(clipFromScene(camera, width / height)),
+    eye: eyeOf(camera),
+    viewportSize: [width, height],
+    backdropTop: theme.backdropTop,
+    backdropBottom: theme.backdropBottom,
+  };
+  return { characters, options, theme, uniforms };
+}

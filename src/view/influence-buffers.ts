@@ -1,0 +1,80 @@
+import type { Mesh } from '../core/mesh.ts';
+import { largestInfluenceCount, type Skin } from '../core/skin.ts';
+import { Buffer } from '../gl/buffer.ts';
+import { DataTexture } from '../gl/data-texture.ts';
+import type { Gpu } from '../gl/gpu.ts';
+import type { Attribute } from '../gl/vertex-array.ts';
+import {
+  lanes,
+  maximumPairs,
+  packAttributeInfluences,
+  packTextureInfluences,
+} from './influence-layout.ts';
+
+/** The influences of a skin on the GPU, every one of them, in one of two layouts. */
+export interface InfluenceBuffers {
+  /** 0 for the texture. */
+  readonly pairs: number;
+  readonly attributes: Readonly<Record<string, Attribute>>;
+  readonly texture: DataTexture | null;
+  dispose(): void;
+}
+
+export function createInfluenceBuffers(
+  gpu: Gpu,
+  mesh: Mesh,
+  skin: Skin,
+  forceTexture = false,
+): InfluenceBuffers {
+  const pairs = Math.max(1, Math.ceil(largestInfluenceCount(skin) / lanes));
+  return pairs > maximumPairs || forceTexture
+    ? createTexture(gpu, mesh, skin)
+    : createAttributes(gpu, mesh, skin, pairs);
+}
+
+function createAttributes(gpu: Gpu, mesh: Mesh, skin: Skin, pairs: number): InfluenceBuffers {
+  const { entries, weights } = packAttributeInfluences(mesh, skin, pairs);
+  const entryBuffer = new Buffer(gpu, 'vertex', entries);
+  const weightBuffer = new Buffer(gpu, 'vertex', weights);
+  const attributes: Record<string, Attribute> = {};
+  for (let pair = 0; pair < pairs; pair++) {
+    attributes[`entries${pair}`] = {
+      buffer: entryBuffer,
+      size: 4,
+      type: 'uint16',
+      stride: pairs * lanes * Uint16Array.BYTES_PER_ELEMENT,
+      offset: pair * lanes * Uint16Array.BYTES_PER_ELEMENT,
+    };
+    attributes[`weights${pair}`] = {
+      buffer: weightBuffer,
+      size: 4,
+      stride: pairs * lanes * Float32Array.BYTES_PER_ELEMENT,
+      offset: pair * lanes * Float32Array.BYTES_PER_ELEMENT,
+    };
+  }
+  return {
+    pairs,
+    attributes,
+    texture: null,
+    dispose() {
+      entryBuffer.dispose();
+      weightBuffer.dispose();
+    },
+  };
+}
+
+function createTexture(gpu: Gpu, mesh: Mesh, skin: Skin): InfluenceBuffers {
+  const { ranges, texels } = packTextureInfluences(mesh, skin);
+  const texture = new DataTexture(gpu, 'data-rg32f', texels.length / 2);
+  texture.write(texels);
+  const buffer = new Buffer(gpu, 'vertex', ranges);
+  return {
+    pairs: 0,
+    attributes: { influenceRange: { buffer, size: 2, type: 'uint32' } },
+    texture,
+    dispose() {
+      texture.dispose();
+      buffer.dispose();
+    },
+  };
+}

@@ -1,0 +1,81 @@
+import { Buffer } from '../gl/buffer.ts';
+import type { Gpu } from '../gl/gpu.ts';
+import type { Program } from '../gl/program.ts';
+import { type Attribute, VertexArray } from '../gl/vertex-array.ts';
+import type { SolidShape } from './solid-shapes.ts';
+
+/** Floats of an instance: a 3 × 4 matrix by rows, then a colour. */
+export const instanceSize = 15;
+
+/** One shape drawn many times in one call, each instance with its matrix and colour. */
+export class InstancedSolid {
+  private readonly gpu: Gpu;
+  private readonly program: Program;
+  private readonly shape: SolidShape;
+  private readonly buffers: { positions: Buffer; normals: Buffer; indices: Buffer };
+  private instances: { buffer: Buffer; array: VertexArray } | null = null;
+  private count = 0;
+
+  constructor(gpu: Gpu, program: Program, shape: SolidShape) {
+    this.gpu = gpu;
+    this.program = program;
+    this.shape = shape;
+    this.buffers = {
+      positions: new Buffer(gpu, 'vertex', shape.positions),
+      normals: new Buffer(gpu, 'vertex', shape.normals),
+      indices: new Buffer(gpu, 'index', shape.indices),
+    };
+  }
+
+  /** @param instances (count × instanceSize) */
+  write(instances: Float32Array): void {
+    this.count = instances.length / instanceSize;
+    if (this.count === 0) return;
+    if (!this.instances || this.instances.buffer.byteLength < instances.byteLength) {
+      this.disposeInstances();
+      const buffer = new Buffer(this.gpu, 'vertex', instances.byteLength);
+      this.instances = { buffer, array: this.createArray(buffer) };
+    }
+    this.instances.buffer.write(instances);
+  }
+
+  /** Draws all instances; the program must be in use. */
+  draw(): void {
+    if (!this.instances || this.count === 0) return;
+    const { gl } = this.gpu;
+    this.instances.array.bind();
+    const { length } = this.shape.indices;
+    gl.drawElementsInstanced(gl.TRIANGLES, length, gl.UNSIGNED_SHORT, 0, this.count);
+  }
+
+  dispose(): void {
+    this.disposeInstances();
+    for (const buffer of Object.values(this.buffers)) buffer.dispose();
+  }
+
+  private createArray(buffer: Buffer): VertexArray {
+    const stride = instanceSize * Float32Array.BYTES_PER_ELEMENT;
+    const attribute = (size: 3 | 4, firstFloat: number): Attribute => ({
+      buffer,
+      size,
+      stride,
+      offset: firstFloat * Float32Array.BYTES_PER_ELEMENT,
+      perInstance: true,
+    });
+    const attributes = {
+      position: { buffer: this.buffers.positions, size: 3 },
+      normal: { buffer: this.buffers.normals, size: 3 },
+      instanceRow0: attribute(4, 0),
+      instanceRow1: attribute(4, 4),
+      instanceRow2: attribute(4, 8),
+      instanceColor: attribute(3, 12),
+    } as const;
+    return new VertexArray(this.gpu, this.program, attributes, this.buffers.indices);
+  }
+
+  private disposeInstances(): void {
+    this.instances?.array.dispose();
+    this.instances?.buffer.dispose();
+    this.instances = null;
+  }
+}

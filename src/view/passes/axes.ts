@@ -1,0 +1,31 @@
+import { InstancedSolid } from '../instanced-solid.ts';
+import type { Pass } from '../pass.ts';
+import { axisInstances } from '../solid-instances.ts';
+import { cylinder } from '../solid-shapes.ts';
+
+/** Axes of the file's space and, with the skeleton, of every joint: X red, Y green, Z blue. */
+export const axesPass: Pass = {
+  id: 'axes',
+  create(gpu, programs) {
+    const { gl } = gpu;
+    const program = programs.pass('solid');
+    const axes = new InstancedSolid(gpu, program, cylinder());
+    return {
+      draw(frame) {
+        const { showAxes, showSkeleton } = frame.options;
+        if (!showAxes) return;
+        const instances = frame.characters.flatMap((view) => [
+          ...axisInstances(view, showSkeleton),
+        ]);
+        axes.write(Float32Array.from(instances));
+        program.use();
+        program.set(frame.uniforms);
+        program.set({ opacity: 1 });
+        // Over everything: axes are for reading, not for looks.
+        gl.clear(gl.DEPTH_BUFFER_BIT);
+        axes.draw();
+      },
+      dispose: () => axes.dispose(),
+    };
+  },
+};

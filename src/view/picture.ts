@@ -1,0 +1,40 @@
+export type PictureFormat = 'png' | 'jpeg';
+
+export interface Picture {
+  readonly width: number;
+  readonly height: number;
+  /** (width × height × 4) bytes RGBA, opaque, the top row first. */
+  readonly pixels: Uint8ClampedArray<ArrayBuffer>;
+}
+
+/** GL gives the bottom row first; pictures begin at the top. */
+export function pictureFromGl(bottomUp: Uint8Array, width: number, height: number): Picture {
+  const pixels = new Uint8ClampedArray(width * height * 4);
+  const stride = width * 4;
+  for (let row = 0; row < height; row++) {
+    const source = (height - 1 - row) * stride;
+    pixels.set(bottomUp.subarray(source, source + stride), row * stride);
+  }
+  for (let i = 3; i < pixels.length; i += 4) pixels[i] = 255;
+  return { width, height, pixels };
+}
+
+/** A file's bytes; PNG keeps every pixel. */
+export async function encodePicture(picture: Picture, format: PictureFormat): Promise<Blob> {
+  const canvas = document.createElement('canvas');
+  canvas.width = picture.width;
+  canvas.height = picture.height;
+  const context = canvas.getContext('2d');
+  if (!context) throw new Error('the browser has no room for a picture of this size');
+  context.putImageData(new ImageData(picture.pixels, picture.width, picture.height), 0, 0);
+  return new Promise((resolve, reject) => {
+    canvas.toBlob(
+      (blob) => {
+        if (blob) resolve(blob);
+        else reject(new Error('the browser could not encode the picture'));
+      },
+      `image/${format}`,
+      0.92,
+    );
+  });
+}

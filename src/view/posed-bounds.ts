@@ -1,0 +1,26 @@
+import { vec3 } from 'gl-matrix';
+import { type Bounds, emptyBounds, includePositions } from '../core/bounds.ts';
+import { worldMatrices } from '../core/forward-kinematics.ts';
+import { type CharacterState, skinInUse } from '../document/document.ts';
+import { methodById } from '../skinning/registry.ts';
+import { skinVertices } from '../skinning/skin-vertices.ts';
+import { displayTransform } from './display-transform.ts';
+
+/** The box of a character as it stands now, skin and joints, scene space. */
+export function posedBounds(state: CharacterState): Bounds {
+  const { character, q, method } = state;
+  const { sceneFromCharacter } = displayTransform(character);
+  const bounds = emptyBounds();
+  const { positions } = skinVertices(character, skinInUse(state), { q }, methodById(method));
+  const worldFromJoint = worldMatrices(character.skeleton, q);
+  for (let at = 0; at < positions.length; at += 3) include(positions, at);
+  for (let at = 12; at < worldFromJoint.length; at += 16) include(worldFromJoint, at);
+  return bounds;
+
+  function include(from: ArrayLike<number>, at: number): void {
+    vec3.set(point, from[at]!, from[at + 1]!, from[at + 2]!);
+    includePositions(bounds, vec3.transformMat4(point, point, sceneFromCharacter), 1);
+  }
+}
+
+const point: vec3 = new Float64Array(3);

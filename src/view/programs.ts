@@ -1,0 +1,65 @@
+import type { Gpu } from '../gl/gpu.ts';
+import { Program } from '../gl/program.ts';
+import { resolveShader } from '../gl/shader-library.ts';
+import type { SkinningMethod } from '../skinning/method.ts';
+import { shaderFiles } from './shader-files.ts';
+
+/** How the skin stage is compiled; 0 stands for the texture in either. */
+export interface StageVariant {
+  readonly method: SkinningMethod;
+  /** Attribute pairs of four influences each, or 0. */
+  readonly influencePairs: number;
+  /** Rows of the uniform array, or 0. */
+  readonly paletteRows: number;
+}
+
+/** The programs of a context, linked at first use and kept. */
+export class Programs {
+  private readonly gpu: Gpu;
+  private readonly linked = new Map<string, Program>();
+
+  constructor(gpu: Gpu) {
+    this.gpu = gpu;
+  }
+
+  /** The program of shaders/passes/NAME.vert.glsl and NAME.frag.glsl. */
+  pass(name: string): Program {
+    return this.find(name, () => ({
+      vertex: resolveShader(shaderFiles, `passes/${name}.vert.glsl`),
+      fragment: resolveShader(shaderFiles, `passes/${name}.frag.glsl`),
+    }));
+  }
+
+  skinStage({ method, influencePairs, paletteRows }: StageVariant): Program {
+    return this.find(`skin ${method.chunk} ${influencePairs} ${paletteRows}`, () => {
+      const defines = {
+        INFLUENCE_PAIRS: influencePairs,
+        PALETTE_ROWS: paletteRows,
+        PALETTE_STRIDE: method.vec4sPerEntry,
+      };
+      const names = { METHOD: method.chunk };
+      return {
+        vertex: resolveShader(shaderFiles, 'skinning/stage.vert.glsl', defines, names),
+        fragment: resolveShader(shaderFiles, 'skinning/stage.frag.glsl'),
+        feedback: ['posedPosition', 'posedNormal'],
+      };
+    });
+  }
+
+  dispose(): void {
+    for (const program of this.linked.values()) program.dispose();
+    this.linked.clear();
+  }
+
+  private find(
+    name: string,
+    sources: () => { vertex: string; fragment: string; feedback?: readonly string[] },
+  ): Program {
+    let program = this.linked.get(name);
+    if (!program) {
+      program = new Program(this.gpu, { name, ...sources() });
+      this.linked.set(name, program);
+    }
+    return program;
+  }
+}

@@ -1,0 +1,98 @@
+import { mat4 } from 'gl-matrix';
+import type { Bone } from '../core/bones.ts';
+import type { CharacterView } from './character-view.ts';
+import { instanceSize } from './instanced-solid.ts';
+import { palette } from './theme.ts';
+
+/** The handout's sizes for a character about one unit tall, scene units. */
+const jointRadius = 0.025;
+const boneRadius = 0.02;
+const originAxisLength = 0.3;
+const jointAxisLength = 0.07;
+const axisThickness = 0.06; // of the length
+
+type Color = readonly number[];
+
+/** A sphere at every joint. */
+export function jointInstances(view: CharacterView, selected: number | null): Float32Array {
+  const { jointCount } = view.state.character.skeleton;
+  const instances = new Float32Array(jointCount * instanceSize);
+  const radius = jointRadius / view.display.scale;
+  const jointFromSphere = mat4.fromScaling(new Float64Array(16), [radius, radius, radius]);
+  for (let joint = 0; joint < jointCount; joint++) {
+    const color = joint === selected ? palette.selected : palette.bone;
+    writeInstance(view, joint, jointFromSphere, color, instances, joint);
+  }
+  return instances;
+}
+
+/** A cylinder along every bone, in the frame of the joint that turns it. */
+export function boneInstances(view: CharacterView, selected: number | null): Float32Array {
+  const { bones } = view.state.character;
+  const instances = new Float32Array(bones.length * instanceSize);
+  bones.forEach((bone, index) => {
+    const color = bone.joint === selected ? palette.selected : palette.bone;
+    const matrix = jointFromBone(bone, boneRadius / view.display.scale);
+    writeInstance(view, bone.joint, matrix, color, instances, index);
+  });
+  return instances;
+}
+
+/** Axes at the origin of the file's space, and small ones at every joint that is to show them. */
+export function axisInstances(view: CharacterView, withJoints: boolean): Float32Array {
+  const jointCount = withJoints ? view.state.character.skeleton.jointCount : 0;
+  const instances = new Float32Array((jointCount + 1) * 3 * instanceSize);
+  for (let joint = -1; joint < jointCount; joint++) {
+    const length = (joint < 0 ? originAxisLength : jointAxisLength) / view.display.scale;
+    for (let axis = 0; axis < 3; axis++) {
+      const vector = [0, 1, 2].map((i) => (i === axis ? length : 0));
+      const matrix = frameAlong(vector, (length * axisThickness) / 2);
+      writeInstance(view, joint, matrix, palette.axes[axis]!, instances, (joint + 1) * 3 + axis);
+    }
+  }
+  return instances;
+}
+
+function jointFromBone({ vector }: Bone, radius: number): mat4 {
+  return frameAlong(vector, radius);
+}
+
+/** Takes the unit cylinder to one from the origin to `vector`; its frame turns by no NaN. */
+function frameAlong(vector: readonly number[], radius: number): mat4 {
+  const length = Math.hypot(...vector);
+  const [x, y, z] = vector.map((component) => component / length) as [number, number, number];
+  // Of the coordinate axes, the one that the direction is farthest from.
+  const size = [Math.abs(x), Math.abs(y), Math.abs(z)];
+  const least = size.indexOf(Math.min(...size));
+  const [ex, ey, ez] = [0, 1, 2].map((i) => (i === least ? 1 : 0)) as [number, number, number];
+  const across = [y * ez - z * ey, z * ex - x * ez, x * ey - y * ex];
+  const norm = radius / Math.hypot(...across);
+  const [ax, ay, az] = across.map((component) => component * norm) as [number, number, number];
+  const [bx, by, bz] = [ay * z - az * y, az * x - ax * z, ax * y - ay * x];
+  return [...[ax, ay, az, 0], ...vector, 0, ...[bx, by, bz, 0], ...[0, 0, 0, 1]] as mat4;
+}
+
+/** @param joint -1 for the character's own space */
+function writeInstance(
+  view: CharacterView,
+  joint: number,
+  jointFromSolid: mat4,
+  color: Color,
+  instances: Float32Array,
+  index: number,
+): void {
+  mat4.copy(sceneFromSolid, view.display.sceneFromCharacter);
+  if (joint >= 0) {
+    const worldFromJoint = view.worldFromJoint.subarray(joint * 16, joint * 16 + 16);
+    mat4.multiply(sceneFromSolid, sceneFromSolid, worldFromJoint);
+  }
+  mat4.multiply(sceneFromSolid, sceneFromSolid, jointFromSolid);
+  for (let row = 0; row < 3; row++) {
+    for (let column = 0; column < 4; column++) {
+      instances[index * instanceSize + row * 4 + column] = sceneFromSolid[column * 4 + row]!;
+    }
+  }
+  instances.set(color, index * instanceSize + 12);
+}
+
+const sceneFromSolid: mat4 = new Float64Array(16);

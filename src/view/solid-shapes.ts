@@ -1,0 +1,68 @@
+/** Triangles with a normal at each vertex, around the origin. */
+export interface SolidShape {
+  /** (vertexCount × 3) */
+  readonly positions: Float32Array;
+  /** (vertexCount × 3) */
+  readonly normals: Float32Array;
+  /** (triangleCount × 3) */
+  readonly indices: Uint16Array;
+}
+
+/** The handout's drawSphere(…, 12, 12): a unit sphere of 12 slices and 12 stacks. */
+export function sphere(slices = 12, stacks = 12): SolidShape {
+  const positions: number[] = [];
+  for (let stack = 0; stack <= stacks; stack++) {
+    const polar = (Math.PI * stack) / stacks;
+    for (let slice = 0; slice <= slices; slice++) {
+      const around = (2 * Math.PI * slice) / slices;
+      const level = Math.sin(polar);
+      positions.push(level * Math.cos(around), Math.cos(polar), -level * Math.sin(around));
+    }
+  }
+  const indices = gridTriangles(slices, stacks);
+  const packed = Float32Array.from(positions);
+  return { positions: packed, normals: packed, indices };
+}
+
+/** The handout's drawCylinder(6, …): six sides of radius 1 along +y from 0 to 1, with ends. */
+export function cylinder(sides = 6): SolidShape {
+  const positions: number[] = [];
+  const normals: number[] = [];
+  const ring = (y: number, normalOf: (x: number, z: number) => number[]): void => {
+    for (let side = 0; side <= sides; side++) {
+      const around = (2 * Math.PI * side) / sides;
+      const [x, z] = [Math.cos(around), -Math.sin(around)];
+      positions.push(x, y, z);
+      normals.push(...normalOf(x, z));
+    }
+  };
+  // Rings from the top: its lid, the sides' upper and lower edge, the bottom's lid.
+  ring(1, () => [0, 1, 0]);
+  ring(1, (x, z) => [x, 0, z]);
+  ring(0, (x, z) => [x, 0, z]);
+  ring(0, () => [0, -1, 0]);
+  const between = gridTriangles(sides, 3).slice(sides * 6, sides * 12);
+  const lids: number[] = [];
+  const bottom = 3 * (sides + 1);
+  for (let side = 1; side + 1 < sides; side++) {
+    lids.push(0, side, side + 1, bottom, bottom + side + 1, bottom + side);
+  }
+  return {
+    positions: Float32Array.from(positions),
+    normals: Float32Array.from(normals),
+    indices: Uint16Array.from([...between, ...lids]),
+  };
+}
+
+/** Triangles between rings of `columns` + 1 vertices, `rows` + 1 rings from top to bottom. */
+function gridTriangles(columns: number, rows: number): Uint16Array {
+  const indices: number[] = [];
+  for (let row = 0; row < rows; row++) {
+    for (let column = 0; column < columns; column++) {
+      const a = row * (columns + 1) + column;
+      const below = a + columns + 1;
+      indices.push(a, below, below + 1, a, below + 1, a + 1);
+    }
+  }
+  return Uint16Array.from(indices);
+}

@@ -1,0 +1,51 @@
+import type { VertexStreams } from '../skinning/method.ts';
+
+/** How far two skinnings of the same vertices are apart. */
+export interface Difference {
+  /** Largest |difference| of a coordinate, in the file's units. */
+  readonly position: number;
+  /** Its vertex, one-based as OBJ files count; 0 where nothing differs. */
+  readonly vertex: number;
+  /** Largest |difference| of a normal's component. */
+  readonly normal: number;
+  /** Whether every bit is the same. */
+  readonly identical: boolean;
+}
+
+/** @param pointOf (vertexCount) the point of each render vertex */
+export function compareVertices(
+  a: VertexStreams,
+  b: VertexStreams,
+  pointOf: Uint32Array,
+): Difference {
+  const positions = largestDifference(a.positions, b.positions);
+  const normals = largestDifference(a.normals, b.normals);
+  return {
+    position: positions.size,
+    vertex: positions.size === 0 ? 0 : pointOf[Math.floor(positions.index / 3)]! + 1,
+    normal: normals.size,
+    identical: sameBits(a.positions, b.positions) && sameBits(a.normals, b.normals),
+  };
+}
+
+function largestDifference(a: Float32Array, b: Float32Array): { size: number; index: number } {
+  let size = 0;
+  let index = 0;
+  for (let i = 0; i < a.length; i++) {
+    const difference = Math.abs(a[i]! - b[i]!);
+    if (difference <= size) continue; // NaN is no less: it is the largest there can be
+    size = Number.isNaN(difference) ? Infinity : difference;
+    index = i;
+    if (size === Infinity) break;
+  }
+  return { size, index };
+}
+
+function sameBits(a: Float32Array, b: Float32Array): boolean {
+  const [x, y] = [bitsOf(a), bitsOf(b)];
+  return x.length === y.length && x.every((bits, i) => bits === y[i]);
+}
+
+function bitsOf({ buffer, byteOffset, length }: Float32Array): Uint32Array {
+  return new Uint32Array(buffer, byteOffset, length);
+}

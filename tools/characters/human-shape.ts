@@ -1,0 +1,55 @@
+/**
+ * The figure: a sculptor's mannequin, adult, lean and neither quite male nor female. MakeHuman's
+ * base mesh is a neutral start for its targets and not meant to be looked at, so its own macro
+ * targets are mixed here; they move vertices and so cost no bytes in the file.
+ */
+
+/** 0 is female, 1 is male. */
+const GENDER = 0.75;
+
+/** How much of MakeHuman's target for classical proportions. */
+const IDEAL_PROPORTIONS = 0.5;
+
+/** From average muscles (0) to strong ones (1). */
+const MUSCLE = 0.15;
+
+/** Peoples of three continents in equal parts. */
+const PEOPLES = ['african', 'asian', 'caucasian'];
+
+/** A plain chest, and a calm face in place of the mix's stern one. */
+const RETOUCH: readonly (readonly [target: string, weight: number])[] = [
+  ['breast/nipple-point-decr', 0.25],
+  ['mouth/mouth-angles-up', 0.4],
+  ['eyebrows/eyebrows-angle-up', 0.35],
+  ['head/head-oval', 0.3],
+];
+
+/** Target names under `targets/`, without the ending, and how much of each to add. */
+export function shapeTargets(): ReadonlyMap<string, number> {
+  const targets = new Map<string, number>();
+  for (const [gender, share] of [
+    ['female', 1 - GENDER],
+    ['male', GENDER],
+  ] as const) {
+    const body = `macrodetails/universal-${gender}-young`;
+    targets.set(`${body}-averagemuscle-averageweight`, share * (1 - MUSCLE));
+    targets.set(`${body}-maxmuscle-averageweight`, share * MUSCLE);
+    for (const people of PEOPLES) {
+      targets.set(`macrodetails/${people}-${gender}-young`, share / PEOPLES.length);
+    }
+    const proportions = `macrodetails/proportions/${gender}-young-averagemuscle-averageweight`;
+    targets.set(`${proportions}-idealproportions`, share * IDEAL_PROPORTIONS);
+  }
+  const chest = 'breast/female-young-averagemuscle-averageweight-mincup-averagefirmness';
+  targets.set(chest, 1 - GENDER);
+  for (const [target, weight] of RETOUCH) targets.set(target, weight);
+  return targets;
+}
+
+/** The parts of the figure and the groups of the base mesh that make them; the rest is helpers. */
+export const PARTS: readonly { readonly name: string; readonly groups: readonly string[] }[] = [
+  { name: 'body', groups: ['body'] },
+  { name: 'eyes', groups: ['helper-l-eye', 'helper-r-eye'] },
+  { name: 'teeth', groups: ['helper-upper-teeth', 'helper-lower-teeth'] },
+  { name: 'tongue', groups: ['helper-tongue'] },
+];

@@ -1,0 +1,161 @@
+/**
+ * Checks every shader program with glslangValidator, where it is installed: it is stricter than the
+ * browsers' own compilers, and needs none. Programs are put together by the app's own shader
+ * library, compiled and linked. Says `skipped: …` where the validator is missing; the tests in the
+ * browser link every program all the same.
+ */
+import { execFile } from 'node:child_process';
+import { mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { availableParallelism } from 'node:os';
+import path from 'node:path';
+import { resolveShader, type Defines } from '../src/gl/shader-library.ts';
+import { methods } from '../src/skinning/registry.ts';
+import { cacheFolder, findOnPath, root } from './commands.mjs';
+
+// How the app compiles them (src/view/programs.ts). 0 stands for the texture in either.
+const influencePairs = [1, 2, 3, 4, 0];
+const paletteRows = [1024, 4096, 0];
+
+interface Program {
+  readonly name: string;
+  readonly vertex: string;
+  readonly fragment: string;
+}
+
+interface Outcome {
+  readonly status: number;
+  readonly output: string;
+}
+
+const shaderFolder = path.join(root, 'shaders');
+const files = readShaders();
+
+function readShaders(): Record<string, string> {
+  const names = readdirSync(shaderFolder, { recursive: true, encoding: 'utf8' })
+    .map((name) => name.replaceAll('\\', '/'))
+    .filter((name) => name.endsWith('.glsl'))
+    .sort();
+  return Object.fromEntries(
+    names.map((name) => [
+      name,
+      markLines(name, readFileSync(path.join(shaderFolder, name), 'utf8')),
+    ]),
+  );
+}
+
+/** Every line says at its end where it is from, so that messages can name the file. */
+function markLines(name: string, source: string): string {
+  return source
+    .split(/\r?\n/)
+    .map((line, index) => {
+      const isLeftAsIs = line.endsWith('\\') || line.trimStart().startsWith('#include');
+      return isLeftAsIs ? line : `${line} // @${name}:${index + 1}`;
+    })
+    .join('\n');
+}
+
+function listPrograms(): (() => Program)[] {
+  const passes = Object.keys(files)
+    .map((name) => /^passes\/(.+)\.(?:vert|frag)\.glsl$/.exec(name)?.[1])
+    .filter((pass) => pass !== undefined);
+  const passPrograms = [...new Set(passes)].map((pass) => () => ({
+    name: `pass ${pass}`,
+    vertex: resolveShader(files, `passes/${pass}.vert.glsl`),
+    fragment: resolveShader(files, `passes/${pass}.frag.glsl`),
+  }));
+  const stagePrograms = methods.flatMap((method) =>
+    influencePairs.flatMap((pairs) =>
+      paletteRows.map((rows) => () => {
+        const defines: Defines = {
+          INFLUENCE_PAIRS: pairs,
+          PALETTE_ROWS: rows,
+          PALETTE_STRIDE: method.vec4sPerEntry,
+        };
+        const names = { METHOD: method.chunk };
+        return {
+          name: `skin stage ${method.id}, INFLUENCE_PAIRS ${pairs}, PALETTE_ROWS ${rows}`,
+          vertex: resolveShader(files, 'skinning/stage.vert.glsl', defines, names),
+          fragment: resolveShader(files, 'skinning/stage.frag.glsl'),
+        };
+      }),
+    ),
+  );
+  return [...passPrograms, ...stagePrograms];
+}
+
+/** What is wrong with a program, each message with its place. */
+async function check(validator: string, program: Program, folder: string): Promise<string[]> {
+  mkdirSync(folder, { recursive: true });
+  const sources: Record<string, string> = {
+    'stage.vert': program.vertex,
+    'stage.frag': program.fragment,
+  };
+  for (const [name, source] of Object.entries(sources)) {
+    writeFileSync(path.join(folder, name), `${source}\n`);
+  }
+  const { status, output } = await run(validator, ['-l', ...Object.keys(sources)], folder);
+  if (status === 0) return [];
+  const messages = output
+    .split(/\r?\n/)
+    .filter((line) => !(line in sources) && !/^$|compilation terminated|No code gen/.test(line));
+  return [
+    messages
+      .map((message) =>
+        message.replace(/^ERROR: (stage\.\w+):(\d+): /, (_, stage: string, line: string) =>
+          placeOf(sources[stage] ?? '', Number(line)),
+        ),
+      )
+      .join('\n') || `exit code ${status}`,
+  ];
+}
+
+/** Lines without a mark (the head, and parts of long macros) belong to the next one that has it. */
+function placeOf(source: string, line: number): string {
+  const rest = source.split('\n').slice(line - 1);
+  const mark = rest.map((each) => / \/\/ @(\S+:\d+)$/.exec(each)?.[1]).find(Boolean);
+  return mark === undefined ? '' : `shaders/${mark}: `;
+}
+
+function run(program: string, words: string[], folder: string): Promise<Outcome> {
+  return new Promise((resolve) => {
+    execFile(program, words, { cwd: folder }, (error, stdout, stderr) => {
+      const status = error === null ? 0 : typeof error.code === 'number' ? error.code : 1;
+      resolve({ status, output: stdout + stderr });
+    });
+  });
+}
+
+async function checkAll(validator: string): Promise<void> {
+  const programs = listPrograms();
+  const folder = path.join(cacheFolder, `shaders-${process.pid}`);
+  const wrong = new Map<string, string[]>();
+  const waiting = [...programs.entries()];
+  const work = async (): Promise<void> => {
+    for (let next = waiting.shift(); next !== undefined; next = waiting.shift()) {
+      const [index, make] = next;
+      const program = make();
+      for (const message of await check(validator, program, path.join(folder, `${index}`))) {
+        wrong.set(message, [...(wrong.get(message) ?? []), program.name]);
+      }
+    }
+  };
+  try {
+    await Promise.all(Array.from({ length: availableParallelism() }, work));
+  } finally {
+    rmSync(folder, { recursive: true, force: true });
+  }
+  // What is wrong in a shared file is wrong in many programs, and is told once.
+  for (const [message, names] of wrong) {
+    const others = names.length > 1 ? ` and ${names.length - 1} more` : '';
+    console.log(`${message}\n  in ${names[0] ?? ''}${others}`);
+  }
+  console.log(`${programs.length} programs, ${wrong.size} problems`);
+  if (wrong.size > 0) process.exitCode = 1;
+}
+
+const validator = findOnPath(['glslangValidator', 'glslang']);
+if (validator === undefined) {
+  console.log('skipped: glslangValidator is not installed (Debian: glslang-tools)');
+} else {
+  await checkAll(validator);
+}

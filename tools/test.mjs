@@ -1,0 +1,280 @@
+/**
+ * npm test: every check of the project, on any machine with Node. The static checks run two at a
+ * time, then the unit tests, then the tests in the browser against the built app; a check that
+ * fails does not keep the others from running. The last line is `N passed, N failed`: tests of both
+ * kinds, a failed check counting as one. A browser is found, or got, by tools/browser.mjs.
+ *
+ * `npm test -- --only=types,unit` runs these groups alone.
+ */
+import { spawn } from 'node:child_process';
+import { existsSync, mkdirSync, rmSync } from 'node:fs';
+import path from 'node:path';
+import { cacheFolder, packageCommand, readJson, root } from './commands.mjs';
+import { install } from './install.mjs';
+
+/**
+ * @typedef {{ passed: number, failed: number, skipped: number }} Counts
+ * @typedef {{ status: number, output: string, seconds: number }} Outcome
+ * @typedef {{ name: string, state: 'ok' | 'failed' | 'skipped', seconds: number, note: string, counts: Counts }} Result
+ * @typedef {{ group: string, name: string, command: () => string[] }} Check
+ */
+
+const noTests = { passed: 0, failed: 0, skipped: 0 };
+const oneFailure = { passed: 0, failed: 1, skipped: 0 };
+/** A guard against hanging. */
+const longestMinutes = 15;
+
+/** @type {Check[]} The longest first, so that the two lanes end together. */
+const checks = [
+  { group: 'lint', name: 'lint', command: () => packageCommand('eslint', ['.']) },
+  ...['node', 'page', 'e2e', 'pure'].map((part) => ({
+    group: 'types',
+    name: `types ${part}`,
+    command: () =>
+      packageCommand(
+        'typescript',
+        [
+          ...['--project', `tsconfig.${part}.json`, '--incremental'],
+          ...['--tsBuildInfoFile', path.join(cacheFolder, `types-${part}.tsbuildinfo`)],
+        ],
+        'tsc',
+      ),
+  })),
+  {
+    group: 'format',
+    name: 'format',
+    command: () => packageCommand('prettier', ['--check', '--log-level=warn', '.']),
+  },
+  { group: 'unused', name: 'unused', command: () => packageCommand('knip', ['--no-progress']) },
+  {
+    group: 'imports',
+    name: 'imports',
+    command: () =>
+      packageCommand(
+        'dependency-cruiser',
+        ['src', 'tools', 'tests', 'e2e'].filter((folder) => existsSync(path.join(root, folder))),
+        'depcruise',
+      ),
+  },
+  {
+    group: 'shaders',
+    name: 'shaders',
+    command: () => packageCommand('tsx', ['tools/check-shaders.ts']),
+  },
+  {
+    group: 'e2e',
+    name: 'browser',
+    command: () => [process.execPath, path.join(root, 'tools/browser.mjs')],
+  },
+  { group: 'build', name: 'build', command: () => packageCommand('vite', ['build']) },
+];
+const groups = [...new Set(checks.map(({ group }) => group)), 'unit'];
+
+/** @type {Result[]} */
+const results = [];
+/** @type {Set<import('node:child_process').ChildProcess>} */
+const running = new Set();
+const started = performance.now();
+
+for (const signal of /** @type {const} */ (['SIGINT', 'SIGTERM'])) {
+  process.once(signal, () => {
+    for (const child of running) child.kill(signal);
+    process.exit(1);
+  });
+}
+
+try {
+  await main(chosenGroups(process.argv.slice(2)));
+} catch (error) {
+  console.error(error instanceof Error ? error.message : error);
+  results.push({ ...result('npm test', 0), state: 'failed', counts: oneFailure });
+}
+report();
+
+/**
+ * The groups to run, all of them where none are named.
+ * @param {string[]} words
+ */
+function chosenGroups(words) {
+  if (words.length === 0) return groups;
+  const only = words.map((word) => /^--only=(.+)$/.exec(word)?.[1]?.split(',') ?? [word]).flat();
+  const unknown = only.find((group) => !groups.includes(group));
+  if (unknown !== undefined) {
+    throw new Error(`"${unknown}" is not a check; use --only= with ${groups.join(',')}`);
+  }
+  // The tests in the browser never run on what an older source was built to.
+  return only.includes('e2e') ? [...only, 'build'] : only;
+}
+
+/** @param {string[]} chosen */
+async function main(chosen) {
+  install();
+  mkdirSync(cacheFolder, { recursive: true });
+
+  const waiting = checks.filter(({ group }) => chosen.includes(group));
+  const lane = async () => {
+    for (let next = waiting.shift(); next !== undefined; next = waiting.shift()) {
+      await runCheck(next);
+    }
+  };
+  await Promise.all([lane(), lane()]);
+
+  if (chosen.includes('unit')) await runUnitTests();
+  if (chosen.includes('e2e')) await runBrowserTests();
+}
+
+/** @param {Check} check */
+async function runCheck({ name, command }) {
+  const { status, output, seconds } = await run(command(), { quiet: true });
+  const skipped = /^skipped: (.*)/m.exec(output)?.[1];
+  /** @type {Result} */
+  const done = { ...result(name, seconds), state: status === 0 ? 'ok' : 'failed' };
+  if (status !== 0) done.counts = oneFailure;
+  else if (skipped !== undefined) Object.assign(done, { state: 'skipped', note: skipped });
+  else if (name === 'browser') {
+    process.env['TEST_BROWSER'] = output.trim().split('\n').at(-1);
+    done.note = /^browser: (.*)\n(?!browser:)/m.exec(output)?.[1] ?? '';
+  }
+  results.push(done);
+  console.log(line(done));
+  if (status !== 0) console.log(indent(output));
+}
+
+async function runUnitTests() {
+  const file = reportFile('unit');
+  const reporters = ['--reporter=default', '--reporter=json', `--outputFile.json=${file}`];
+  const { status, seconds } = await run(packageCommand('vitest', ['run', ...reporters]));
+  const counts = { ...noTests };
+  if (existsSync(file)) {
+    const written = readJson(file);
+    counts.passed = written.numPassedTests;
+    counts.skipped = written.numPendingTests + written.numTodoTests;
+    // A file that fails to load has no tests; it counts as one.
+    counts.failed =
+      written.numFailedTests +
+      written.testResults.filter(
+        (/** @type {{ status: string, assertionResults: { status: string }[] }} */ each) =>
+          each.status === 'failed' &&
+          each.assertionResults.every(({ status }) => status !== 'failed'),
+      ).length;
+  }
+  finishTests('unit', status, seconds, counts);
+}
+
+async function runBrowserTests() {
+  const missing = results.find(
+    ({ name, state }) => (name === 'build' || name === 'browser') && state === 'failed',
+  );
+  if (missing !== undefined) {
+    const note = `not run: ${missing.name} failed`;
+    results.push({ ...result('e2e', 0), state: 'skipped', note });
+    console.log(line(results.at(-1)));
+    return;
+  }
+  const file = reportFile('e2e');
+  process.env['PLAYWRIGHT_JSON_OUTPUT_FILE'] = file;
+  const { status, seconds } = await run(
+    packageCommand('@playwright/test', ['test', '--reporter=list,json'], 'playwright'),
+  );
+  const counts = { ...noTests };
+  if (existsSync(file)) {
+    const { stats } = readJson(file);
+    counts.passed = stats.expected;
+    counts.failed = stats.unexpected + stats.flaky;
+    counts.skipped = stats.skipped;
+  }
+  finishTests('e2e', status, seconds, counts);
+}
+
+/**
+ * @param {string} name
+ * @param {number} status
+ * @param {number} seconds
+ * @param {Counts} counts
+ */
+function finishTests(name, status, seconds, counts) {
+  // Whatever else went wrong (an error outside of any test, no report) is one failure.
+  if (status !== 0 && counts.failed === 0) counts.failed = 1;
+  const { passed, failed, skipped } = counts;
+  const note = `${passed} passed, ${failed} failed, ${skipped} skipped`;
+  /** @type {Result} */
+  const done = { ...result(name, seconds), state: failed === 0 ? 'ok' : 'failed', note, counts };
+  results.push(done);
+  console.log(line(done));
+}
+
+/**
+ * @param {string} name
+ * @param {number} seconds
+ * @returns {Result}
+ */
+function result(name, seconds) {
+  return { name, state: 'ok', seconds, note: '', counts: noTests };
+}
+
+/** @param {string} name */
+function reportFile(name) {
+  const file = path.join(cacheFolder, `tests-${name}.json`);
+  rmSync(file, { force: true });
+  return file;
+}
+
+/**
+ * Runs a command, its output shown as it comes or, quietly, given back.
+ * @param {string[]} command
+ * @param {{ quiet?: boolean }} [options]
+ * @returns {Promise<Outcome>}
+ */
+function run([program = '', ...words], { quiet = false } = {}) {
+  return new Promise((resolve) => {
+    const begin = performance.now();
+    const child = spawn(program, words, {
+      cwd: root,
+      stdio: ['ignore', quiet ? 'pipe' : 'inherit', quiet ? 'pipe' : 'inherit'],
+      timeout: longestMinutes * 60_000,
+    });
+    running.add(child);
+    let output = '';
+    child.stdout?.setEncoding('utf8').on('data', (text) => (output += text));
+    child.stderr?.setEncoding('utf8').on('data', (text) => (output += text));
+    /** @param {number} status */
+    const finish = (status) => {
+      running.delete(child);
+      resolve({ status, output, seconds: (performance.now() - begin) / 1000 });
+    };
+    child.once('error', (error) => {
+      output += error.message;
+      finish(1);
+    });
+    child.once('close', (code) => finish(code ?? 1));
+  });
+}
+
+function report() {
+  const total = { ...noTests };
+  for (const { counts } of results) {
+    total.passed += counts.passed;
+    total.failed += counts.failed;
+    total.skipped += counts.skipped;
+  }
+  console.log('\nSummary');
+  for (const each of results) console.log(line(each));
+  const seconds = ((performance.now() - started) / 1000).toFixed(1);
+  console.log(`  ${total.skipped} tests skipped, ${seconds} s in all\n`);
+  console.log(`${total.passed} passed, ${total.failed} failed`);
+  // A run of tests in which none ran proves nothing.
+  const ranTests = results.some(({ name }) => name === 'unit' || name === 'e2e');
+  process.exitCode = total.failed > 0 || (ranTests && total.passed === 0) ? 1 : 0;
+}
+
+/** @param {Result | undefined} each */
+function line(each) {
+  if (each === undefined) return '';
+  const { name, state, seconds, note } = each;
+  return `  ${state.padEnd(8)}${name.padEnd(12)}${seconds.toFixed(1).padStart(6)} s  ${note}`.trimEnd();
+}
+
+/** @param {string} text */
+function indent(text) {
+  return text.trimEnd().replace(/^/gm, '    ');
+}
