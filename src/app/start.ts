@@ -3,6 +3,7 @@ import { Session } from '../document/session.ts';
 import { Store } from '../document/store.ts';
 import { listenToDrops } from '../ui/drop-zone.ts';
 import { listenToKeys } from '../ui/keys.ts';
+import { listenToPaste } from '../ui/paste.ts';
 import { listenToPointer } from '../ui/pointer.ts';
 import { orbitTool } from '../ui/tools/orbit.ts';
 import { Viewer } from '../view/viewer.ts';
@@ -50,6 +51,7 @@ export async function start(root: HTMLElement): Promise<void> {
   layout.follow(viewer, isTest ? 1 : undefined);
   listenToKeys(editor);
   listenToDrops(editor);
+  listenToPaste(editor);
   listenToPointer(layout.canvas, orbitTool, editor);
   followTheme(viewer);
 

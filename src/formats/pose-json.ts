@@ -117,7 +117,8 @@ function suggestion(skeleton: Skeleton, name: string): string {
 /** A value as a message shows it; callers may pass what JSON has not. */
 function display(value: unknown): string {
   try {
-    return String(JSON.stringify(value));
+    const text = JSON.stringify(value) as string | undefined;
+    return text ?? typeof value;
   } catch {
     return typeof value;
   }

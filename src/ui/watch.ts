@@ -1,9 +1,9 @@
-import { computed, effect, type ReadonlySignal } from '@preact/signals-core';
+import { effect, type ReadonlySignal } from '@preact/signals-core';
 
 /** Runs now and whenever one of the signals changes, for work that reads them out of sight. */
-export function watch(signals: readonly ReadonlySignal[], run: () => void): void {
-  const values = computed(() => signals.map((signal) => signal.value));
+export function watch(signals: readonly ReadonlySignal<unknown>[], run: () => void): void {
   effect(() => {
-    if (values.value.length > 0) run();
+    // To read a signal's value is to follow it.
+    if (signals.every((signal) => signal.value !== undefined)) run();
   });
 }

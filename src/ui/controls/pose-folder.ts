@@ -2,6 +2,7 @@ import { effect } from '@preact/signals-core';
 import type { GUI } from 'lil-gui';
 import type { Character } from '../../core/character.ts';
 import { selectedCharacter } from '../../document/document.ts';
+import { chooseFiles } from '../choose-files.ts';
 import type { Editor } from '../editor.ts';
 import { JointFolder } from './joint-folder.ts';
 import { rotationOrder } from './rotation-order.ts';
@@ -12,13 +13,15 @@ export function addPoseFolder(gui: GUI, editor: Editor): void {
   const actions = {
     reset: () => editor.resetAll(),
     copy: () => void editor.copyPose(),
+    open: () => chooseFiles(['.json'], (files) => void editor.openFiles(files)),
     save: () => editor.savePose(),
     mesh: () => editor.exportMesh(),
   };
   folder.add(actions, 'reset').name('Reset all');
-  folder.add(actions, 'copy').name('Copy pose');
-  folder.add(actions, 'save').name('Save pose');
   folder.add(actions, 'mesh').name('Export posed OBJ');
+  folder.add(actions, 'open').name('Open pose…');
+  folder.add(actions, 'save').name('Save pose');
+  folder.add(actions, 'copy').name('Copy pose');
   let joints: GUI | null = null;
   let folders: JointFolder[] = [];
   let shown: Character | null = null;
@@ -29,6 +32,7 @@ export function addPoseFolder(gui: GUI, editor: Editor): void {
     if (character !== shown) {
       joints?.destroy();
       joints = folder.addFolder('Joints');
+      joints.domElement.classList.add('joints');
       shown = character;
       folders = [];
       if (state) {
