@@ -1,0 +1,143 @@
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
+import { commands } from '../../src/cli/commands.ts';
+import { UsageError } from '../../src/cli/usage-error.ts';
+import { readObj } from '../../src/formats/obj/read-obj.ts';
+import { methods } from '../../src/skinning/registry.ts';
+import { folderWith } from './run-sinew.ts';
+
+const files = {
+  'a.skel': '0 0 0 -1\n0 1 0 0\n0 0 0 1\n',
+  'a.obj': 'v 0 1 0\nv 0 2 0\nv 1 2 0\nusemtl skin\nf 1 2 3\n',
+  'a.attach': '1 0\n0.5 0.25\n0.4 0.6\n',
+  'p.json': '{"joints": {"#1": [0, 0, 3.141592653589793]}}',
+};
+const names = ['a.skel', 'a.obj', 'a.attach'];
+
+let errors: string[];
+let out: string[];
+
+beforeEach(() => {
+  [errors, out] = [[], []];
+  vi.spyOn(console, 'error').mockImplementation((line: string) => errors.push(line));
+  vi.spyOn(console, 'log').mockImplementation((line: string) => out.push(line));
+});
+afterEach(() => {
+  vi.restoreAllMocks();
+  vi.unstubAllEnvs();
+});
+
+function run(name: string, contents: Record<string, string>, ...words: string[]) {
+  const folder = folderWith(contents);
+  vi.stubEnv('INIT_CWD', folder);
+  return { folder, code: commands.find((command) => command.name === name)!.run(words) };
+}
+
+/** The posed points of files above, rounded. */
+async function posed(...options: string[]): Promise<number[]> {
+  const { folder, code } = run('pose', files, ...names, '--pose', 'p.json', ...options);
+  expect(await code).toBe(0);
+  const outPath = join(folder, options.at(-1)!);
+  const mesh = readObj('o.obj', new Uint8Array(readFileSync(outPath))).value!;
+  expect([...mesh.cornerPoints]).toEqual([0, 1, 2]);
+  expect(mesh.submeshes).toEqual([{ material: 'skin', firstTriangle: 0 }]);
+  return Array.from(mesh.positions, (value) => Math.round(value * 1e5) / 1e5 + 0);
+}
+
+describe('pose', () => {
+  it('writes an OBJ with the faces and materials, weights as in the file', async () => {
+    expect(await posed('--out', 'o.obj')).toEqual([0, 1, 0, 0, 0, 0, -1, 0, 0]);
+    expect(errors).toHaveLength(1);
+    expect(errors[0]).toContain('worst: vertex 2, 0.75');
+  });
+
+  it('divides weights by their sum with --normalize', async () => {
+    // Both joints turn alike, so that only the sum of the second row shows, in the translation.
+    const raw = await posed('--out', 'raw.obj');
+    const moved = { ...files, 'p.json': '{"root": [4, 0, 0]}' };
+    const words = [...names, '--pose', 'p.json', '--normalize', '--out', 'o.obj'];
+    const { folder, code } = run('pose', moved, ...words);
+    expect(await code).toBe(0);
+    const text = readFileSync(join(folder, 'o.obj'), 'utf8');
+    expect(text).toContain('v 4 1 0\nv 4 2 0\nv 5 2 0\n');
+    expect(raw).toHaveLength(9);
+  });
+
+  it('takes every method of the registry', async () => {
+    for (const { id } of methods)
+      expect(await posed('--method', id, '--out', 'o.obj')).toHaveLength(9);
+  });
+
+  it('with --method rigid follows the heaviest joint alone', async () => {
+    const pose = { 'p.json': '{"joints": {"#2": [0, 0, 3.141592653589793]}}' };
+    const words = [...names, '--pose', 'p.json', '--method', 'rigid', '--out', 'o.obj'];
+    const { folder, code } = run('pose', { ...files, ...pose }, ...words);
+    expect(await code).toBe(0);
+    const text = readFileSync(join(folder, 'o.obj'), 'utf8');
+    expect(text).toMatch(/^v 0 1 0\nv 0 2 0\nv -1 (0|[-\d.]+e-\d+) 0\n/);
+  });
+
+  it.each([
+    ['the pose is not there', {}, 'q.json', 'q.json: expected a file that can be read'],
+    ['the pose names no joint', { 'p.json': '{"joints":{"x":[0,0,0]}}' }, 'p.json', 'found "x"'],
+    ['a file of the character is bad', { 'a.attach': '1\n1\n1' }, 'p.json', 'expected 2 weights'],
+    ['there is no mesh', { 'a.obj': 'v 0 0 0' }, 'p.json', 'there is no mesh to pose'],
+  ])('ends with 1 and writes nothing where %s', async (_, changed, pose, message) => {
+    const words = [...names, '--pose', pose, '--out', 'o.obj'];
+    const { folder, code } = run('pose', { ...files, ...changed }, ...words);
+    expect(await code).toBe(1);
+    expect(errors.join('\n')).toContain(message);
+    expect(() => readFileSync(join(folder, 'o.obj'))).toThrow('ENOENT');
+  });
+
+  it('ends with 1 where it cannot write', async () => {
+    const words = [...names, '--pose', 'p.json', '--out', 'no/such/folder/o.obj'];
+    expect(await run('pose', files, ...words).code).toBe(1);
+    expect(errors.join('\n')).toContain('no/such/folder/o.obj');
+  });
+
+  it.each([
+    [['--pose', 'p.json', '--out', 'o.obj'], 'expected files'],
+    [[...names, '--out', 'o.obj'], 'expected --pose'],
+    [[...names, '--pose', 'p.json'], 'expected --out'],
+    [[...names, '--pose', 'p.json', '--out', 'o.txt'], 'ends in .obj or .f32'],
+    [[...names, '--pose', 'p.json', '--method', 'x', '--out', 'o.obj'], 'found "x"'],
+    [[...names, '--pose', 'p.json', '--bend', '--out', 'o.obj'], '--bend'],
+    [[...names, 'p.json', '--out'], '--out'],
+  ])('is used wrongly as %j', async (words, message) => {
+    const { code } = run('pose', files, ...words);
+    await expect(code).rejects.toThrow(message);
+    await expect(code).rejects.toBeInstanceOf(UsageError);
+  });
+
+  it('takes the files of one character only', async () => {
+    const two = { 'a.obj': files['a.obj'], 'b.obj': files['a.obj'], 'p.json': '{}' };
+    const words = ['a.obj', 'b.obj', '--pose', 'p.json', '--out', 'o.obj'];
+    await expect(run('pose', two, ...words).code).rejects.toBeInstanceOf(UsageError);
+  });
+});
+
+describe('info', () => {
+  it('names the joints and counts the rest', async () => {
+    expect(await run('info', files, ...names).code).toBe(0);
+    expect(out).toEqual([
+      'a: 3 joints, 3 vertices, 1 triangles, at most 2 influences\n' +
+        '  #0 joint 00 (parent -1)\n  #1 joint 01 (parent 0)\n  #2 joint 02 (parent 1)',
+    ]);
+  });
+
+  it('ends with 0 as soon as one character came, and tells what is missing', async () => {
+    expect(await run('info', files, 'a.skel', 'p.json').code).toBe(0);
+    expect(out[0]).toContain('without .obj, .attach');
+    expect(errors[0]).toContain('warning: p.json: expected a file that Sinew reads');
+  });
+
+  it('shows names of files harmlessly', async () => {
+    expect(await run('info', {}, 'a\u001b[2J\u202e.skel').code).toBe(1);
+    expect(errors.join('')).not.toMatch(/[\p{Cc}\p{Cf}]/u);
+    const joined = { 'a\u202e.skel': files['a.skel'], 'b.obj': files['a.obj'] };
+    expect(await run('info', joined, ...Object.keys(joined)).code).toBe(0);
+    expect(errors.join('')).not.toMatch(/[\p{Cc}\p{Cf}]/u);
+  });
+});

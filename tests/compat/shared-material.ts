@@ -1,0 +1,44 @@
+import { existsSync, readFileSync } from 'node:fs';
+import { basename, resolve } from 'node:path';
+import { describe } from 'vitest';
+import type { FileContents } from '../support/files.ts';
+
+/** Real files and expected results that lie beside the project, where they do; never within it. */
+const shared = resolve(import.meta.dirname, '../../../shared');
+
+/** A suite over material that may be absent: then it is skipped, and its name says why. */
+export function describeWithShared(
+  title: string,
+  paths: readonly string[],
+  body: () => void,
+): void {
+  const absent = paths.find((path) => !existsSync(resolve(shared, path)));
+  if (absent === undefined) {
+    describe(title, body);
+  } else {
+    const skipped = `${title} (skipped: ../shared/${absent} is not there)`;
+    process.stdout.write(`${skipped}\n`); // reporters do not name what they skip
+    describe.skip(skipped, body);
+  }
+}
+
+function sharedBytes(path: string): Uint8Array {
+  return new Uint8Array(readFileSync(resolve(shared, path)));
+}
+
+export function sharedJson(path: string): unknown {
+  return JSON.parse(new TextDecoder().decode(sharedBytes(path)));
+}
+
+/** Little-endian float32. */
+export function sharedFloats(path: string): Float32Array {
+  const bytes = sharedBytes(path);
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  return Float32Array.from({ length: bytes.length / 4 }, (_, i) => view.getFloat32(i * 4, true));
+}
+
+/** `.skel`, `.obj` and `.attach` of a model of 6.837. */
+export function modelFiles(model: string): FileContents {
+  const paths = ['.skel', '.obj', '.attach'].map((ending) => `data/mit-6837/${model}${ending}`);
+  return Object.fromEntries(paths.map((path) => [basename(path), sharedBytes(path)]));
+}

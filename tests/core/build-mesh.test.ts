@@ -1,0 +1,85 @@
+import { describe, expect, it } from 'vitest';
+import { buildMesh } from '../../src/core/build-mesh.ts';
+import type { MeshParts } from '../../src/core/character-parts.ts';
+import type { Mesh } from '../../src/core/mesh.ts';
+import { numbersAt } from '../support/compare.ts';
+
+/** Two triangles that share the edge 1 2, and a fifth point that no face uses. */
+const square: MeshParts = {
+  file: 'a.obj',
+  positions: Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 9, 9, 9),
+  cornerPoints: Uint32Array.of(0, 1, 2, 2, 1, 3),
+};
+
+function expectSound(mesh: Mesh): void {
+  const points = Array.from({ length: mesh.pointCount }, (_, point) => point);
+  expect([...mesh.pointOf.subarray(0, mesh.pointCount)]).toEqual(points);
+  mesh.pointOf.forEach((point, vertex) => {
+    expect(numbersAt(mesh.positions, vertex, 3)).toEqual(numbersAt(square.positions, point, 3));
+  });
+  const corners = Array.from(mesh.indices, (vertex) => mesh.pointOf[vertex]);
+  expect(corners).toEqual([...square.cornerPoints]);
+}
+
+describe('buildMesh', () => {
+  it('keeps a vertex a point where nothing parts them', () => {
+    const mesh = buildMesh(square);
+    expectSound(mesh);
+    expect(mesh).toMatchObject({ pointCount: 5, vertexCount: 5, uvs: null });
+    expect(numbersAt(mesh.normals, 1, 3)).toEqual([0, 0, 1]);
+    expect(mesh.submeshes).toEqual([{ material: '', firstIndex: 0, indexCount: 6 }]);
+  });
+
+  it('splits a point at a seam of texture coordinates, after all points', () => {
+    const mesh = buildMesh({
+      ...square,
+      uvs: Float32Array.of(0, 0, 1, 0, 0, 1, 0.5, 0.25),
+      cornerUvs: Int32Array.of(0, 1, 2, 2, 3, -1),
+    });
+    expectSound(mesh);
+    expect(mesh.vertexCount).toBe(6);
+    expect([...mesh.indices]).toEqual([0, 1, 2, 2, 5, 3]);
+    expect(mesh.pointOf[5]).toBe(1);
+    expect(numbersAt(mesh.uvs!, 1, 2)).toEqual([1, 0]);
+    expect(numbersAt(mesh.uvs!, 5, 2)).toEqual([0.5, 0.25]);
+    expect(numbersAt(mesh.uvs!, 3, 2)).toEqual([0, 0]);
+  });
+
+  it('splits a point at a seam of normals and makes them unit', () => {
+    const mesh = buildMesh({
+      ...square,
+      normals: Float32Array.of(0, 0, 2, 0, 3, 0, 0, 0, 0),
+      cornerNormals: Int32Array.of(0, 0, 0, 0, 1, 2),
+    });
+    expectSound(mesh);
+    expect(mesh.vertexCount).toBe(6);
+    expect(numbersAt(mesh.normals, 1, 3)).toEqual([0, 0, 1]);
+    expect(numbersAt(mesh.normals, 5, 3)).toEqual([0, 1, 0]);
+    // A normal without length gives way to the one of the faces.
+    expect(numbersAt(mesh.normals, 3, 3)).toEqual([0, 0, 1]);
+  });
+
+  it('splits only where values part, not where a file repeats them', () => {
+    const mesh = buildMesh({
+      ...square,
+      uvs: Float32Array.of(0, 0, 1, 0, 0, 1, 0, 1, 1, 0, 1, 1),
+      cornerUvs: Int32Array.of(0, 1, 2, 3, 4, 5),
+      normals: Float32Array.of(0, 0, 1, 0, 0, 1),
+      cornerNormals: Int32Array.of(0, 0, 0, 1, 1, 1),
+    });
+    expectSound(mesh);
+    expect(mesh.vertexCount).toBe(5);
+  });
+
+  it('makes a submesh of each run of a material and none of an empty run', () => {
+    const submeshes = [
+      { material: 'red', firstTriangle: 0 },
+      { material: 'empty', firstTriangle: 1 },
+      { material: 'blue', firstTriangle: 1 },
+    ];
+    expect(buildMesh({ ...square, submeshes }).submeshes).toEqual([
+      { material: 'red', firstIndex: 0, indexCount: 3 },
+      { material: 'blue', firstIndex: 3, indexCount: 3 },
+    ]);
+  });
+});

@@ -1,0 +1,141 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import type { Skeleton } from '../../src/core/skeleton.ts';
+import { poseFromJson, poseToJson, readPoseJson } from '../../src/formats/pose-json.ts';
+import { characterOfRig } from '../fixtures/character-of-rig.ts';
+import { rotatedTree } from '../fixtures/rigs.ts';
+import { courseSkel } from '../support/course-skeleton.ts';
+import { shown } from '../support/diagnose.ts';
+import { readOne } from '../support/files.ts';
+
+const { skeleton } = await readOne({ 'a.skel': courseSkel });
+
+function q(json: unknown, of: Skeleton = skeleton): number[] {
+  const { value, diagnostics } = readPoseJson('p.json', JSON.stringify(json), of);
+  expect(diagnostics).toEqual([]);
+  return [...value!.q];
+}
+
+function messages(text: string, of: Skeleton = skeleton): string[] {
+  const { value, diagnostics } = readPoseJson('p.json', text, of);
+  expect(value).toBeUndefined();
+  return shown(diagnostics);
+}
+
+/** The course's values: three slides and three hinges of the root, then three hinges a joint. */
+const rest = new Array<number>(3 + 18 * 3).fill(0);
+
+describe('readPoseJson', () => {
+  it('keeps the pose of the file where nothing is said', () => {
+    expect(q({})).toEqual(rest);
+    expect(q({ joints: {} })).toEqual(rest);
+    const rig = characterOfRig(rotatedTree()).skeleton;
+    expect(q({ joints: {} }, rig)).toEqual([...rig.qRest]);
+    expect(rig.qRest.some((value) => value !== 0)).toBe(true);
+  });
+
+  it('sets angles by name and by index, and the displacement of the root', () => {
+    const posed = rest.with(0, 0.1).with(1, 0.2).with(2, 0.3);
+    const root = q({ root: [0.1, 0.2, 0.3], joints: { Root: [1, 2, 3] } });
+    expect(root).toEqual(posed.with(3, 1).with(4, 2).with(5, 3));
+    // Depth first, "Waist" is the third joint and "Left foot", #11 in the file, the eleventh.
+    expect(q({ joints: { Waist: [4, 5, 6] } })).toEqual(rest.with(9, 4).with(10, 5).with(11, 6));
+    const foot = skeleton.names.indexOf('Left foot');
+    const byIndex = q({ joints: { '#11': [7, 8, 9] } });
+    expect(byIndex.slice(3 + foot * 3, 6 + foot * 3)).toEqual([7, 8, 9]);
+    expect(byIndex).toEqual(q({ joints: { 'Left foot': [7, 8, 9] } }));
+  });
+
+  it('takes a byte order mark and angles past a full turn', () => {
+    const { value } = readPoseJson('p.json', '\uFEFF{"joints":{"Root":[100,0,-100]}}', skeleton);
+    expect([...value!.q.slice(3, 6)]).toEqual([100, 0, -100]);
+  });
+
+  it('moves the root of lowest index in the file', async () => {
+    const forest = (await readOne({ 'a.skel': '0 0 0 1\n0 0 0 -1\n0 0 0 -1\n' })).skeleton;
+    expect(q({ root: [1, 2, 3] }, forest).slice(0, 3)).toEqual([1, 2, 3]);
+    expect(q({ root: [1, 2, 3], joints: { '#1': [4, 5, 6] } }, forest).slice(3, 6)).toEqual([
+      4, 5, 6,
+    ]);
+  });
+
+  it.each([
+    ['[]', 'an object with "joints" and "root", found "[]" [pose/json]'],
+    ['null', 'an object with "joints" and "root", found "null" [pose/json]'],
+    ['{"joint":{}}', '"joints" or "root", found "joint" [pose/unknown]'],
+    ['{"joints":[]}', '"joints" to be an object, found "[]" [pose/json]'],
+    ['{"root":[1,2]}', 'three numbers for "root", found "[1,2]" [pose/json]'],
+    ['{"root":null}', 'three numbers for "root", found "null" [pose/json]'],
+    ['{"joints":{"Neck":[1,2,"3"]}}', 'three numbers for "Neck", found "[1,2,"3"]" [pose/json]'],
+    ['{"joints":{"Neck":[1,2,1e999]}}', 'three numbers for "Neck", found "[1,2,null]" [pose/json]'],
+    [
+      '{"joints":{"Tail":[0,0,0]}}',
+      'the name of a joint, or # and its index, found "Tail" [pose/unknown-joint]',
+    ],
+    [
+      '{"joints":{"neck":[0,0,0]}}',
+      'the name of a joint, or # and its index ("Neck"?), found "neck" [pose/unknown-joint]',
+    ],
+    ['{"joints":{"#18":[0,0,0]}}', 'a joint from #0 to #17, found "#18" [pose/unknown-joint]'],
+    [
+      '{"joints":{"__proto__":[0,0,0]}}',
+      'the name of a joint, or # and its index, found "__proto__" [pose/unknown-joint]',
+    ],
+  ])('refuses %s', (text, message) => {
+    expect(messages(text)).toEqual([`error: p.json: expected ${message}; the pose is not used`]);
+  });
+
+  it('refuses what is not JSON', () => {
+    expect(messages('{"joints":')[0]).toMatch(/^error: p\.json: expected JSON, found ".+" \[pose/);
+    expect(messages('')[0]).toContain('[pose/json]');
+  });
+
+  it('refuses a name that two joints have', () => {
+    const twins = {
+      ...skeleton,
+      names: skeleton.names.map((name) => name.replace(/Left|Right/, 'A')),
+    };
+    expect(messages('{"joints":{"A hip":[0,0,0]}}', twins)).toEqual([
+      'error: p.json: expected a name that only one joint has, found "A hip" ' +
+        '[pose/unknown-joint]; the pose is not used',
+    ]);
+  });
+
+  it('gives a pose or says why not, for any text and any value', () => {
+    fc.assert(
+      fc.property(fc.oneof(fc.string(), fc.json()), (text) => {
+        const { value, diagnostics } = readPoseJson('p.json', text, skeleton);
+        expect(value === undefined).toBe(diagnostics.length > 0);
+      }),
+    );
+    const unlike = [undefined, () => 0, 1n, Symbol('x'), { root: 1n }, { joints: { Neck: [1n] } }];
+    for (const value of unlike) {
+      expect(shown(poseFromJson('p.json', value, skeleton).diagnostics)).toHaveLength(1);
+    }
+  });
+});
+
+describe('poseToJson', () => {
+  it('names only what differs from the pose of the file', () => {
+    const { value } = poseFromJson('p.json', { joints: { Neck: [0, 1, 0] } }, skeleton);
+    expect(poseToJson(skeleton, value!)).toEqual({ joints: { Neck: [0, 1, 0] } });
+    const moved = poseFromJson('p.json', { root: [0, 0, 2] }, skeleton).value!;
+    expect(poseToJson(skeleton, moved)).toEqual({ joints: {}, root: [0, 0, 2] });
+  });
+
+  it('is read again as the same pose, bit by bit', () => {
+    const angle = fc.double({ min: -1e6, max: 1e6, noNaN: true });
+    const triple = fc.tuple(angle, angle, angle);
+    const joints = fc.dictionary(fc.constantFrom(...skeleton.names), triple);
+    const poses = fc.record({ joints, root: triple }, { requiredKeys: [] });
+    fc.assert(
+      fc.property(poses, (json) => {
+        const pose = poseFromJson('p.json', json, skeleton).value!;
+        const text = JSON.stringify(poseToJson(skeleton, pose));
+        // JSON has no −0; adding 0 makes it one with 0.
+        const again = readPoseJson('p.json', text, skeleton).value!.q.map((value) => value + 0);
+        expect(again).toEqual(pose.q.map((value) => value + 0));
+      }),
+    );
+  });
+});

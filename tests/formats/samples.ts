@@ -1,0 +1,33 @@
+import { courseSkel } from '../support/course-skeleton.ts';
+import type { FileContents } from '../support/files.ts';
+import { golden, oddities } from '../support/golden.ts';
+
+/** What a format is tested with; every format of the registry needs an entry here. */
+export interface FormatSamples {
+  /** Whole characters, small, for every cut and change. */
+  readonly characters: Readonly<Record<string, FileContents>>;
+  /** Words that its readers know, to make nonsense of. */
+  readonly tokens: readonly string[];
+}
+
+const square = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nusemtl a\nf 1 2 3\nusemtl\nf 1 3 4\n';
+
+const mit: FormatSamples = {
+  characters: {
+    'with all oddities': golden(...oddities),
+    plain: {
+      'a.skel': '0 0 0 -1\n0 1 0 0\n0 1 0 1\n',
+      'a.obj': square,
+      'a.attach': '1 0\n0.25 0.75\n0 1\n0 0\n',
+    },
+    'a mesh alone': { 'a.obj': square },
+    "the course's skeleton alone": { 'a.skel': courseSkel },
+  },
+  tokens: [
+    ...['v', 'vt', 'vn', 'f', 'o', 'g', 's', 'usemtl', 'mtllib', 'l', '#', '\\', 'balljoint'],
+    ...['0', '1', '2', '3', '-1', '-2', '0.5', '1e-3', '1e39', '1e400', 'nan', '1e', '.', '-'],
+    ...['1/1', '1//1', '1/2/3', '1/', '/', '//', '1/2/3/4', '__proto__', '<img>', '骨', '\u202e'],
+  ],
+};
+
+export const formatSamples: Readonly<Record<string, FormatSamples | undefined>> = { mit };

@@ -1,0 +1,98 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { LineReader } from '../../../src/formats/text/line-reader.ts';
+import { characterOf } from '../../support/decimals.ts';
+import { bytesOf } from '../../support/files.ts';
+
+/** [line, column, text] of every token. */
+function tokensOf(text: string, continuations = false): [number, number, string][] {
+  const reader = new LineReader(bytesOf(text), continuations);
+  const tokens: [number, number, string][] = [];
+  while (reader.next()) {
+    while (reader.token()) {
+      tokens.push([reader.place.line, reader.place.column, reader.text()]);
+    }
+  }
+  return tokens;
+}
+
+const lineEnds = [
+  ['LF', '\n'],
+  ['CRLF', '\r\n'],
+  ['CR CR LF', '\r\r\n'],
+  ['bare CR', '\r'],
+] as const;
+
+describe('LineReader', () => {
+  it.each(lineEnds)('counts lines and columns over %s', (_, end) => {
+    const text = ['a b', '', '  c\td # x y', '#all', 'e', 'f'].join(end);
+    const expected = [
+      [1, 1, 'a'],
+      [1, 3, 'b'],
+      [3, 3, 'c'],
+      [3, 5, 'd'],
+      [5, 1, 'e'],
+      [6, 1, 'f'],
+    ];
+    expect(tokensOf(text)).toEqual(expected);
+    expect(tokensOf(text + end)).toEqual(expected);
+  });
+
+  it('reads the same lines whatever ends them', () => {
+    const line = fc.string({ unit: characterOf('ab # \t.'), maxLength: 6 });
+    const ends = fc.constantFrom(...lineEnds.map(([, end]) => end));
+    fc.assert(
+      fc.property(fc.array(line), ends, (lines, end) => {
+        expect(tokensOf(lines.join(end))).toEqual(tokensOf(lines.join('\n')));
+      }),
+    );
+  });
+
+  it('takes a mark within a token as part of it', () => {
+    expect(tokensOf('a#b \\ c\\d')).toEqual([
+      [1, 1, 'a#b'],
+      [1, 5, '\\'],
+      [1, 7, 'c\\d'],
+    ]);
+  });
+
+  it.each(lineEnds)('joins continued lines over %s, under the number of the first', (_, end) => {
+    const text = ['a \\', 'b\\', '  c', 'd', ''].join(end);
+    const tokens = tokensOf(text, true).map(([line, , token]) => [line, token]);
+    expect(tokens).toEqual([
+      [1, 'a'],
+      [1, 'b'],
+      [1, 'c'],
+      [4, 'd'],
+    ]);
+  });
+
+  it('copes with a continuation that nothing follows', () => {
+    expect(tokensOf('a b\\', true).map(([, , token]) => token)).toEqual(['a', 'b']);
+    expect(tokensOf('a \\\n', true).map(([, , token]) => token)).toEqual(['a']);
+  });
+
+  it('counts the tokens of a line and goes back to before the first', () => {
+    const reader = new LineReader(bytesOf(' a b c # d\nx'));
+    reader.next();
+    expect(reader.countTokens()).toBe(3);
+    reader.token();
+    expect([reader.text(), reader.rest()]).toEqual(['a', 'b c # d']);
+  });
+
+  it('shows the line itself, shortened', () => {
+    const reader = new LineReader(bytesOf(`first\r\nsecond ${'x'.repeat(500)}\r\n`));
+    reader.next();
+    expect(reader.linePlace).toEqual({ line: 1, source: 'first' });
+    reader.next();
+    expect(reader.linePlace.source).toHaveLength(160);
+  });
+
+  // Looking ahead for the line feed from every one of them would take minutes.
+  it('takes time in proportion to the file, even where it is all returns', () => {
+    const reader = new LineReader(new Uint8Array(300_000).fill(0x0d));
+    let count = 0;
+    while (reader.next()) count++;
+    expect(count).toBe(300_000);
+  });
+});

@@ -1,0 +1,71 @@
+import {
+  type Matrix,
+  multiply,
+  rotationAbout,
+  rotationOf,
+  translation,
+  type Vector,
+} from './matrix.ts';
+
+/** What a joint can do, each after the one before it: slide along, turn about, or turn freely. */
+export type Freedom =
+  { readonly kind: 'slide' | 'hinge'; readonly axis: Vector } | { readonly kind: 'ball' };
+
+export interface Joint {
+  /** Index of the parent, before or after its child; -1 for a root. */
+  readonly parent: number;
+  readonly offset: Vector;
+  /** Quaternion x, y, z, w of the rest pose. */
+  readonly rotation: Vector;
+  readonly freedoms: readonly Freedom[];
+}
+
+/** values[joint][freedom]: one number for a slide or hinge, a unit quaternion for a ball. */
+export type Values = readonly (readonly (readonly number[])[])[];
+
+/**
+ * The handout, part 3: a node's frame is its parent's times its own, down the tree. Recursive, from
+ * each joint up to its root, so that the order of the joints cannot matter.
+ */
+export function worldFromJoints(joints: readonly Joint[], values: Values): Matrix[] {
+  const known: (Matrix | undefined)[] = joints.map(() => undefined);
+  return joints.map((_, index) => worldOf(index));
+
+  function worldOf(index: number): Matrix {
+    const found = known[index];
+    if (found) return found;
+    const joint = joints[index]!;
+    const local = localMatrix(joint, values[index]!);
+    const world = joint.parent === -1 ? local : multiply(worldOf(joint.parent), local);
+    known[index] = world;
+    return world;
+  }
+}
+
+function localMatrix(joint: Joint, values: readonly (readonly number[])[]): Matrix {
+  return joint.freedoms.reduce(
+    (matrix, freedom, index) => multiply(matrix, freedomMatrix(freedom, values[index]!)),
+    multiply(translation(joint.offset), rotationOf(joint.rotation)),
+  );
+}
+
+function freedomMatrix(freedom: Freedom, value: readonly number[]): Matrix {
+  switch (freedom.kind) {
+    case 'slide':
+      return translation(freedom.axis.map((component) => component * value[0]!));
+    case 'hinge':
+      return rotationAbout(freedom.axis, value[0]!);
+    case 'ball':
+      return rotationOf(value);
+  }
+}
+
+/** The longest way from a root to a joint along the offsets: what errors are measured against. */
+export function reachOf(joints: readonly Joint[]): number {
+  const reach: number[] = [];
+  const reachTo = (index: number): number => {
+    const { parent, offset } = joints[index]!;
+    return (reach[index] ??= Math.hypot(...offset) + (parent === -1 ? 0 : reachTo(parent)));
+  };
+  return Math.max(1, ...joints.map((_, index) => reachTo(index)));
+}

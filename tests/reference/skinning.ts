@@ -1,0 +1,96 @@
+import {
+  inverse,
+  type Matrix,
+  multiply,
+  transform,
+  transpose,
+  unit,
+  type Vector,
+} from './matrix.ts';
+
+export type Influence = readonly [joint: number, weight: number];
+
+/** A vertex with its weights; joints by the number that they have in the file. */
+export interface Vertex {
+  readonly position: Vector;
+  readonly normal: Vector;
+  readonly influences: readonly Influence[];
+}
+
+/** T of every joint, and the inverse of its B. */
+export interface Transforms {
+  readonly worldFromJoint: readonly Matrix[];
+  readonly jointFromBind: readonly Matrix[];
+  /** The joint that vertices without weights follow. */
+  readonly firstRoot: number;
+}
+
+export interface MethodOracle {
+  position(vertex: Vertex, transforms: Transforms): Vector;
+  normal(vertex: Vertex, transforms: Transforms): Vector;
+}
+
+/** The handout, part 4: p′ = Σ w · T · B⁻¹ · p, each point moved as if it were rigid, then averaged. */
+const linearBlend: MethodOracle = {
+  position(vertex, transforms) {
+    const sum = [0, 0, 0];
+    for (const [joint, weight] of influencesOf(vertex, transforms)) {
+      const inJoint = transform(transforms.jointFromBind[joint]!, vertex.position);
+      const moved = transform(transforms.worldFromJoint[joint]!, inJoint);
+      moved.forEach((value, axis) => (sum[axis]! += weight * value));
+    }
+    return sum;
+  },
+  normal(vertex, transforms) {
+    const blended = [0, 1, 2].map((row) =>
+      [0, 1, 2].map((column) =>
+        influencesOf(vertex, transforms).reduce(
+          (sum, [joint, weight]) => sum + weight * skinningMatrix(joint, transforms)[row]![column]!,
+          0,
+        ),
+      ),
+    );
+    return turnedNormal(blended, vertex.normal);
+  },
+};
+
+/** Every vertex moves with the one joint of largest weight. */
+const rigid: MethodOracle = {
+  position: (vertex, transforms) =>
+    transform(skinningMatrix(heaviest(vertex, transforms), transforms), vertex.position),
+  normal(vertex, transforms) {
+    const matrix = skinningMatrix(heaviest(vertex, transforms), transforms);
+    return turnedNormal(
+      matrix.slice(0, 3).map((row) => row.slice(0, 3)),
+      vertex.normal,
+    );
+  },
+};
+
+/** By the id of the method in the registry: a new method needs its oracle here. */
+export const methodOracles: Readonly<Record<string, MethodOracle | undefined>> = {
+  'linear-blend': linearBlend,
+  rigid,
+};
+
+function influencesOf({ influences }: Vertex, { firstRoot }: Transforms): readonly Influence[] {
+  const used = influences.filter(([, weight]) => weight !== 0);
+  return used.length > 0 ? used : [[firstRoot, 1]];
+}
+
+function heaviest(vertex: Vertex, transforms: Transforms): number {
+  const [first, ...others] = influencesOf(vertex, transforms);
+  return others.reduce((best, next) => (next[1] > best[1] ? next : best), first!)[0];
+}
+
+export function skinningMatrix(joint: number, transforms: Transforms): Matrix {
+  return multiply(transforms.worldFromJoint[joint]!, transforms.jointFromBind[joint]!);
+}
+
+/** Normals go with the inverse transpose, so that they stay upright on a stretched surface. */
+function turnedNormal(matrix: Matrix, normal: Vector): Vector {
+  const turned = transpose(inverse(matrix)).map((row) =>
+    row.reduce((sum, value, k) => sum + value * normal[k]!, 0),
+  );
+  return unit(turned);
+}

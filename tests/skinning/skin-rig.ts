@@ -1,0 +1,39 @@
+import type { SkinningMethod, VertexStreams } from '../../src/skinning/method.ts';
+import { skinVertices } from '../../src/skinning/skin-vertices.ts';
+import { characterOfRig, qOfValues } from '../fixtures/character-of-rig.ts';
+import { type Rig, transformsOf } from '../fixtures/rig.ts';
+import type { Values } from '../reference/kinematics.ts';
+import { type MethodOracle, methodOracles, type Vertex } from '../reference/skinning.ts';
+import { numbersAt } from '../support/compare.ts';
+
+/** The rig at those values, through the product's whole way. */
+export function skinRig(rig: Rig, method: SkinningMethod, values: Values): VertexStreams {
+  const character = characterOfRig(rig);
+  const pose = { q: qOfValues(character.skeleton, values) };
+  return skinVertices(character, character.skin, pose, method);
+}
+
+/** The same through the oracle; rest normals are the product's, which have tests of their own. */
+export function skinRigByOracle(
+  rig: Rig,
+  method: SkinningMethod,
+  values: Values,
+): { positions: number[]; normals: number[] } {
+  const { mesh } = characterOfRig(rig);
+  const oracle = oracleOf(method);
+  const transforms = transformsOf(rig, values);
+  const vertices = rig.points.map((position, point): Vertex => {
+    const normal = numbersAt(mesh.normals, point, 3);
+    return { position, normal, influences: rig.rows[point]! };
+  });
+  return {
+    positions: vertices.flatMap((vertex) => oracle.position(vertex, transforms)),
+    normals: vertices.flatMap((vertex) => oracle.normal(vertex, transforms)),
+  };
+}
+
+export function oracleOf({ id }: SkinningMethod): MethodOracle {
+  const oracle = methodOracles[id];
+  if (!oracle) throw new Error(`the method ${id} needs an oracle in tests/reference/skinning.ts`);
+  return oracle;
+}

@@ -1,0 +1,17 @@
+/** Every bound that a test compares with, named once. */
+export const tolerances = {
+  /** Forward kinematics and bind inverses against the float64 oracle, × reach. */
+  kinematics: 1e-12,
+  /** |T · B⁻¹ − I| at the file's pose. */
+  bindError: 1e-12,
+  /** A CPU method against the float64 oracle, × bounding diagonal. */
+  skinning: 1e-6,
+  /** Unit normals against the float64 oracle, a component. */
+  normals: 1e-5,
+  /** Posed reference files, model units: the models are about one unit tall. */
+  referenceFiles: 1e-6,
+  /** Reference matrices, an element. */
+  referenceMatrices: 1e-6,
+  /** Geometry that is exact but for the rounding of float32 (areas, unit lengths). */
+  float32: 1e-6,
+} as const;
