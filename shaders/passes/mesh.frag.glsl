@@ -6,6 +6,8 @@ centroid in vec3 sceneNormal;
 
 uniform vec3 albedo;
 uniform bool faceted;
+// Below 1 where what is behind shows through.
+uniform float opacity;
 
 out vec4 color;
 
@@ -18,5 +20,5 @@ void main() {
   bool inner = !gl_FrontFacing && dot(smoothed, normalize(eye - scenePosition)) < -0.3;
   if (inner) smoothed = -smoothed;
   vec3 normal = faceted ? face : smoothed;
-  color = vec4(dither(encodeSrgb(toneMap(shadeMatte(albedo, normal, scenePosition)))), 1.0);
+  color = vec4(dither(encodeSrgb(toneMap(shadeMatte(albedo, normal, scenePosition)))), opacity);
 }

@@ -3,17 +3,21 @@ import { resetPose } from '../document/commands.ts';
 import { selectedCharacter } from '../document/document.ts';
 import type { Session } from '../document/session.ts';
 import type { Store } from '../document/store.ts';
+import { readableExtensions } from '../formats/extensions.ts';
 import { writeObj } from '../formats/obj/write-obj.ts';
 import { poseToJson } from '../formats/pose-json.ts';
-import { formats } from '../formats/registry.ts';
+import type { ReadCharacter } from '../formats/read-characters.ts';
 import { copyText } from '../ui/copy-text.ts';
-import type { Editor } from '../ui/editor.ts';
+import type { Drawer, Editor, ThemeChoice } from '../ui/editor.ts';
+import { focusJoint } from '../ui/focus-joint.ts';
 import type { WorkspaceId } from '../ui/workspace.ts';
-import { encodePicture } from '../view/picture.ts';
-import type { Verification, Viewer } from '../view/viewer.ts';
+import type { Verification } from '../view/verify.ts';
+import type { Viewer } from '../view/viewer.ts';
 import { type CatalogueEntry, FetchError, fetchBundled } from './catalogue.ts';
 import { download } from './download.ts';
-import type { FileOpener, OpenOutcome } from './open-files.ts';
+import type { FileOpener } from './open-files.ts';
+import { ProgressMeter } from './progress-meter.ts';
+import { savePicture } from './save-picture.ts';
 import { workspaces } from './workspaces.ts';
 
 /** Joins state, view and files to what the interface can ask for. */
@@ -26,8 +30,10 @@ export function createEditor(
 ): Editor {
   const workspaceId = signal<WorkspaceId>(workspaces[0]!.id);
   const openedId = signal<string | null>(null);
+  const own = signal<readonly ReadCharacter[]>([]);
   const verification = signal<Verification | null>(null);
   const notice = signal('');
+  const meter = new ProgressMeter();
   const selected = () => selectedCharacter(store.document.value);
 
   const editor: Editor = {
@@ -37,18 +43,28 @@ export function createEditor(
     workspaces,
     workspaceId,
     bundled: catalogue,
+    own,
     openedId,
     verification,
+    theme: signal<ThemeChoice>('system'),
+    progress: meter.shown,
     notice,
     helpOpen: signal(false),
-    fileExtensions: [...formats.flatMap(({ extensions }) => extensions), '.json'],
+    drawer: signal<Drawer | null>(null),
+    fileExtensions: [...readableExtensions, '.json', '.png'],
 
     async openFiles(files) {
-      await whileBusy('Reading…', async () => {
-        const outcome = await opener.open(files);
-        if (outcome.character) openedId.value = null;
-        finishOpening(outcome);
-      });
+      const outcome = await meter.during('Reading', () =>
+        opener.open(files, meter.report, (id) => editor.openBundled(id)),
+      );
+      if (!outcome) return;
+      const { found, opened, reopened, posed } = outcome;
+      if (opened) {
+        own.value = found;
+        openedId.value = null;
+        showOpened(opened.name, reopened);
+      } else if (posed) notice.value = 'Pose set';
+      else notice.value = 'Nothing could be opened; see Problems';
     },
 
     async openBundled(id) {
@@ -57,11 +73,29 @@ export function createEditor(
         notice.value = `There is no character "${id}"`;
         return;
       }
-      await whileBusy(`Loading ${entry.label}…`, async () => {
-        const outcome = await opener.open(await fetchBundled(entry));
-        if (outcome.character) openedId.value = id;
-        finishOpening(outcome);
-      });
+      try {
+        const outcome = await meter.during(`Loading ${entry.label}`, async () =>
+          opener.open(await fetchBundled(entry), meter.report, (id) => editor.openBundled(id)),
+        );
+        if (!outcome?.opened) return;
+        openedId.value = id;
+        showOpened(entry.label, false);
+      } catch (error) {
+        if (!(error instanceof FetchError)) throw error;
+        notice.value = error.message;
+      }
+    },
+
+    openOwn(character) {
+      opener.show(character);
+      openedId.value = null;
+      showOpened(character.character.name, false);
+    },
+
+    cancelOpening() {
+      opener.cancel();
+      meter.clear();
+      notice.value = 'Cancelled';
     },
 
     setWorkspace(id) {
@@ -83,6 +117,12 @@ export function createEditor(
       if (state) store.dispatch(resetPose(state.id));
     },
 
+    editJoint(joint) {
+      session.selectedJoint.value = joint;
+      editor.drawer.value = 'right';
+      focusJoint(joint);
+    },
+
     async copyPose() {
       const copied = await copyText(poseText());
       notice.value = copied ? 'Pose copied' : 'The browser did not let the pose be copied';
@@ -90,26 +130,29 @@ export function createEditor(
 
     savePose() {
       const state = selected();
-      if (state) download(`${state.character.name}.pose.json`, poseText(), 'application/json');
+      if (!state) return;
+      download(`${state.character.name}.pose.json`, poseText(), 'application/json');
+      notice.value = 'Pose saved';
     },
 
     exportMesh() {
       const state = selected();
-      if (!state || state.character.mesh.pointCount === 0) return;
+      if (!state || state.character.mesh.pointCount === 0) {
+        notice.value = 'There is no mesh to export';
+        return;
+      }
       const bytes = writeObj(state.character.mesh, viewer.vertices('cpu'));
       download(`${state.character.name}-posed.obj`, bytes as BlobPart, 'text/plain');
       notice.value = 'Posed mesh saved as OBJ';
     },
 
-    async savePicture(format) {
-      const blob = await encodePicture(viewer.capture(), format);
-      const extension = format === 'jpeg' ? 'jpg' : format;
-      download(`${selected()?.character.name ?? 'sinew'}.${extension}`, blob, blob.type);
-      notice.value = 'Picture saved';
+    async savePicture(options) {
+      notice.value = await savePicture(viewer, selected(), openedId.value, options);
     },
 
     verify() {
       verification.value = viewer.verify();
+      if (!verification.value) notice.value = 'There is nothing on the GPU to verify';
     },
   };
   return editor;
@@ -120,26 +163,10 @@ export function createEditor(
     return `${JSON.stringify(json, null, 2)}\n`;
   }
 
-  function finishOpening({ character, posed, diagnostics }: OpenOutcome): void {
-    if (character) {
-      verification.value = null;
-      const workspace = workspaces.find(({ id }) => id === workspaceId.value);
-      if (workspace?.framed) viewer.frameAll();
-      notice.value = `${character.name} opened`;
-    } else if (posed) notice.value = 'Pose set';
-    else if (diagnostics.length > 0) notice.value = 'Nothing could be opened; see Problems';
-  }
-
-  /** Shows the word while the work goes on; what the page's server refuses becomes a notice. */
-  async function whileBusy(word: string, work: () => Promise<void>): Promise<void> {
-    session.busy.value = word;
-    try {
-      await work();
-    } catch (error) {
-      if (!(error instanceof FetchError)) throw error;
-      notice.value = error.message;
-    } finally {
-      session.busy.value = null;
-    }
+  function showOpened(name: string, reopened: boolean): void {
+    verification.value = null;
+    const workspace = workspaces.find(({ id }) => id === workspaceId.value);
+    if (workspace?.framed && !reopened) viewer.frameAll();
+    notice.value = reopened ? `${name} renewed; pose and camera kept` : `${name} opened`;
   }
 }

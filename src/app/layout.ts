@@ -5,11 +5,11 @@ export interface Layout {
   readonly canvas: HTMLCanvasElement;
   readonly left: HTMLElement;
   readonly right: HTMLElement;
+  /** Over the view: progress, messages, buttons for the drawers. */
+  readonly overlay: HTMLElement;
   readonly foot: HTMLElement;
   /** Keeps the picture at the size of the view, in device pixels. */
   follow(viewer: Viewer, pixelRatio?: number): void;
-  /** In place of the view. */
-  showMessage(text: string): void;
 }
 
 /** Enough for any eye, and no more than a GPU can fill. */
@@ -20,17 +20,19 @@ export function createLayout(root: HTMLElement): Layout {
   const view = append(root, 'main', 'view');
   const right = append(root, 'aside', 'right');
   const foot = append(root, 'div', 'foot');
-  left.setAttribute('aria-label', 'Characters and problems');
+  left.setAttribute('aria-label', 'Characters and joints');
   right.setAttribute('aria-label', 'Controls');
   const canvas = view.appendChild(document.createElement('canvas'));
   canvas.className = 'scene';
   canvas.tabIndex = 0;
   canvas.setAttribute('role', 'img');
   canvas.setAttribute('aria-label', 'The character; arrow keys orbit, Home frames it');
+  const overlay = append(view, 'div', 'overlay');
   return {
     canvas,
     left,
     right,
+    overlay,
     foot,
     follow(viewer, pixelRatio) {
       const fit = (): void => {
@@ -43,11 +45,6 @@ export function createLayout(root: HTMLElement): Layout {
       };
       new ResizeObserver(fit).observe(view);
       fit();
-    },
-    showMessage(text) {
-      const message = append(view, 'p', 'message');
-      message.setAttribute('role', 'alert');
-      message.textContent = text;
     },
   };
 }

@@ -1,85 +1,183 @@
-import { type Diagnostic, hasErrors } from '../core/diagnostics.ts';
 import type { Character } from '../core/character.ts';
+import type { Diagnostic } from '../core/diagnostics.ts';
 import { openCharacter, setPose } from '../document/commands.ts';
-import { selectedCharacter } from '../document/document.ts';
+import { type CharacterState, selectedCharacter } from '../document/document.ts';
 import type { Session } from '../document/session.ts';
 import type { Store } from '../document/store.ts';
-import { extensionOf } from '../formats/file-entry.ts';
+import { baseName, extensionOf } from '../formats/file-entry.ts';
 import type { FileEntry } from '../formats/format.ts';
-import { readPoseJson } from '../formats/pose-json.ts';
-import { readCharacters } from '../formats/read-characters.ts';
+import { readPngText } from '../formats/png/text-chunk.ts';
+import { poseFromJson, readPoseJson } from '../formats/pose-json.ts';
+import type { ReadCharacter, ReadProgress } from '../formats/read-characters.ts';
 import { decodeText } from '../formats/text/check-text.ts';
 import { methods } from '../skinning/registry.ts';
+import { parsePictureNote, pictureKeyword, type PictureNote } from './picture-note.ts';
+import { readFiles } from './read-files.ts';
 
 /** What became of files that were dropped, chosen or fetched. */
 export interface OpenOutcome {
-  readonly character: Character | null;
+  /** All that were found; the first of them is open. */
+  readonly found: readonly ReadCharacter[];
+  readonly opened: Character | null;
+  /** The same files once more: pose and camera stay. */
+  readonly reopened: boolean;
   readonly posed: boolean;
-  readonly diagnostics: readonly Diagnostic[];
 }
 
 /**
  * Opens files: a character takes the place of the selected one, a pose is set on it, each one step
- * of undo. Parts that the open character lacks complete it.
+ * of undo. Parts that the open character lacks complete it; its own files, changed, renew it.
  */
 export class FileOpener {
   private readonly store: Store;
   private readonly session: Session;
-  /** The files of each character that was opened, so that later drops can complete it. */
+  /** The files of each character that was opened, so that later drops can complete or renew it. */
   private readonly filesOf = new WeakMap<Character, readonly FileEntry[]>();
+  private underWay: AbortController | null = null;
 
   constructor(store: Store, session: Session) {
     this.store = store;
     this.session = session;
   }
 
-  async open(files: readonly FileEntry[]): Promise<OpenOutcome> {
-    const poses = files.filter(({ path }) => extensionOf(path) === '.json');
-    const parts = files.filter((file) => !poses.includes(file));
-    const { characters, diagnostics } = await readCharacters(this.completed(parts));
-    const problems = [...diagnostics];
-    const opened = characters[0];
-    const character = opened?.character ?? selectedCharacter(this.store.document.value)?.character;
-    const q = character && (await readPoses(poses, character, problems));
-    if (opened) {
-      this.filesOf.set(opened.character, opened.files);
-      this.store.dispatch(openCharacter(opened.character, methods[0]!.id, q));
-      this.session.selectedJoint.value = null;
-    } else if (q) this.setPose(q);
+  /** Ends what is being read; the page stays as it is. */
+  cancel(): void {
+    this.underWay?.abort();
+    this.underWay = null;
+  }
+
+  /**
+   * @param openBundled opens a bundled character, for pictures that remember one
+   * @returns nothing where it was cancelled, or where later files took over
+   */
+  async open(
+    files: readonly FileEntry[],
+    onProgress: ReadProgress,
+    openBundled: (id: string) => Promise<void>,
+  ): Promise<OpenOutcome | undefined> {
+    this.cancel();
+    const controller = (this.underWay = new AbortController());
+    const { poses, notes, parts, problems } = await sortFiles(files);
+    const completed = this.completed(parts);
+    const { characters, diagnostics } =
+      completed.length > 0
+        ? await readFiles(completed, controller.signal, onProgress)
+        : { characters: [], diagnostics: [] };
+    if (controller.signal.aborted) return undefined;
+    this.underWay = null;
+    problems.push(...diagnostics);
+    const first = characters[0];
+    const remembered = notes.at(-1)?.bundled;
+    if (!first && remembered !== undefined) await openBundled(remembered);
+    const reopened = first !== undefined && this.renews(first);
+    const character = first?.character ?? this.selected?.character;
+    const q = character && readPoses(poses, notes, character, problems);
+    if (first) this.show(first, q);
+    else if (q && this.selected) {
+      this.store.dispatch(setPose(this.selected.id, q, 'Open a pose'));
+    }
     this.session.problems.value = problems;
     return {
-      character: opened?.character ?? null,
+      found: characters,
+      opened: first?.character ?? null,
+      reopened,
       posed: q !== undefined,
-      diagnostics: problems,
     };
   }
 
-  private setPose(q: Float64Array): void {
-    const state = selectedCharacter(this.store.document.value);
-    if (state) this.store.dispatch(setPose(state.id, q, 'Open a pose'));
+  /** Opens a character that was read, at the given pose, its own as it stands, or the file's. */
+  show(read: ReadCharacter, q?: Float64Array): void {
+    const kept = this.renews(read) ? this.selected?.q : undefined;
+    this.filesOf.set(read.character, read.files);
+    const method = this.selected?.method ?? methods[0]!.id;
+    this.store.dispatch(openCharacter(read.character, method, q ?? kept));
+    if (!kept) this.session.selectedJoint.value = null;
   }
 
-  /** The files, with those of the open character where they are just what it lacks. */
+  private get selected(): CharacterState | undefined {
+    return selectedCharacter(this.store.document.value);
+  }
+
+  /**
+   * The files, with those of the open character where all that came is what it lacks, or its own files
+   * once more.
+   */
   private completed(files: readonly FileEntry[]): readonly FileEntry[] {
-    const character = selectedCharacter(this.store.document.value)?.character;
+    const character = this.selected?.character;
     const before = character && this.filesOf.get(character);
     if (!before || files.length === 0) return files;
-    const completes = files.every(({ path }) => character.missing.includes(extensionOf(path)));
-    return completes ? [...before, ...files] : files;
+    const nameOf = ({ path }: FileEntry): string => baseName(path).toLowerCase();
+    const [oldNames, newNames] = [before.map(nameOf), files.map(nameOf)];
+    const belong = files.every(
+      (file) =>
+        character.missing.includes(extensionOf(file.path)) || oldNames.includes(nameOf(file)),
+    );
+    if (!belong) return files;
+    return [...before.filter((file) => !newNames.includes(nameOf(file))), ...files];
+  }
+
+  /** Whether a character came of the open one's files, or of them and more, with the same joints. */
+  private renews({ character, files }: ReadCharacter): boolean {
+    const before = this.selected?.character;
+    const old = before && this.filesOf.get(before);
+    if (!old) return false;
+    const paths = new Set(files.map(({ path }) => baseName(path).toLowerCase()));
+    const { names } = character.skeleton;
+    const sameJoints =
+      names.length === before.skeleton.names.length &&
+      names.every((name, joint) => name === before.skeleton.names[joint]);
+    return sameJoints && old.every(({ path }) => paths.has(baseName(path).toLowerCase()));
   }
 }
 
+interface SortedFiles {
+  readonly poses: readonly { readonly path: string; readonly text: string }[];
+  readonly notes: readonly PictureNote[];
+  readonly parts: readonly FileEntry[];
+  readonly problems: Diagnostic[];
+}
+
+/** Poses and pictures are for the open character; the rest may hold characters. */
+async function sortFiles(files: readonly FileEntry[]): Promise<SortedFiles> {
+  const poses: { path: string; text: string }[] = [];
+  const notes: PictureNote[] = [];
+  const parts: FileEntry[] = [];
+  const problems: Diagnostic[] = [];
+  for (const file of files) {
+    const extension = extensionOf(file.path);
+    if (extension === '.json') {
+      poses.push({ path: file.path, text: decodeText(await file.bytes()) });
+    } else if (extension === '.png') {
+      const note = parsePictureNote(readPngText(await file.bytes(), pictureKeyword) ?? '');
+      if (note) notes.push(note);
+      else problems.push(plainPicture(file.path));
+    } else parts.push(file);
+  }
+  return { poses, notes, parts, problems };
+}
+
+function plainPicture(file: string): Diagnostic {
+  return {
+    severity: 'warning',
+    code: 'file/unknown',
+    file,
+    expected: 'a PNG that Sinew saved',
+    found: 'a picture without its note',
+    effect: 'the file is not used',
+  };
+}
+
 /** The last of the poses that can be used. */
-async function readPoses(
-  files: readonly FileEntry[],
+function readPoses(
+  poses: SortedFiles['poses'],
+  notes: readonly PictureNote[],
   { skeleton }: Character,
   problems: Diagnostic[],
-): Promise<Float64Array | undefined> {
-  let q: Float64Array | undefined;
-  for (const file of files) {
-    const parsed = readPoseJson(file.path, decodeText(await file.bytes()), skeleton);
-    problems.push(...parsed.diagnostics);
-    if (parsed.value && !hasErrors(parsed.diagnostics)) q = parsed.value.q;
-  }
-  return q;
+): Float64Array | undefined {
+  const parsed = [
+    ...poses.map(({ path, text }) => readPoseJson(path, text, skeleton)),
+    ...notes.map(({ name, pose }) => poseFromJson(`${name}.png`, pose, skeleton)),
+  ];
+  for (const { diagnostics } of parsed) problems.push(...diagnostics);
+  return parsed.findLast(({ value }) => value !== undefined)?.value?.q;
 }

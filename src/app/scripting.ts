@@ -8,7 +8,7 @@ import { formatDiagnostic } from '../core/diagnostics.ts';
 import type { Editor } from '../ui/editor.ts';
 import { fileEntry } from '../ui/file-entry.ts';
 import { encodePicture, type PictureFormat } from '../view/picture.ts';
-import type { Verification } from '../view/viewer.ts';
+import type { Verification } from '../view/verify.ts';
 import { fetchFile } from './catalogue.ts';
 
 export interface CharacterSummary {
@@ -21,6 +21,11 @@ export interface CharacterSummary {
 
 export interface CaptureOptions {
   readonly format?: PictureFormat;
+  /** Pixels, both or neither; the view's size where absent. */
+  readonly width?: number;
+  readonly height?: number;
+  /** Floor and backdrop; true where absent. */
+  readonly background?: boolean;
 }
 
 /** `window.sinew`: the page for scripts and tests; see docs/scripting.md. */
@@ -35,7 +40,7 @@ export interface Scripting {
   /** (vertices × 3) posed positions, in the file's order and units. */
   vertices(device: SkinDevice): Float32Array;
   verify(): Verification | null;
-  /** The view's pixels as a file. */
+  /** The view's pixels as a file, or the same view at another size. */
   capture(options?: CaptureOptions): Promise<Blob>;
   readonly problems: readonly Diagnostic[];
   /** Live WebGL objects by kind. */
@@ -73,7 +78,10 @@ export function createScripting(editor: Editor, ready: Promise<void>): Scripting
     },
     vertices: (device) => viewer.vertices(device),
     verify: () => viewer.verify(),
-    capture: ({ format = 'png' } = {}) => encodePicture(viewer.capture(), format),
+    capture({ format = 'png', width, height, background = true } = {}) {
+      const size = width !== undefined && height !== undefined ? { width, height } : undefined;
+      return encodePicture(viewer.capture(size, background), format);
+    },
     get problems() {
       return session.problems.value;
     },

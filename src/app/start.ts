@@ -1,4 +1,4 @@
-import { signal } from '@preact/signals-core';
+import { effect, signal } from '@preact/signals-core';
 import { Session } from '../document/session.ts';
 import { Store } from '../document/store.ts';
 import { listenToDrops } from '../ui/drop-zone.ts';
@@ -9,9 +9,10 @@ import { orbitTool } from '../ui/tools/orbit.ts';
 import { Viewer } from '../view/viewer.ts';
 import { type CatalogueEntry, fetchCatalogue } from './catalogue.ts';
 import { createEditor } from './create-editor.ts';
-import { FileOpener } from './open-files.ts';
 import { createLayout } from './layout.ts';
+import { FileOpener } from './open-files.ts';
 import { createScripting, type Scripting } from './scripting.ts';
+import { followTheme } from './theme.ts';
 import { workspaces } from './workspaces.ts';
 
 declare global {
@@ -26,21 +27,17 @@ export async function start(root: HTMLElement): Promise<void> {
   const isTest = parameters.has('test');
   if (isTest) document.documentElement.dataset['test'] = '';
   const layout = createLayout(root);
-  const gl = layout.canvas.getContext('webgl2', { antialias: false, alpha: false, depth: false });
-  if (!gl) {
-    layout.showMessage(
-      'Sinew draws with WebGL2, which this browser does not offer here. Turn on hardware ' +
-        'acceleration in its settings, or try a current Chrome, Edge, Firefox or Safari.',
-    );
-    return;
-  }
-
   const store = new Store();
   const session = new Session();
   const catalogue = signal<readonly CatalogueEntry[]>([]);
-  let firstFrameShown: () => void;
+  let firstFrameShown = (): void => undefined;
   const firstFrame = new Promise<void>((resolve) => (firstFrameShown = resolve));
-  const viewer = new Viewer(layout.canvas, gl, store, session, () => {
+  const textures = (parameters.get('textures') ?? '').split(',');
+  const skinLayout = {
+    paletteTexture: textures.includes('palette'),
+    influenceTexture: textures.includes('influences'),
+  };
+  const viewer = new Viewer(layout.canvas, store, session, skinLayout, () => {
     if (store.document.value.characters.length === 0) return;
     if (performance.getEntriesByName('first-frame').length > 0) return;
     performance.mark('first-frame');
@@ -49,29 +46,22 @@ export async function start(root: HTMLElement): Promise<void> {
   const editor = createEditor(store, session, viewer, new FileOpener(store, session), catalogue);
   window.sinew = createScripting(editor, firstFrame);
   layout.follow(viewer, isTest ? 1 : undefined);
+  followTheme(editor.theme, viewer);
+  effect(() => {
+    root.dataset['drawer'] = editor.drawer.value ?? '';
+  });
   listenToKeys(editor);
   listenToDrops(editor);
   listenToPaste(editor);
   listenToPointer(layout.canvas, orbitTool, editor);
-  followTheme(viewer);
 
   const wanted = workspaces.find(({ id }) => id === parameters.get('workspace'));
   editor.setWorkspace((wanted ?? workspaces[0]!).id);
   catalogue.value = await fetchCatalogue();
   await editor.openBundled(parameters.get('model') ?? catalogue.value[0]!.id);
-  if (!isTest) {
-    await firstFrame;
-    const { mountPanels } = await import('./mount-panels.tsx');
-    mountPanels(layout, editor);
-  }
-}
-
-/** Light or dark as the system has it. */
-function followTheme(viewer: Viewer): void {
-  const dark = matchMedia('(prefers-color-scheme: dark)');
-  const set = (): void => {
-    viewer.theme.value = dark.matches ? 'dark' : 'light';
-  };
-  dark.addEventListener('change', set);
-  set();
+  // Without a context there is no picture to wait for; the rest is as alive.
+  if (!viewer.available.value) firstFrameShown();
+  if (store.document.value.characters.length > 0) await firstFrame;
+  const { mountPanels } = await import('./mount-panels.tsx');
+  mountPanels(layout, editor);
 }

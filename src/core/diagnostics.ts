@@ -9,6 +9,7 @@ export type DiagnosticCode = `${DiagnosticArea}/${DiagnosticKind}`;
 type DiagnosticArea = 'file' | 'skel' | 'obj' | 'attach' | 'pose' | 'character';
 
 type DiagnosticKind =
+  | 'archive' // a zip that can't be unpacked
   | 'binary' // text expected, other bytes found
   | 'count' // two numbers of things that must agree
   | 'cycle' // joints that are their own ancestors

@@ -10,11 +10,11 @@ export class Session {
   readonly showSkin = signal(true);
   readonly showSkeleton = signal(false);
   readonly showAxes = signal(false);
+  /** The skin lets the bones inside it show. */
+  readonly translucent = signal(false);
   readonly shading = signal<Shading>('smooth');
   readonly skinDevice = signal<SkinDevice>('gpu');
   readonly selectedJoint = signal<number | null>(null);
   /** What the last files had to say. */
   readonly problems = signal<readonly Diagnostic[]>([]);
-  /** What is being done that takes a while, for the status line. */
-  readonly busy = signal<string | null>(null);
 }

@@ -5,6 +5,8 @@ import { emptyHistory, type History, record, stepBack, stepForward } from './his
 
 /** A change that is still under way, a slider or bone drag: one step of undo in the end. */
 export interface Gesture {
+  /** False once committed or cancelled, by whoever. */
+  readonly isOpen: boolean;
   /** Shows the outcome of the command on the document as it was when the gesture began. */
   preview(command: Command): void;
   commit(): void;
@@ -35,6 +37,9 @@ export class Store {
     const before = this.current.value;
     const isOpen = (): boolean => this.open === gesture;
     const gesture: Gesture = {
+      get isOpen() {
+        return isOpen();
+      },
       preview: (command) => {
         if (isOpen()) this.current.value = command.apply(before);
       },

@@ -1,8 +1,12 @@
 import { buildCharacter } from '../core/build-character.ts';
 import type { Character } from '../core/character.ts';
 import type { Diagnostic } from '../core/diagnostics.ts';
-import type { FileEntry } from './format.ts';
+import { readableExtensions } from './extensions.ts';
+import { baseName, extensionOf } from './file-entry.ts';
+import type { FileEntry, FileGroup, Format } from './format.ts';
+import { isJunk } from './junk.ts';
 import { formats } from './registry.ts';
+import { expandArchives } from './unzip.ts';
 
 export interface ReadCharacter {
   readonly character: Character;
@@ -14,34 +18,71 @@ export interface ReadOutcome {
   readonly diagnostics: readonly Diagnostic[];
 }
 
+/** What is being read, and how much of all the bytes came before it (0 to 1). */
+export type ReadProgress = (label: string, fraction: number) => void;
+
 /** From any files, in any order, to all the characters among them: the way of every caller. */
-export async function readCharacters(files: readonly FileEntry[]): Promise<ReadOutcome> {
+export async function readCharacters(
+  given: readonly FileEntry[],
+  onProgress: ReadProgress = () => undefined,
+): Promise<ReadOutcome> {
+  const expanded = await expandArchives(given);
+  const files = withProgress(
+    expanded.files.filter(({ path }) => !isJunk(path)),
+    onProgress,
+  );
   const characters: ReadCharacter[] = [];
-  const diagnostics: Diagnostic[] = [];
+  const diagnostics: Diagnostic[] = [...expanded.diagnostics];
   let unclaimed = files;
   for (const format of formats) {
     for (const group of format.claim(unclaimed)) {
       unclaimed = unclaimed.filter((file) => !group.files.includes(file));
-      const parsed = await format.read(group);
-      diagnostics.push(...group.diagnostics, ...parsed.diagnostics);
-      if (!parsed.value) continue;
-      const built = buildCharacter(parsed.value);
-      diagnostics.push(...built.diagnostics);
-      if (built.value) characters.push({ character: built.value, files: group.files });
+      const character = await readGroup(format, group, diagnostics);
+      if (character) characters.push({ character, files: group.files });
     }
   }
-  diagnostics.push(...unclaimed.map(unknownFile));
+  if (unclaimed.length > 0) diagnostics.push(unknownFiles(unclaimed));
   return { characters, diagnostics };
 }
 
-function unknownFile({ path }: FileEntry): Diagnostic {
-  const extensions = formats.flatMap((format) => format.extensions);
+async function readGroup(
+  format: Format,
+  group: FileGroup,
+  diagnostics: Diagnostic[],
+): Promise<Character | undefined> {
+  const parsed = await format.read(group);
+  diagnostics.push(...group.diagnostics, ...parsed.diagnostics);
+  if (!parsed.value) return undefined;
+  const built = buildCharacter(parsed.value);
+  diagnostics.push(...built.diagnostics);
+  return built.value;
+}
+
+/** The same files; asking one for its bytes reports it. */
+function withProgress(files: readonly FileEntry[], onProgress: ReadProgress): readonly FileEntry[] {
+  const total = files.reduce((sum, { size }) => sum + size, 0);
+  let before = 0;
+  return files.map((file) => ({
+    ...file,
+    bytes: () => {
+      onProgress(baseName(file.path), total > 0 ? before / total : 0);
+      before += file.size;
+      return file.bytes();
+    },
+  }));
+}
+
+/** One warning for all of them: a folder may hold hundreds. */
+function unknownFiles(files: readonly FileEntry[]): Diagnostic {
+  const names = files.map(({ path }) => baseName(path));
+  const others = names.length > 1 ? ` and ${names.length - 1} more` : '';
+  const extensions = new Set(files.map(({ path }) => extensionOf(path) || 'no ending'));
   return {
     severity: 'warning',
     code: 'file/unknown',
-    file: path,
-    expected: `a file that Sinew reads (${extensions.join(', ')})`,
-    found: path.slice(-40),
-    effect: 'the file is not used',
+    file: `${names[0]!}${others}`,
+    expected: `files that Sinew reads (${readableExtensions.join(', ')})`,
+    found: [...extensions].join(', '),
+    effect: names.length > 1 ? 'they are not used' : 'the file is not used',
   };
 }

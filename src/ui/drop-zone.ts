@@ -1,5 +1,5 @@
+import { droppedFiles } from './dropped-files.ts';
 import type { Editor } from './editor.ts';
-import { fileEntry } from './file-entry.ts';
 
 /** The whole window takes dropped files; an outline says so while some are held over it. */
 export function listenToDrops(editor: Editor): void {
@@ -21,8 +21,9 @@ export function listenToDrops(editor: Editor): void {
     event.preventDefault();
     depth = 0;
     setOver(false);
-    const files = Array.from(event.dataTransfer?.files ?? []);
-    if (files.length === 0) return;
-    void Promise.all(files.map(fileEntry)).then((entries) => editor.openFiles(entries));
+    if (!event.dataTransfer) return;
+    void droppedFiles(event.dataTransfer).then((files) => {
+      if (files.length > 0) return editor.openFiles(files);
+    });
   });
 }

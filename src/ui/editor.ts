@@ -2,8 +2,10 @@ import type { ReadonlySignal, Signal } from '@preact/signals-core';
 import type { Session } from '../document/session.ts';
 import type { Store } from '../document/store.ts';
 import type { FileEntry } from '../formats/format.ts';
+import type { ReadCharacter } from '../formats/read-characters.ts';
 import type { PictureFormat } from '../view/picture.ts';
-import type { Verification, Viewer } from '../view/viewer.ts';
+import type { Verification } from '../view/verify.ts';
+import type { CaptureSize, Viewer } from '../view/viewer.ts';
 import type { Workspace, WorkspaceId } from './workspace.ts';
 
 /** A character that comes with the app. */
@@ -11,6 +13,27 @@ export interface BundledCharacter {
   readonly id: string;
   readonly label: string;
   readonly credit: string;
+}
+
+/** Light or dark as the system has it, or as the user wants. */
+export type ThemeChoice = 'system' | 'light' | 'dark';
+
+/** The panel that is out, where panels are drawers. */
+export type Drawer = 'left' | 'right';
+
+/** What is being read, and how far it is (0 to 1). */
+export interface Progress {
+  readonly label: string;
+  readonly fraction: number;
+}
+
+export interface PictureOptions {
+  readonly format: PictureFormat;
+  /** Pixels; the view's size where absent. */
+  readonly size?: CaptureSize;
+  /** Floor and backdrop; without them a PNG is transparent. */
+  readonly background: boolean;
+  readonly target: 'file' | 'clipboard';
 }
 
 /** What the interface shows and can ask for; put together in app. */
@@ -21,21 +44,31 @@ export interface Editor {
   readonly workspaces: readonly Workspace[];
   readonly workspaceId: ReadonlySignal<WorkspaceId>;
   readonly bundled: ReadonlySignal<readonly BundledCharacter[]>;
+  /** Characters of the user's own files, as last opened. */
+  readonly own: ReadonlySignal<readonly ReadCharacter[]>;
   /** Id of the bundled character that is open, or null. */
   readonly openedId: ReadonlySignal<string | null>;
   readonly verification: ReadonlySignal<Verification | null>;
+  readonly theme: Signal<ThemeChoice>;
+  /** Shown for work that takes more than a moment. */
+  readonly progress: ReadonlySignal<Progress | null>;
   /** A word on what was just done, for the status line. */
   readonly notice: Signal<string>;
   readonly helpOpen: Signal<boolean>;
+  readonly drawer: Signal<Drawer | null>;
   /** Endings that the file dialog offers. */
   readonly fileExtensions: readonly string[];
   openFiles(files: readonly FileEntry[]): Promise<void>;
   openBundled(id: string): Promise<void>;
+  openOwn(character: ReadCharacter): void;
+  cancelOpening(): void;
   setWorkspace(id: WorkspaceId): void;
   resetAll(): void;
+  /** Selects a joint and takes the keyboard to its first slider. */
+  editJoint(joint: number): void;
   copyPose(): Promise<void>;
   savePose(): void;
   exportMesh(): void;
-  savePicture(format: PictureFormat): Promise<void>;
+  savePicture(options: PictureOptions): Promise<void>;
   verify(): void;
 }

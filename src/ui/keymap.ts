@@ -18,7 +18,8 @@ const orbitStep = Math.PI / 12;
 export const everywhere: readonly KeyBinding[] = [
   { key: 'a', label: 'Axes on, off', run: ({ session }) => toggle(session.showAxes) },
   { key: 's', label: 'Skin, skeleton, both', run: cycleDrawn },
-  { key: 'j', label: 'Save a picture', run: (editor) => void editor.savePicture('png') },
+  { key: 't', label: 'Translucent skin', run: ({ session }) => toggle(session.translucent) },
+  { key: 'j', label: 'Save a picture', run: savePicture },
   { key: 'r', label: 'Reset the pose', run: (editor) => editor.resetAll() },
   { key: 'Home', label: 'Frame the character', run: ({ viewer }) => viewer.frameAll() },
   {
@@ -59,6 +60,10 @@ export function keyName({ key, command, shift }: KeyBinding): string {
   };
   const shown = names[key] ?? (command ? key.toUpperCase() : key);
   return [command ? 'Ctrl/Cmd' : '', shift ? 'Shift' : '', shown].filter(Boolean).join('+');
+}
+
+function savePicture(editor: Editor): void {
+  void editor.savePicture({ format: 'png', background: true, target: 'file' });
 }
 
 function toggle(flag: { value: boolean }): void {

@@ -28,9 +28,8 @@ function isTextField(target: EventTarget | null): boolean {
   );
 }
 
-/** Space and Enter on a button press it; arrows on a slider move it. */
+/** Space and Enter on a button press it. */
 function isOperated({ key, target }: KeyboardEvent): boolean {
   if (!(target instanceof HTMLElement)) return false;
-  if (key === ' ' || key === 'Enter') return target.matches('button, summary, a, input');
-  return key.startsWith('Arrow') && target.matches('[role="slider"], [role="tree"] *');
+  return (key === ' ' || key === 'Enter') && target.matches('button, summary, a, input');
 }

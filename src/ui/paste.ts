@@ -9,7 +9,9 @@ export function listenToPaste(editor: Editor): void {
     const files = Array.from(event.clipboardData?.files ?? []);
     const text = event.clipboardData?.getData('text/plain').trim() ?? '';
     if (files.length > 0) {
-      void Promise.all(files.map(fileEntry)).then((entries) => editor.openFiles(entries));
+      void Promise.all(files.map((file) => fileEntry(file))).then((entries) =>
+        editor.openFiles(entries),
+      );
     } else if (text.startsWith('{')) {
       const bytes = new TextEncoder().encode(text);
       void editor.openFiles([memoryFile('pasted pose.json', bytes)]);

@@ -4,33 +4,68 @@ import type { Tool } from './tool.ts';
 
 const zoomPerWheelPixel = 0.0012;
 const pixelsPerLine = 24;
+const panButton = 1;
 
-/** Feeds drags on the canvas to the tool, and the wheel to the camera. */
+interface Place {
+  readonly x: number;
+  readonly y: number;
+}
+
+/**
+ * Feeds drags on the canvas to the tool, and the wheel to the camera. One finger drags like the left
+ * button; two pan with their middle and zoom with their distance.
+ */
 export function listenToPointer(canvas: HTMLCanvasElement, tool: Tool, editor: Editor): void {
-  let button: number | null = null;
+  const { camera } = editor.viewer;
+  const places = new Map<number, Place>();
+  let button = 0;
+
   canvas.addEventListener('pointerdown', (event) => {
-    if (button !== null) return;
-    button = event.button;
+    if (places.size === 0) button = event.button;
+    if (event.pointerType === 'mouse' && places.size > 0) return;
+    places.set(event.pointerId, placeOf(event));
     canvas.setPointerCapture(event.pointerId);
     canvas.focus({ preventScroll: true });
     event.preventDefault();
   });
   canvas.addEventListener('pointermove', (event) => {
-    if (button === null) return;
-    const { movementX: deltaX, movementY: deltaY } = event;
-    tool.drag({ button, deltaX, deltaY, viewHeight: canvas.clientHeight }, editor);
+    const before = places.get(event.pointerId);
+    if (!before) return;
+    const [oldMiddle, oldSpread] = gather(places);
+    places.set(event.pointerId, placeOf(event));
+    const [middle, spread] = gather(places);
+    const [deltaX, deltaY] = [middle.x - oldMiddle.x, middle.y - oldMiddle.y];
+    const pinching = places.size > 1;
+    const viewHeight = canvas.clientHeight;
+    tool.drag({ button: pinching ? panButton : button, deltaX, deltaY, viewHeight }, editor);
+    if (pinching && spread > 0) camera.value = zoom(camera.value, oldSpread / spread);
   });
-  const release = (): void => {
-    button = null;
+  const release = (event: PointerEvent): void => {
+    places.delete(event.pointerId);
   };
   canvas.addEventListener('pointerup', release);
   canvas.addEventListener('pointercancel', release);
   canvas.addEventListener('contextmenu', (event) => event.preventDefault());
-  canvas.addEventListener('wheel', (event) => onWheel(event, editor), { passive: false });
+  canvas.addEventListener(
+    'wheel',
+    (event) => {
+      event.preventDefault();
+      const pixels = event.deltaMode === 0 ? event.deltaY : event.deltaY * pixelsPerLine;
+      camera.value = zoom(camera.value, Math.exp(pixels * zoomPerWheelPixel));
+    },
+    { passive: false },
+  );
 }
 
-function onWheel(event: WheelEvent, { viewer: { camera } }: Editor): void {
-  event.preventDefault();
-  const pixels = event.deltaMode === 0 ? event.deltaY : event.deltaY * pixelsPerLine;
-  camera.value = zoom(camera.value, Math.exp(pixels * zoomPerWheelPixel));
+function placeOf({ clientX: x, clientY: y }: PointerEvent): Place {
+  return { x, y };
+}
+
+/** The middle of all pointers, and their mean distance from it. */
+function gather(places: ReadonlyMap<number, Place>): [Place, number] {
+  const all = [...places.values()];
+  const sum = all.reduce((a, b) => ({ x: a.x + b.x, y: a.y + b.y }), { x: 0, y: 0 });
+  const middle = { x: sum.x / all.length, y: sum.y / all.length };
+  const spread = all.reduce((total, { x, y }) => total + Math.hypot(x - middle.x, y - middle.y), 0);
+  return [middle, spread / all.length];
 }

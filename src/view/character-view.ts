@@ -54,12 +54,6 @@ export class CharacterView {
     this.poseMilliseconds = performance.now() - begin;
   }
 
-  /** Posed vertices of the present state, skinned on the device named. */
-  posedVertices(device: SkinDevice): VertexStreams {
-    this.update('gpu');
-    return device === 'gpu' ? this.skinned.readBack() : this.skinOnCpu();
-  }
-
   dispose(): void {
     this.skinned.dispose();
   }

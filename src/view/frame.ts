@@ -8,6 +8,9 @@ export interface ViewOptions {
   readonly showSkin: boolean;
   readonly showSkeleton: boolean;
   readonly showAxes: boolean;
+  readonly translucent: boolean;
+  /** Floor and backdrop; without them the picture is transparent around the characters. */
+  readonly showStudio: boolean;
   readonly faceted: boolean;
   /** Of the selected character, or null. */
   readonly selectedJoint: number | null;

@@ -3,6 +3,7 @@ import { largestInfluenceCount, type Skin } from '../core/skin.ts';
 import { Buffer } from '../gl/buffer.ts';
 import { DataTexture } from '../gl/data-texture.ts';
 import type { Gpu } from '../gl/gpu.ts';
+import type { Owner } from '../gl/owner.ts';
 import type { Attribute } from '../gl/vertex-array.ts';
 import {
   lanes,
@@ -17,10 +18,11 @@ export interface InfluenceBuffers {
   readonly pairs: number;
   readonly attributes: Readonly<Record<string, Attribute>>;
   readonly texture: DataTexture | null;
-  dispose(): void;
 }
 
+/** @param owner disposes of what is made, also where a later part can't be made */
 export function createInfluenceBuffers(
+  owner: Owner,
   gpu: Gpu,
   mesh: Mesh,
   skin: Skin,
@@ -28,14 +30,20 @@ export function createInfluenceBuffers(
 ): InfluenceBuffers {
   const pairs = Math.max(1, Math.ceil(largestInfluenceCount(skin) / lanes));
   return pairs > maximumPairs || forceTexture
-    ? createTexture(gpu, mesh, skin)
-    : createAttributes(gpu, mesh, skin, pairs);
+    ? createTexture(owner, gpu, mesh, skin)
+    : createAttributes(owner, gpu, mesh, skin, pairs);
 }
 
-function createAttributes(gpu: Gpu, mesh: Mesh, skin: Skin, pairs: number): InfluenceBuffers {
+function createAttributes(
+  owner: Owner,
+  gpu: Gpu,
+  mesh: Mesh,
+  skin: Skin,
+  pairs: number,
+): InfluenceBuffers {
   const { entries, weights } = packAttributeInfluences(mesh, skin, pairs);
-  const entryBuffer = new Buffer(gpu, 'vertex', entries);
-  const weightBuffer = new Buffer(gpu, 'vertex', weights);
+  const entryBuffer = owner.own(new Buffer(gpu, 'vertex', entries));
+  const weightBuffer = owner.own(new Buffer(gpu, 'vertex', weights));
   const attributes: Record<string, Attribute> = {};
   for (let pair = 0; pair < pairs; pair++) {
     attributes[`entries${pair}`] = {
@@ -52,29 +60,17 @@ function createAttributes(gpu: Gpu, mesh: Mesh, skin: Skin, pairs: number): Infl
       offset: pair * lanes * Float32Array.BYTES_PER_ELEMENT,
     };
   }
-  return {
-    pairs,
-    attributes,
-    texture: null,
-    dispose() {
-      entryBuffer.dispose();
-      weightBuffer.dispose();
-    },
-  };
+  return { pairs, attributes, texture: null };
 }
 
-function createTexture(gpu: Gpu, mesh: Mesh, skin: Skin): InfluenceBuffers {
+function createTexture(owner: Owner, gpu: Gpu, mesh: Mesh, skin: Skin): InfluenceBuffers {
   const { ranges, texels } = packTextureInfluences(mesh, skin);
-  const texture = new DataTexture(gpu, 'data-rg32f', texels.length / 2);
+  const texture = owner.own(new DataTexture(gpu, 'data-rg32f', texels.length / 2));
   texture.write(texels);
-  const buffer = new Buffer(gpu, 'vertex', ranges);
+  const buffer = owner.own(new Buffer(gpu, 'vertex', ranges));
   return {
     pairs: 0,
     attributes: { influenceRange: { buffer, size: 2, type: 'uint32' } },
     texture,
-    dispose() {
-      texture.dispose();
-      buffer.dispose();
-    },
   };
 }

@@ -3,11 +3,13 @@ export type PictureFormat = 'png' | 'jpeg';
 export interface Picture {
   readonly width: number;
   readonly height: number;
-  /** (width × height × 4) bytes RGBA, opaque, the top row first. */
+  /** (width × height × 4) bytes RGBA, alpha not multiplied in, the top row first. */
   readonly pixels: Uint8ClampedArray<ArrayBuffer>;
 }
 
-/** GL gives the bottom row first; pictures begin at the top. */
+/**
+ * GL gives the bottom row first, and colours blended with nothing: they are divided by their alpha.
+ */
 export function pictureFromGl(bottomUp: Uint8Array, width: number, height: number): Picture {
   const pixels = new Uint8ClampedArray(width * height * 4);
   const stride = width * 4;
@@ -15,7 +17,13 @@ export function pictureFromGl(bottomUp: Uint8Array, width: number, height: numbe
     const source = (height - 1 - row) * stride;
     pixels.set(bottomUp.subarray(source, source + stride), row * stride);
   }
-  for (let i = 3; i < pixels.length; i += 4) pixels[i] = 255;
+  for (let i = 0; i < pixels.length; i += 4) {
+    const alpha = pixels[i + 3]!;
+    if (alpha === 255 || alpha === 0) continue;
+    for (let channel = i; channel < i + 3; channel++) {
+      pixels[channel] = (pixels[channel]! * 255) / alpha;
+    }
+  }
   return { width, height, pixels };
 }
 

@@ -23,4 +23,14 @@ export function posedBounds(state: CharacterState): Bounds {
   }
 }
 
+/** The box about all of them. */
+export function unite(boxes: readonly Bounds[]): Bounds {
+  const all = emptyBounds();
+  for (const { min, max } of boxes) {
+    includePositions(all, min, 1);
+    includePositions(all, max, 1);
+  }
+  return all;
+}
+
 const point: vec3 = new Float64Array(3);

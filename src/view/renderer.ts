@@ -1,6 +1,8 @@
-import type { Document } from '../document/document.ts';
+import type { CharacterState, Document } from '../document/document.ts';
+import { skinInUse } from '../document/document.ts';
 import type { SkinDevice } from '../document/session.ts';
-import { Gpu } from '../gl/gpu.ts';
+import type { Skin } from '../core/skin.ts';
+import { Gpu, GpuLimitError } from '../gl/gpu.ts';
 import { RenderTarget } from '../gl/render-target.ts';
 import { CharacterView } from './character-view.ts';
 import type { Frame } from './frame.ts';
@@ -8,6 +10,7 @@ import { Lighting } from './lighting.ts';
 import type { PassInstance } from './pass.ts';
 import { passes } from './passes/registry.ts';
 import { Programs } from './programs.ts';
+import type { LayoutChoice } from './skinned-mesh.ts';
 
 /** Everything that lives on one WebGL2 context; after a lost context a new one takes its place. */
 export class Renderer {
@@ -15,11 +18,15 @@ export class Renderer {
   private readonly programs: Programs;
   private readonly lighting: Lighting;
   private readonly passes: readonly PassInstance[];
+  private readonly layout: LayoutChoice;
   private views: readonly CharacterView[] = [];
   private target: RenderTarget | null = null;
+  /** Why the GPU does not take a character, by its skin: not tried again for every picture. */
+  private readonly refusals = new WeakMap<Skin, string>();
 
-  constructor(gl: WebGL2RenderingContext) {
+  constructor(gl: WebGL2RenderingContext, layout: LayoutChoice) {
     this.gpu = new Gpu(gl);
+    this.layout = layout;
     this.programs = new Programs(this.gpu);
     this.lighting = new Lighting(this.gpu, this.programs);
     this.passes = passes.map((pass) => pass.create(this.gpu, this.programs));
@@ -29,31 +36,44 @@ export class Renderer {
   /** Brings the views in line with the document and their poses up to date. */
   sync(document: Document, device: SkinDevice): readonly CharacterView[] {
     const kept = new Set<CharacterView>();
-    const views = document.characters.map((state) => {
-      let view = this.views.find((each) => each.fits(state) && !kept.has(each));
-      view ??= new CharacterView(this.gpu, this.programs, state);
+    for (const state of document.characters) {
+      const found = this.views.find((each) => each.fits(state) && !kept.has(each));
+      const view = found ?? this.createView(state);
+      if (!view) continue;
       view.state = state;
       kept.add(view);
-      return view;
-    });
+    }
     for (const view of this.views) if (!kept.has(view)) view.dispose();
-    this.views = views;
-    for (const view of views) view.update(device);
-    return views;
+    this.views = [...kept];
+    for (const view of this.views) view.update(device);
+    return this.views;
   }
 
-  /** Draws the frame into a picture of the given size, ready to be shown or read. */
+  /** Why the character can't be drawn, or null. */
+  refusalOf(state: CharacterState): string | null {
+    return this.refusals.get(skinInUse(state)) ?? null;
+  }
+
+  /** Draws the frame at the view's size, ready to be shown or read. */
   draw(frame: Frame, width: number, height: number): RenderTarget {
-    const target = this.targetOf(width, height);
-    const { gl } = this.gpu;
-    const lights = this.lighting.prepare(frame);
-    const litFrame = { ...frame, uniforms: { ...frame.uniforms, ...lights } };
-    target.begin();
-    gl.clear(gl.DEPTH_BUFFER_BIT);
-    for (const pass of this.passes) pass.draw(litFrame);
-    gl.bindVertexArray(null);
-    target.resolve();
-    return target;
+    if (this.target?.width !== width || this.target.height !== height) {
+      this.target?.dispose();
+      this.target = null;
+      this.target = new RenderTarget(this.gpu, width, height);
+    }
+    this.drawInto(this.target, frame);
+    return this.target;
+  }
+
+  /** Draws the frame at any size; (width × height × 4) bytes RGBA, the bottom row first. */
+  capture(frame: Frame, width: number, height: number): Uint8Array {
+    const target = new RenderTarget(this.gpu, width, height);
+    try {
+      this.drawInto(target, frame);
+      return target.readPixels();
+    } finally {
+      target.dispose();
+    }
   }
 
   dispose(): void {
@@ -64,11 +84,27 @@ export class Renderer {
     this.target?.dispose();
   }
 
-  private targetOf(width: number, height: number): RenderTarget {
-    if (this.target?.width !== width || this.target.height !== height) {
-      this.target?.dispose();
-      this.target = new RenderTarget(this.gpu, width, height);
+  private createView(state: CharacterState): CharacterView | null {
+    const skin = skinInUse(state);
+    if (this.refusals.has(skin)) return null;
+    try {
+      return new CharacterView(this.gpu, this.programs, state, this.layout);
+    } catch (error) {
+      if (!(error instanceof GpuLimitError)) throw error;
+      this.refusals.set(skin, error.message);
+      return null;
     }
-    return this.target;
+  }
+
+  private drawInto(target: RenderTarget, frame: Frame): void {
+    const { gl } = this.gpu;
+    const lights = this.lighting.prepare(frame);
+    const litFrame = { ...frame, uniforms: { ...frame.uniforms, ...lights } };
+    target.begin();
+    gl.clearColor(0, 0, 0, 0);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    for (const pass of this.passes) pass.draw(litFrame);
+    gl.bindVertexArray(null);
+    target.resolve();
   }
 }

@@ -3,6 +3,7 @@ import type { Skin } from '../core/skin.ts';
 import { Buffer } from '../gl/buffer.ts';
 import { Feedback } from '../gl/feedback.ts';
 import type { Gpu } from '../gl/gpu.ts';
+import { Owner } from '../gl/owner.ts';
 import type { Program } from '../gl/program.ts';
 import { VertexArray } from '../gl/vertex-array.ts';
 import type { SkinningMethod, VertexStreams } from '../skinning/method.ts';
@@ -27,6 +28,7 @@ export class SkinnedMesh {
   readonly mesh: Mesh;
   private readonly gpu: Gpu;
   private readonly programs: Programs;
+  private readonly owner = new Owner();
   private readonly restPositions: Buffer;
   private readonly restNormals: Buffer;
   private readonly posedPositions: Buffer;
@@ -44,13 +46,21 @@ export class SkinnedMesh {
     this.programs = programs;
     this.mesh = mesh;
     this.layout = layout;
-    this.restPositions = new Buffer(gpu, 'vertex', mesh.positions);
-    this.restNormals = new Buffer(gpu, 'vertex', mesh.normals);
-    this.posedPositions = new Buffer(gpu, 'vertex', mesh.vertexCount * bytesPerTriple);
-    this.posedNormals = new Buffer(gpu, 'vertex', mesh.vertexCount * bytesPerTriple);
-    this.indices = new Buffer(gpu, 'index', mesh.indices);
-    this.influences = createInfluenceBuffers(gpu, mesh, skin, layout.influenceTexture);
-    this.feedback = new Feedback(gpu, [this.posedPositions, this.posedNormals]);
+    const { owner } = this;
+    const reserve = (): Buffer =>
+      owner.own(new Buffer(gpu, 'vertex', mesh.vertexCount * bytesPerTriple));
+    try {
+      this.restPositions = owner.own(new Buffer(gpu, 'vertex', mesh.positions));
+      this.restNormals = owner.own(new Buffer(gpu, 'vertex', mesh.normals));
+      this.posedPositions = reserve();
+      this.posedNormals = reserve();
+      this.indices = owner.own(new Buffer(gpu, 'index', mesh.indices));
+      this.influences = createInfluenceBuffers(owner, gpu, mesh, skin, layout.influenceTexture);
+      this.feedback = owner.own(new Feedback(gpu, [this.posedPositions, this.posedNormals]));
+    } catch (error) {
+      owner.dispose();
+      throw error;
+    }
   }
 
   /** Fills the posed buffers on the GPU. */
@@ -94,13 +104,8 @@ export class SkinnedMesh {
 
   dispose(): void {
     for (const array of this.arrays.values()) array.dispose();
-    this.feedback.dispose();
-    this.influences.dispose();
     this.palette?.dispose();
-    const { restPositions, restNormals, posedPositions, posedNormals, indices } = this;
-    for (const buffer of [restPositions, restNormals, posedPositions, posedNormals, indices]) {
-      buffer.dispose();
-    }
+    this.owner.dispose();
   }
 
   private paletteFor(rowCount: number): PaletteBuffer {

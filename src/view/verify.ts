@@ -1,3 +1,6 @@
+import { diagonal } from '../core/bounds.ts';
+import { type CharacterState, skinInUse } from '../document/document.ts';
+import { largestBindError } from '../skinning/bind-error.ts';
 import type { VertexStreams } from '../skinning/method.ts';
 
 /** How far two skinnings of the same vertices are apart. */
@@ -12,12 +15,30 @@ export interface Difference {
   readonly identical: boolean;
 }
 
+/** What there is to say of a character's numbers. */
+export interface Verification extends Difference {
+  /** `position` over the diagonal of the character's bounds. */
+  readonly relative: number;
+  /** The handout's check: largest |T · B⁻¹ − I| at the file's pose. */
+  readonly bindError: number;
+}
+
+export function verifySkin(
+  state: CharacterState,
+  gpu: VertexStreams,
+  cpu: VertexStreams,
+): Verification {
+  const { character } = state;
+  const difference = compareVertices(gpu, cpu, character.mesh.pointOf);
+  return {
+    ...difference,
+    relative: difference.position / (diagonal(character.bounds) || 1),
+    bindError: largestBindError(character.skeleton, skinInUse(state)),
+  };
+}
+
 /** @param pointOf (vertexCount) the point of each render vertex */
-export function compareVertices(
-  a: VertexStreams,
-  b: VertexStreams,
-  pointOf: Uint32Array,
-): Difference {
+function compareVertices(a: VertexStreams, b: VertexStreams, pointOf: Uint32Array): Difference {
   const positions = largestDifference(a.positions, b.positions);
   const normals = largestDifference(a.normals, b.normals);
   return {

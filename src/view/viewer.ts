@@ -1,30 +1,29 @@
 import { effect, signal } from '@preact/signals-core';
 import { assert } from '../core/assert.ts';
-import { diagonal } from '../core/bounds.ts';
-import { selectedCharacter } from '../document/document.ts';
+import { type CharacterState, selectedCharacter, skinInUse } from '../document/document.ts';
 import type { Session, SkinDevice } from '../document/session.ts';
 import type { Store } from '../document/store.ts';
-import { largestBindError } from '../skinning/bind-error.ts';
+import type { VertexStreams } from '../skinning/method.ts';
+import { methodById } from '../skinning/registry.ts';
+import { skinVertices } from '../skinning/skin-vertices.ts';
 import { type Camera, frameBox } from './camera.ts';
-import type { CharacterView } from './character-view.ts';
-import { createFrame } from './frame.ts';
+import { createFrame, type Frame } from './frame.ts';
 import { type Picture, pictureFromGl } from './picture.ts';
-import { posedBounds } from './posed-bounds.ts';
+import { posedBounds, unite } from './posed-bounds.ts';
 import { Renderer } from './renderer.ts';
+import type { LayoutChoice } from './skinned-mesh.ts';
 import { type ThemeName, themes } from './theme.ts';
-import { compareVertices, type Difference } from './verify.ts';
+import { type Verification, verifySkin } from './verify.ts';
 
-/** What `verify` found for the selected character. */
-export interface Verification extends Difference {
-  /** `position` over the diagonal of the character's bounds. */
-  readonly relative: number;
-  /** The handout's check: largest |T · B⁻¹ − I| at the file's pose. */
-  readonly bindError: number;
+export interface CaptureSize {
+  readonly width: number;
+  readonly height: number;
 }
 
 /**
  * Shows the document on a canvas: the one way from state to pixels. A picture is drawn when
- * something it depends on changed, and never otherwise.
+ * something it depends on changed, and never otherwise. Without a WebGL context, at first or for a
+ * while, everything else goes on.
  */
 export class Viewer {
   readonly camera = signal<Camera>({
@@ -36,39 +35,36 @@ export class Viewer {
   });
   readonly theme = signal<ThemeName>('light');
   /** Of the picture, in its own pixels. */
-  readonly size = signal({ width: 1, height: 1 });
+  readonly size = signal<CaptureSize>({ width: 1, height: 1 });
   /** How long the last change of pose took on the CPU. */
   readonly poseMilliseconds = signal(0);
-  /** False while the WebGL context is lost. */
-  readonly available = signal(true);
+  /** Whether there is a context to draw with: never without WebGL2, not while it is lost. */
+  readonly available = signal(false);
+  /** Whether there ever was a context: tells a lost one from none. */
+  hadContext = false;
+  /** Why the selected character can't be drawn, or null. */
+  readonly refusal = signal<string | null>(null);
   private readonly canvas: HTMLCanvasElement;
   private readonly store: Store;
   private readonly session: Session;
   private readonly onFrame: () => void;
-  private renderer: Renderer;
+  private renderer: Renderer | null = null;
   private frameRequest = 0;
 
   /** @param onFrame called after each picture that was shown */
   constructor(
     canvas: HTMLCanvasElement,
-    gl: WebGL2RenderingContext,
     store: Store,
     session: Session,
+    layout: LayoutChoice,
     onFrame: () => void,
   ) {
     this.canvas = canvas;
     this.store = store;
     this.session = session;
     this.onFrame = onFrame;
-    this.renderer = new Renderer(gl);
-    canvas.addEventListener('webglcontextlost', (event) => {
-      event.preventDefault();
-      this.available.value = false;
-    });
-    canvas.addEventListener('webglcontextrestored', () => {
-      this.renderer = new Renderer(gl);
-      this.available.value = true;
-    });
+    const gl = canvas.getContext('webgl2', { antialias: false, alpha: false, depth: false });
+    if (gl) this.keepRenderer(gl, layout);
     effect(() => {
       this.readState();
       this.requestFrame();
@@ -91,55 +87,67 @@ export class Viewer {
 
   /** Turns the camera's distance and target so that all characters are in the picture. */
   frameAll(): void {
-    const [first, ...rest] = this.store.document.value.characters.map(posedBounds);
-    if (!first) return;
-    for (const { min, max } of rest) {
-      for (let i = 0; i < 3; i++) {
-        first.min[i] = Math.min(first.min[i]!, min[i]!);
-        first.max[i] = Math.max(first.max[i]!, max[i]!);
-      }
-    }
-    this.camera.value = frameBox(this.camera.value, first, this.aspect);
+    const boxes = this.store.document.value.characters.map(posedBounds);
+    this.camera.value = frameBox(this.camera.value, unite(boxes), this.aspect);
   }
 
-  /** Exactly what the view shows. */
-  capture(): Picture {
-    const { width, height } = this.size.value;
-    return pictureFromGl(this.draw().readPixels(), width, height);
+  /**
+   * Exactly what the view shows; or the same view at another size, or without its studio.
+   * A caller asks first whether the view is `available`.
+   */
+  capture(size: CaptureSize = this.size.value, showStudio = true): Picture {
+    const { width, height } = size;
+    const frame = this.createFrame(width, height, showStudio);
+    return pictureFromGl(this.present().capture(frame, width, height), width, height);
   }
 
   /** (pointCount × 3) posed positions of the selected character, file order and units. */
   vertices(device: SkinDevice): Float32Array {
-    const view = this.selectedView();
-    if (!view) return new Float32Array(0);
-    const { positions } = view.posedVertices(device);
-    return positions.slice(0, view.state.character.mesh.pointCount * 3);
+    const state = selectedCharacter(this.store.document.value);
+    if (!state) return new Float32Array(0);
+    const { positions } = device === 'gpu' ? this.readBack(state) : skinOnCpu(state);
+    return positions.slice(0, state.character.mesh.pointCount * 3);
   }
 
   /** Compares the buffers that are drawn, skinned by the GPU, with the CPU's vertices. */
   verify(): Verification | null {
-    const view = this.selectedView();
-    if (!view) return null;
-    const { character } = view.state;
-    const [gpu, cpu] = [view.posedVertices('gpu'), view.posedVertices('cpu')];
-    const difference = compareVertices(gpu, cpu, character.mesh.pointOf);
-    return {
-      ...difference,
-      relative: difference.position / (diagonal(character.bounds) || 1),
-      bindError: largestBindError(character.skeleton, view.skin),
-    };
+    const state = selectedCharacter(this.store.document.value);
+    if (!state || !this.available.value || this.refusal.value !== null) return null;
+    return verifySkin(state, this.readBack(state), skinOnCpu(state));
   }
 
   /** Counts of live GL objects by kind. */
   get liveObjects(): Readonly<Record<string, number>> {
-    return this.renderer.gpu.liveObjects;
+    return this.renderer?.gpu.liveObjects ?? {};
   }
 
-  private selectedView(): CharacterView | undefined {
-    const document = this.store.document.value;
-    const views = this.renderer.sync(document, this.session.skinDevice.value);
-    const selected = selectedCharacter(document);
-    return views.find(({ state }) => state === selected);
+  private keepRenderer(gl: WebGL2RenderingContext, layout: LayoutChoice): void {
+    const begin = (): void => {
+      this.hadContext = true;
+      this.renderer = new Renderer(gl, layout);
+      this.available.value = true;
+    };
+    this.canvas.addEventListener('webglcontextlost', (event) => {
+      event.preventDefault(); // or it would never be restored
+      this.renderer = null;
+      this.available.value = false;
+    });
+    this.canvas.addEventListener('webglcontextrestored', begin);
+    begin();
+  }
+
+  private readBack(state: CharacterState): VertexStreams {
+    const views = this.present().sync(this.store.document.value, 'gpu');
+    const view = views.find((each) => each.state === state);
+    assert(view !== undefined, 'a character that the GPU takes');
+    // What was shown from the CPU comes back with the next picture.
+    this.requestFrame();
+    return view.skinned.readBack();
+  }
+
+  private present(): Renderer {
+    assert(this.renderer !== null && this.available.value, 'a WebGL context that is not lost');
+    return this.renderer;
   }
 
   private requestFrame(): void {
@@ -151,18 +159,23 @@ export class Viewer {
     cancelAnimationFrame(this.frameRequest);
     this.frameRequest = 0;
     if (!this.available.value) return;
-    this.draw().show();
+    const { width, height } = this.size.value;
+    this.present()
+      .draw(this.createFrame(width, height, true), width, height)
+      .show();
     this.onFrame();
   }
 
-  private draw() {
-    assert(this.available.value, 'a WebGL context that is not lost');
-    const { document, device, options, theme, camera, width, height } = this.readState();
-    const views = this.renderer.sync(document, device);
-    const selected = views.find(({ state }) => state.id === document.selectedId);
-    if (selected) this.poseMilliseconds.value = selected.poseMilliseconds;
-    const frame = createFrame(views, options, themes[theme], camera, width, height);
-    return this.renderer.draw(frame, width, height);
+  private createFrame(width: number, height: number, showStudio: boolean): Frame {
+    const { document, device, options, theme, camera } = this.readState();
+    const renderer = this.present();
+    const views = renderer.sync(document, device);
+    const selected = selectedCharacter(document);
+    this.refusal.value = selected ? renderer.refusalOf(selected) : null;
+    const shown = views.find(({ state }) => state === selected);
+    if (shown) this.poseMilliseconds.value = shown.poseMilliseconds;
+    const all = { ...options, showStudio };
+    return createFrame(views, all, themes[theme], camera, width, height);
   }
 
   /** All signals that the picture depends on. */
@@ -175,13 +188,19 @@ export class Viewer {
         showSkin: session.showSkin.value,
         showSkeleton: session.showSkeleton.value,
         showAxes: session.showAxes.value,
+        translucent: session.translucent.value,
         faceted: session.shading.value === 'faceted',
         selectedJoint: session.selectedJoint.value,
       },
       theme: this.theme.value,
       camera: this.camera.value,
+      size: this.size.value,
       available: this.available.value,
-      ...this.size.value,
     };
   }
+}
+
+function skinOnCpu(state: CharacterState): VertexStreams {
+  const { character, q, method } = state;
+  return skinVertices(character, skinInUse(state), { q }, methodById(method));
 }

@@ -2,6 +2,7 @@ import type { Character } from '../../core/character.ts';
 import type { CharacterParts } from '../../core/character-parts.ts';
 import { type Diagnostic, DiagnosticLog, type Parsed } from '../../core/diagnostics.ts';
 import { noJoint } from '../../core/skin.ts';
+import { formatExtensions } from '../extensions.ts';
 import { baseName, extensionOf } from '../file-entry.ts';
 import type { FileEntry, FileGroup, Format, OutputFile } from '../format.ts';
 import { groupByStem } from '../group-by-stem.ts';
@@ -11,7 +12,7 @@ import { decodeText } from '../text/check-text.ts';
 import { type AttachParts, readAttach, writeAttach } from './attach.ts';
 import { readSkel, writeSkel } from './skel.ts';
 
-const kinds = ['.skel', '.obj', '.attach'] as const;
+const kinds = formatExtensions.mit;
 
 /** MIT 6.837 assignment 2: `Model1.skel`, `Model1.obj`, `Model1.attach`. */
 export const mitFormat: Format = {

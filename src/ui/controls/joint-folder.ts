@@ -28,10 +28,20 @@ export class JointFolder {
     this.folder = parent.addFolder(this.name).close();
     this.folder.onOpenClose((changed) => {
       if (changed !== this.folder) return;
-      const open = !this.folder._closed;
-      if (open) this.build();
-      this.editor.session.selectedJoint.value = open ? joint : null;
+      const { selectedJoint } = this.editor.session;
+      if (!this.folder._closed) {
+        this.build();
+        selectedJoint.value = joint;
+      } else if (selectedJoint.value === joint) selectedJoint.value = null;
     });
+    this.folder.domElement.dataset['joint'] = String(joint);
+  }
+
+  /** Opens the folder and brings it into sight. */
+  reveal(): void {
+    this.build();
+    this.folder.open();
+    this.folder.domElement.scrollIntoView({ block: 'nearest' });
   }
 
   refresh(): void {

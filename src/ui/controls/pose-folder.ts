@@ -45,6 +45,10 @@ export function addPoseFolder(gui: GUI, editor: Editor): void {
     }
     for (const each of folders) each.refresh();
   });
+  effect(() => {
+    const joint = editor.session.selectedJoint.value;
+    if (joint !== null) folders[joint]?.reveal();
+  });
 }
 
 function addNote(folder: GUI, text: string): void {

@@ -31,7 +31,7 @@ export interface ValueRow {
 export function addValueRow(folder: GUI, options: ValueRowOptions): ValueRow {
   let gesture: Gesture | null = null;
   const write = (value: number): void => {
-    gesture ??= options.begin();
+    if (!gesture?.isOpen) gesture = options.begin();
     options.preview(gesture, value);
   };
   const finish = (): void => {
@@ -43,6 +43,8 @@ export function addValueRow(folder: GUI, options: ValueRowOptions): ValueRow {
       return options.read();
     },
     set value(value: number) {
+      // A drag that was cancelled, or ended by an undo, does nothing more until it is let go.
+      if (gesture && !gesture.isOpen) return;
       write(value);
     },
   };
@@ -58,6 +60,7 @@ export function addValueRow(folder: GUI, options: ValueRowOptions): ValueRow {
   if (options.isAngle) row.querySelector('.lil-widget')!.append(degrees);
   field.setAttribute('aria-label', options.fullName);
   field.removeAttribute('aria-labelledby');
+  slider.tabIndex = 0;
   slider.setAttribute('role', 'slider');
   slider.setAttribute('aria-label', options.fullName);
   slider.setAttribute('aria-valuemin', minimum.toFixed(3));
@@ -77,7 +80,8 @@ export function addValueRow(folder: GUI, options: ValueRowOptions): ValueRow {
     },
     true,
   );
-  row.addEventListener('keydown', (event) => onArrow(event, setTyped), true);
+  row.addEventListener('keydown', onKey, true);
+  slider.addEventListener('keyup', finish);
   field.addEventListener('blur', finish);
   // The second press of a double click would begin another drag; it resets instead.
   row.addEventListener(
@@ -92,12 +96,27 @@ export function addValueRow(folder: GUI, options: ValueRowOptions): ValueRow {
   refresh();
   return { refresh };
 
-  function onArrow(event: KeyboardEvent, step: (value: number) => void): void {
-    if (event.key !== 'ArrowUp' && event.key !== 'ArrowDown') return;
+  /** Arrows step by a degree (or a 360th of the range), ten with Shift; Home and End go to its ends. */
+  function onKey(event: KeyboardEvent): void {
+    const onSlider = event.target === slider;
+    const step = ((maximum - minimum) / 360) * (event.shiftKey ? 10 : 1);
+    const targets: Record<string, number> = {
+      ArrowUp: options.read() + step,
+      ArrowDown: options.read() - step,
+      ...(onSlider && {
+        ArrowRight: options.read() + step,
+        ArrowLeft: options.read() - step,
+        PageUp: options.read() + 10 * step,
+        PageDown: options.read() - 10 * step,
+        Home: minimum,
+        End: maximum,
+      }),
+    };
+    const target = targets[event.key];
+    if (target === undefined || event.ctrlKey || event.metaKey || event.altKey) return;
     event.stopImmediatePropagation();
     event.preventDefault();
-    const fine = ((maximum - minimum) / 360) * (event.shiftKey ? 10 : 1);
-    step(options.read() + (event.key === 'ArrowUp' ? fine : -fine));
+    setTyped(target);
     field.value = options.read().toFixed(3);
   }
 

@@ -1,57 +1,55 @@
 import type { Signal } from '@preact/signals-core';
 import type { GUI } from 'lil-gui';
-import type { Editor } from '../editor.ts';
+import type { Editor, ThemeChoice } from '../editor.ts';
 import { watch } from '../watch.ts';
+
+const degreesPerRadian = 180 / Math.PI;
 
 /** What is drawn, and from where. */
 export function addViewFolder(gui: GUI, editor: Editor): void {
-  const { session, viewer } = editor;
+  const { session, viewer, theme } = editor;
+  const { camera } = viewer;
   const folder = gui.addFolder('View');
+  const angle = (key: 'azimuth' | 'elevation') =>
+    property(
+      () => camera.value[key] * degreesPerRadian,
+      (degrees: number) => (camera.value = { ...camera.value, [key]: degrees / degreesPerRadian }),
+    );
+  const distance = property(
+    () => camera.value.distance,
+    (value: number) => (camera.value = { ...camera.value, distance: value }),
+  );
+  const themes: Record<string, ThemeChoice> = { System: 'system', Light: 'light', Dark: 'dark' };
   const rows = [
     folder.add(flag(session.showSkin), 'value').name('Skin'),
+    folder.add(flag(session.translucent), 'value').name('Translucent'),
     folder.add(flag(session.showSkeleton), 'value').name('Skeleton'),
     folder.add(flag(session.showAxes), 'value').name('Axes'),
-  ];
-  const { camera } = viewer;
-  const angle = (key: 'azimuth' | 'elevation') => ({
-    get value(): number {
-      return (camera.value[key] * 180) / Math.PI;
-    },
-    set value(degrees: number) {
-      camera.value = { ...camera.value, [key]: (degrees * Math.PI) / 180 };
-    },
-  });
-  const distance = {
-    get value(): number {
-      return camera.value.distance;
-    },
-    set value(value: number) {
-      camera.value = { ...camera.value, distance: value };
-    },
-  };
-  rows.push(
+    folder.add(flag(theme), 'value', themes).name('Colours'),
     folder.add(angle('azimuth'), 'value', -180, 180).name('Azimuth °').decimals(1),
     folder.add(angle('elevation'), 'value', -89, 89).name('Elevation °').decimals(1),
     folder.add(distance, 'value', 0.02, 10).name('Distance').decimals(2),
-  );
+  ];
   const actions = {
     frame: () => viewer.frameAll(),
     reset: () => editor.setWorkspace(editor.workspaceId.value),
   };
-  folder.add(actions, 'frame').name('Frame (Home)');
-  folder.add(actions, 'reset').name('Reset camera (Space)');
-  watch([session.showSkin, session.showSkeleton, session.showAxes, camera], () => {
+  folder.add(actions, 'frame').name('Frame');
+  folder.add(actions, 'reset').name('Reset camera');
+  const { showSkin, showSkeleton, showAxes, translucent } = session;
+  watch([showSkin, showSkeleton, showAxes, translucent, theme, camera], () => {
     for (const row of rows) row.updateDisplay();
   });
 }
 
-function flag(signal: Signal<boolean>): { value: boolean } {
-  return {
-    get value() {
-      return signal.value;
-    },
-    set value(value: boolean) {
-      signal.value = value;
-    },
-  };
+/** What lil-gui reads and writes, over a signal. */
+function flag<T>(signal: Signal<T>): { value: T } {
+  return property(
+    () => signal.value,
+    (value) => (signal.value = value),
+  );
+}
+
+function property<T>(get: () => T, set: (value: T) => void): { value: T } {
+  return Object.defineProperty({} as { value: T }, 'value', { get, set, enumerable: true });
 }

@@ -1,12 +1,13 @@
 import { selectedCharacter } from '../../document/document.ts';
-import type { Editor } from '../editor.ts';
 import { chooseFiles } from '../choose-files.ts';
+import type { Editor } from '../editor.ts';
 
-/** The bundled characters, and the way to one's own. */
+/** The bundled characters, one's own, and the way to more. */
 export function CharactersPanel({ editor }: { readonly editor: Editor }) {
-  const { bundled, openedId, fileExtensions } = editor;
-  const state = selectedCharacter(editor.store.document.value);
-  const isOwn = state !== undefined && openedId.value === null;
+  const { bundled, own, openedId, fileExtensions } = editor;
+  const shown = selectedCharacter(editor.store.document.value)?.character;
+  const open = (folder: boolean): void =>
+    chooseFiles(folder ? null : fileExtensions, (files) => void editor.openFiles(files));
   return (
     <section aria-labelledby="characters-title">
       <h2 id="characters-title">Characters</h2>
@@ -23,23 +24,27 @@ export function CharactersPanel({ editor }: { readonly editor: Editor }) {
             </button>
           </li>
         ))}
-        {isOwn && (
-          <li>
-            <button type="button" aria-pressed={true} disabled>
-              {state.character.name}
+        {own.value.map((read, index) => (
+          <li key={`own ${index}`}>
+            <button
+              type="button"
+              title="From your files"
+              aria-pressed={read.character === shown}
+              onClick={() => editor.openOwn(read)}
+            >
+              {read.character.name}
             </button>
           </li>
-        )}
+        ))}
       </ul>
-      <button
-        type="button"
-        class="primary"
-        onClick={() => chooseFiles(fileExtensions, (files) => void editor.openFiles(files))}
-      >
+      <button type="button" class="primary" onClick={() => open(false)}>
         Open files…
       </button>
+      <button type="button" class="wide" onClick={() => open(true)}>
+        Open folder…
+      </button>
       <p class="hint">
-        or drop {fileExtensions.join(', ')} anywhere. Files never leave this machine.
+        or drop them anywhere: {fileExtensions.join(', ')}. Files never leave this machine.
       </p>
     </section>
   );

@@ -27,7 +27,7 @@ export function StatusLine({ editor }: { readonly editor: Editor }) {
           {problems} {problems === 1 ? 'problem' : 'problems'}
         </span>
       )}
-      <output class="notice">{session.busy.value ?? notice.value}</output>
+      <output class="notice">{notice.value}</output>
     </footer>
   );
 }

@@ -6,6 +6,7 @@ export const backdropPass: Pass = {
   create({ gl }, programs) {
     return {
       draw(frame) {
+        if (!frame.options.showStudio) return;
         const program = programs.pass('backdrop');
         program.use();
         program.set(frame.uniforms);

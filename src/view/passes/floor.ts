@@ -7,7 +7,8 @@ export const floorPass: Pass = {
   id: 'floor',
   create({ gl }, programs) {
     return {
-      draw({ theme, uniforms }) {
+      draw({ theme, uniforms, options }) {
+        if (!options.showStudio) return;
         const program = programs.pass('floor');
         program.use();
         program.set(uniforms);

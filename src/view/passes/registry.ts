@@ -3,7 +3,14 @@ import { axesPass } from './axes.ts';
 import { backdropPass } from './backdrop.ts';
 import { floorPass } from './floor.ts';
 import { meshPass } from './mesh.ts';
-import { skeletonPass } from './skeleton.ts';
+import { hiddenSkeletonPass, skeletonPass } from './skeleton.ts';
 
 /** Every pass, in the order of drawing. */
-export const passes: readonly Pass[] = [backdropPass, floorPass, meshPass, skeletonPass, axesPass];
+export const passes: readonly Pass[] = [
+  backdropPass,
+  floorPass,
+  skeletonPass,
+  meshPass,
+  hiddenSkeletonPass,
+  axesPass,
+];

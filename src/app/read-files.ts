@@ -1,0 +1,100 @@
+import { proxy, transfer, wrap } from 'comlink';
+import type { Diagnostic } from '../core/diagnostics.ts';
+import { extensionOf, memoryFile } from '../formats/file-entry.ts';
+import type { FileEntry } from '../formats/format.ts';
+import { readableExtensions } from '../formats/extensions.ts';
+import type { ReadOutcome, ReadProgress } from '../formats/read-characters.ts';
+import type { LooseFile, Read } from '../workers/reader.worker.ts';
+
+/** More than this is read on another thread, so that the page stays alive. */
+const workerSize = 1024 * 1024;
+const largestFile = 256 * 1024 * 1024;
+
+/** Reads characters here or in a worker; once the signal is aborted the outcome is of no use. */
+export async function readFiles(
+  files: readonly FileEntry[],
+  signal: AbortSignal,
+  onProgress: ReadProgress,
+): Promise<ReadOutcome> {
+  const { loaded, diagnostics } = await loadBytes(files);
+  if (signal.aborted) return { characters: [], diagnostics };
+  const size = loaded.reduce((sum, { bytes }) => sum + bytes.length, 0);
+  const outcome = await (size > workerSize
+    ? readInWorker(loaded, signal, onProgress)
+    : readHere(loaded, onProgress));
+  return { ...outcome, diagnostics: [...diagnostics, ...outcome.diagnostics] };
+}
+
+/** The bytes of all that is worth reading; what can't be read is told, not thrown. */
+async function loadBytes(
+  files: readonly FileEntry[],
+): Promise<{ loaded: LooseFile[]; diagnostics: Diagnostic[] }> {
+  const loaded: LooseFile[] = [];
+  const diagnostics: Diagnostic[] = [];
+  for (const file of files) {
+    const { path, size } = file;
+    const fail = (code: Diagnostic['code'], expected: string, found: string): void => {
+      const effect = 'the file is not used';
+      diagnostics.push({ severity: 'error', code, file: path, expected, found, effect });
+    };
+    if (!readableExtensions.includes(extensionOf(path))) {
+      loaded.push({ path, bytes: new Uint8Array(0) }); // for the list of what is not used
+    } else if (size > largestFile) {
+      fail('file/limit', `at most ${largestFile} bytes`, `${size}`);
+    } else {
+      try {
+        loaded.push({ path, bytes: await file.bytes() });
+      } catch (error) {
+        // Moved, deleted or changed between the drop and now.
+        fail('file/missing', 'a file that can be read', error instanceof Error ? error.name : '');
+      }
+    }
+  }
+  return { loaded, diagnostics };
+}
+
+/** The readers are loaded at first use: the first picture's are in the worker. */
+async function readHere(
+  files: readonly LooseFile[],
+  onProgress: ReadProgress,
+): Promise<ReadOutcome> {
+  const { readCharacters } = await import('../formats/read-characters.ts');
+  return readCharacters(files.map(asEntry), onProgress);
+}
+
+async function readInWorker(
+  files: readonly LooseFile[],
+  signal: AbortSignal,
+  onProgress: ReadProgress,
+): Promise<ReadOutcome> {
+  const worker = new Worker(new URL('../workers/reader.worker.ts', import.meta.url), {
+    type: 'module',
+  });
+  const read = wrap<Read>(worker);
+  const aborted = new Promise<null>((resolve) => {
+    signal.addEventListener('abort', () => resolve(null), { once: true });
+  });
+  try {
+    // Copies, since the same files may be read again when a part of theirs comes later.
+    const copies = files.map(({ path, bytes }) => ({ path, bytes: bytes.slice() }));
+    const buffers = copies.map(({ bytes }) => bytes.buffer);
+    const outcome = await Promise.race([
+      read(transfer(copies, buffers), proxy(onProgress)),
+      aborted,
+    ]);
+    if (!outcome) return { characters: [], diagnostics: [] };
+    return {
+      characters: outcome.characters.map(({ character, files: own }) => ({
+        character,
+        files: own.map(asEntry),
+      })),
+      diagnostics: outcome.diagnostics,
+    };
+  } finally {
+    worker.terminate();
+  }
+}
+
+function asEntry({ path, bytes }: LooseFile): FileEntry {
+  return memoryFile(path, bytes);
+}

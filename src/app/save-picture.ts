@@ -1,0 +1,56 @@
+import type { CharacterState } from '../document/document.ts';
+import { insertPngText } from '../formats/png/text-chunk.ts';
+import { poseToJson } from '../formats/pose-json.ts';
+import { GpuLimitError } from '../gl/gpu.ts';
+import type { PictureOptions } from '../ui/editor.ts';
+import { encodePicture } from '../view/picture.ts';
+import type { Viewer } from '../view/viewer.ts';
+import { download } from './download.ts';
+import { pictureKeyword, writePictureNote } from './picture-note.ts';
+
+/** Saves or copies a picture of the view; returns a word on the outcome, for the user. */
+export async function savePicture(
+  viewer: Viewer,
+  state: CharacterState | undefined,
+  bundled: string | null,
+  { format, size, background, target }: PictureOptions,
+): Promise<string> {
+  if (!viewer.available.value) return 'There is no view to take a picture of at the moment';
+  let blob: Blob;
+  try {
+    // JPEG has no transparency.
+    const picture = viewer.capture(size, background || format === 'jpeg');
+    blob = await encodePicture(picture, format);
+  } catch (error) {
+    if (!(error instanceof GpuLimitError)) throw error;
+    return error.message;
+  }
+  if (format === 'png' && state) blob = await withNote(blob, state, bundled);
+  if (target === 'clipboard') return copyPicture(blob);
+  const extension = format === 'jpeg' ? 'jpg' : format;
+  download(`${state?.character.name ?? 'sinew'}.${extension}`, blob, blob.type);
+  return 'Picture saved';
+}
+
+async function withNote(
+  png: Blob,
+  { character, q }: CharacterState,
+  bundled: string | null,
+): Promise<Blob> {
+  const note = writePictureNote({
+    ...(bundled === null ? {} : { bundled }),
+    name: character.name,
+    pose: poseToJson(character.skeleton, { q }),
+  });
+  const bytes = insertPngText(new Uint8Array(await png.arrayBuffer()), pictureKeyword, note);
+  return new Blob([bytes as BlobPart], { type: 'image/png' });
+}
+
+async function copyPicture(blob: Blob): Promise<string> {
+  try {
+    await navigator.clipboard.write([new ClipboardItem({ [blob.type]: blob })]);
+    return 'Picture copied';
+  } catch {
+    return 'The browser did not let the picture be copied';
+  }
+}

@@ -1,0 +1,66 @@
+/**
+ * Text in a PNG, as an `iTXt` chunk (PNG specification, third edition, 11.3.3.4): UTF-8, not packed,
+ * under a keyword. Pictures so keep a note of how they were made.
+ */
+
+const signature = [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a];
+const chunkOverhead = 12; // length, type, checksum
+
+/** The picture with the text before its end; `png` must be one. */
+export function insertPngText(png: Uint8Array, keyword: string, text: string): Uint8Array {
+  const chunk = textChunk(keyword, text);
+  const end = png.length - chunkOverhead; // IEND is empty and last
+  const out = new Uint8Array(png.length + chunk.length);
+  out.set(png.subarray(0, end));
+  out.set(chunk, end);
+  out.set(png.subarray(end), end + chunk.length);
+  return out;
+}
+
+/** The text under the keyword, or nothing where the bytes are no PNG or have none. */
+export function readPngText(bytes: Uint8Array, keyword: string): string | undefined {
+  if (signature.some((byte, i) => bytes[i] !== byte)) return undefined;
+  const prefix = textPrefix(keyword);
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  let at = signature.length;
+  while (at + chunkOverhead <= bytes.length) {
+    const length = view.getUint32(at);
+    if (length > bytes.length - at - chunkOverhead) return undefined;
+    const type = decoder.decode(bytes.subarray(at + 4, at + 8));
+    const data = bytes.subarray(at + 8, at + 8 + length);
+    if (type === 'iTXt' && prefix.every((byte, i) => data[i] === byte)) {
+      return decoder.decode(data.subarray(prefix.length));
+    }
+    at += chunkOverhead + length;
+  }
+  return undefined;
+}
+
+function textChunk(keyword: string, text: string): Uint8Array {
+  const data = [...textPrefix(keyword), ...encoder.encode(text)];
+  const chunk = new Uint8Array(data.length + chunkOverhead);
+  const view = new DataView(chunk.buffer);
+  view.setUint32(0, data.length);
+  chunk.set(encoder.encode('iTXt'), 4);
+  chunk.set(data, 8);
+  view.setUint32(8 + data.length, crc32(chunk.subarray(4, 8 + data.length)));
+  return chunk;
+}
+
+/** Keyword, NUL, not packed, method 0, no language, no translated keyword. */
+function textPrefix(keyword: string): number[] {
+  return [...encoder.encode(keyword), 0, 0, 0, 0, 0];
+}
+
+/** The checksum of PNG chunks (its specification, annex D), bit by bit: notes are short. */
+function crc32(bytes: Uint8Array): number {
+  let crc = 0xffffffff;
+  for (const byte of bytes) {
+    crc ^= byte;
+    for (let bit = 0; bit < 8; bit++) crc = crc & 1 ? (crc >>> 1) ^ 0xedb88320 : crc >>> 1;
+  }
+  return (crc ^ 0xffffffff) >>> 0;
+}
+
+const encoder = new TextEncoder();
+const decoder = new TextDecoder();

@@ -1,0 +1,48 @@
+import type { FileEntry } from '../formats/format.ts';
+import { isJunk } from '../formats/junk.ts';
+import { fileEntry } from './file-entry.ts';
+
+/** A folder may hold a whole disk. */
+const largestCount = 10_000;
+
+/** The files of a drop, those in folders too. Must be called while the drop event is handled. */
+export function droppedFiles(data: DataTransfer): Promise<FileEntry[]> {
+  // Both lists are emptied when the event is over, so they are read before anything waits.
+  const files = Array.from(data.files);
+  const entries = Array.from(data.items, (item) => item.webkitGetAsEntry());
+  const hasFolder = entries.some((entry) => entry?.isDirectory);
+  if (!hasFolder) return Promise.all(files.map((file) => fileEntry(file)));
+  return walk(entries.filter((entry) => entry !== null));
+}
+
+async function walk(entries: readonly FileSystemEntry[]): Promise<FileEntry[]> {
+  const found: FileEntry[] = [];
+  const pending = [...entries].reverse();
+  for (let entry = pending.pop(); entry; entry = pending.pop()) {
+    if (isJunk(entry.name)) continue;
+    if (entry instanceof FileSystemDirectoryEntry) {
+      pending.push(...(await listFolder(entry)).reverse());
+    } else if (entry instanceof FileSystemFileEntry) {
+      const { fullPath } = entry;
+      const file = await new Promise<File>((resolve, reject) => {
+        entry.file(resolve, reject);
+      });
+      found.push(await fileEntry(file, fullPath.replace(/^\//, '')));
+      if (found.length >= largestCount) break;
+    }
+  }
+  return found;
+}
+
+/** A reader gives a folder's entries in batches, and an empty one at the end. */
+async function listFolder(folder: FileSystemDirectoryEntry): Promise<FileSystemEntry[]> {
+  const reader = folder.createReader();
+  const all: FileSystemEntry[] = [];
+  for (;;) {
+    const batch = await new Promise<FileSystemEntry[]>((resolve, reject) => {
+      reader.readEntries(resolve, reject);
+    });
+    if (batch.length === 0) return all;
+    all.push(...batch);
+  }
+}

@@ -1,0 +1,45 @@
+import { noParent, type Skeleton } from '../core/skeleton.ts';
+
+/** A line of the joint tree. */
+export interface TreeRow {
+  readonly joint: number;
+  /** From 1, as ARIA counts. */
+  readonly level: number;
+  readonly hasChildren: boolean;
+  readonly isFolded: boolean;
+}
+
+/** The joints to show, depth first; a search shows all that match, as a flat list. */
+export function visibleRows(
+  { jointCount, parents, depths, names }: Skeleton,
+  folded: ReadonlySet<number>,
+  search: string,
+): TreeRow[] {
+  const wanted = search.trim().toLowerCase();
+  const rows: TreeRow[] = [];
+  let hiddenBelow = Infinity;
+  for (let joint = 0; joint < jointCount; joint++) {
+    const depth = depths[joint]!;
+    const hasChildren = parents[joint + 1] === joint;
+    if (wanted !== '') {
+      if (names[joint]!.toLowerCase().includes(wanted)) {
+        rows.push({ joint, level: 1, hasChildren: false, isFolded: false });
+      }
+      continue;
+    }
+    if (depth > hiddenBelow) continue;
+    const isFolded = hasChildren && folded.has(joint);
+    hiddenBelow = isFolded ? depth : Infinity;
+    rows.push({ joint, level: depth + 1, hasChildren, isFolded });
+  }
+  return rows;
+}
+
+/** From the joint's parent up to its root. */
+export function ancestorsOf({ parents }: Skeleton, joint: number): number[] {
+  const ancestors: number[] = [];
+  for (let above = parents[joint]!; above !== noParent; above = parents[above]!) {
+    ancestors.push(above);
+  }
+  return ancestors;
+}

@@ -1,0 +1,119 @@
+import { useEffect, useRef, useState } from 'preact/hooks';
+import type { Skeleton } from '../../core/skeleton.ts';
+import { selectedCharacter } from '../../document/document.ts';
+import type { Editor } from '../editor.ts';
+import { ancestorsOf, type TreeRow, visibleRows } from '../joint-rows.ts';
+
+/** The joints as a tree to search, fold and choose from, by pointer or keys. */
+export function JointTree({ editor }: { readonly editor: Editor }) {
+  const skeleton = selectedCharacter(editor.store.document.value)?.character.skeleton;
+  if (!skeleton || skeleton.jointCount === 0) return null;
+  return <Tree key={skeleton.names.join()} editor={editor} skeleton={skeleton} />;
+}
+
+interface TreeProperties {
+  readonly editor: Editor;
+  readonly skeleton: Skeleton;
+}
+
+function Tree({ editor, skeleton }: TreeProperties) {
+  const [search, setSearch] = useState('');
+  const [folded, setFolded] = useState<ReadonlySet<number>>(new Set());
+  const [current, setCurrent] = useState(0);
+  const list = useRef<HTMLUListElement>(null);
+  const { selectedJoint } = editor.session;
+  const rows = visibleRows(skeleton, folded, search);
+  const focused = rows.some(({ joint }) => joint === current) ? current : rows[0]?.joint;
+  const selected = selectedJoint.value;
+
+  // A joint chosen elsewhere comes into sight here.
+  useEffect(() => {
+    if (selected === null) return;
+    setFolded((old) => {
+      const hidden = ancestorsOf(skeleton, selected).filter((joint) => old.has(joint));
+      return hidden.length === 0 ? old : new Set([...old].filter((each) => !hidden.includes(each)));
+    });
+    setCurrent(selected);
+  }, [selected, skeleton]);
+
+  const fold = (joint: number, closed: boolean): void =>
+    setFolded((old) => {
+      const next = new Set(old);
+      if (closed) next.add(joint);
+      else next.delete(joint);
+      return next;
+    });
+  const moveTo = (joint: number | undefined): void => {
+    if (joint === undefined) return;
+    setCurrent(joint);
+    list.current?.querySelector<HTMLElement>(`[data-joint="${joint}"]`)?.focus();
+  };
+  const onKey = (event: KeyboardEvent, row: TreeRow): void => {
+    const index = rows.findIndex(({ joint }) => joint === row.joint);
+    const actions: Record<string, () => void> = {
+      ArrowDown: () => moveTo(rows[index + 1]?.joint),
+      ArrowUp: () => moveTo(rows[index - 1]?.joint),
+      Home: () => moveTo(rows[0]?.joint),
+      End: () => moveTo(rows.at(-1)?.joint),
+      ArrowRight: () => {
+        if (row.isFolded) fold(row.joint, false);
+        else if (row.hasChildren) moveTo(rows[index + 1]?.joint);
+      },
+      ArrowLeft: () => {
+        if (row.hasChildren && !row.isFolded) fold(row.joint, true);
+        else moveTo(skeleton.parents[row.joint]);
+      },
+      ' ': () => (selectedJoint.value = row.joint),
+      Enter: () => editor.editJoint(row.joint),
+    };
+    const action = actions[event.key];
+    if (!action || event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    action();
+  };
+
+  return (
+    <section class="joints-panel" aria-labelledby="joints-title">
+      <h2 id="joints-title">Joints ({skeleton.jointCount})</h2>
+      <input
+        type="search"
+        placeholder="Search joints"
+        aria-label="Search joints"
+        value={search}
+        onInput={({ currentTarget }) => setSearch(currentTarget.value)}
+      />
+      <ul role="tree" aria-label="Joints" ref={list}>
+        {rows.map((row) => (
+          <li
+            key={row.joint}
+            role="treeitem"
+            data-joint={row.joint}
+            tabIndex={row.joint === focused ? 0 : -1}
+            aria-level={row.level}
+            aria-selected={row.joint === selected}
+            {...(row.hasChildren ? { 'aria-expanded': !row.isFolded } : {})}
+            style={{ paddingInlineStart: `${(row.level - 1) * 9 + 4}px` }}
+            onFocus={() => setCurrent(row.joint)}
+            onClick={() => (selectedJoint.value = row.joint)}
+            onDblClick={() => editor.editJoint(row.joint)}
+            onKeyDown={(event) => onKey(event, row)}
+          >
+            <span
+              class="fold"
+              aria-hidden="true"
+              onClick={(event) => {
+                if (!row.hasChildren) return;
+                event.stopPropagation();
+                fold(row.joint, !row.isFolded);
+              }}
+            >
+              {row.hasChildren ? (row.isFolded ? '▸' : '▾') : ''}
+            </span>
+            {skeleton.names[row.joint]}
+          </li>
+        ))}
+      </ul>
+      {rows.length === 0 && <p class="hint">No joint has “{search}” in its name.</p>}
+    </section>
+  );
+}

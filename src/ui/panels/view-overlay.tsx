@@ -1,0 +1,78 @@
+import type { Drawer, Editor } from '../editor.ts';
+
+/** Over the view: what is under way, why there is no picture, and the drawers' buttons. */
+export function ViewOverlay({ editor }: { readonly editor: Editor }) {
+  return (
+    <>
+      <DrawerButtons editor={editor} />
+      <ProgressBox editor={editor} />
+      <ViewMessage editor={editor} />
+    </>
+  );
+}
+
+/** On narrow pages the panels are drawers; wide ones hide these buttons. */
+function DrawerButtons({ editor: { drawer } }: { readonly editor: Editor }) {
+  const button = (side: Drawer, label: string) => (
+    <button
+      type="button"
+      aria-expanded={drawer.value === side}
+      onClick={() => (drawer.value = drawer.value === side ? null : side)}
+    >
+      {label}
+    </button>
+  );
+  return (
+    <div class="drawer-buttons">
+      {button('left', 'Characters')}
+      {button('right', 'Controls')}
+    </div>
+  );
+}
+
+function ProgressBox({ editor }: { readonly editor: Editor }) {
+  const progress = editor.progress.value;
+  if (!progress) return null;
+  return (
+    <div class="progress" role="status">
+      <label>
+        {progress.label}
+        <progress value={progress.fraction} max={1} />
+      </label>
+      <button type="button" onClick={() => editor.cancelOpening()}>
+        Cancel
+      </button>
+    </div>
+  );
+}
+
+function ViewMessage({ editor }: { readonly editor: Editor }) {
+  const text = messageOf(editor);
+  if (text === null) return null;
+  return (
+    <p class="message" role="alert">
+      {text}
+    </p>
+  );
+}
+
+function messageOf({ viewer }: Editor): string | null {
+  if (viewer.refusal.value !== null) {
+    return (
+      `This character can't be drawn here: ${viewer.refusal.value}. ` +
+      'It can still be posed and exported, on the CPU.'
+    );
+  }
+  if (viewer.available.value) return null;
+  if (viewer.hadContext) {
+    return (
+      'The graphics context was lost, as happens when a driver restarts. Your pose is kept; the ' +
+      'picture comes back by itself. If it does not in a few seconds, save the pose and reload.'
+    );
+  }
+  return (
+    'Sinew draws with WebGL2, which this browser does not offer here. Turn on hardware ' +
+    'acceleration in its settings, or try a current Chrome, Edge, Firefox or Safari. Files can ' +
+    'still be opened, posed and exported.'
+  );
+}

@@ -1,0 +1,42 @@
+import { expose, transfer } from 'comlink';
+import type { Character } from '../core/character.ts';
+import type { Diagnostic } from '../core/diagnostics.ts';
+import { memoryFile } from '../formats/file-entry.ts';
+import { readCharacters, type ReadProgress } from '../formats/read-characters.ts';
+import { buffersOf } from './buffers-of.ts';
+
+/** A file as it crosses between threads; its bytes are handed over, not copied. */
+export interface LooseFile {
+  readonly path: string;
+  readonly bytes: Uint8Array;
+}
+
+export interface LooseOutcome {
+  readonly characters: readonly {
+    readonly character: Character;
+    readonly files: readonly LooseFile[];
+  }[];
+  readonly diagnostics: readonly Diagnostic[];
+}
+
+/** `readCharacters` on another thread. */
+async function read(files: readonly LooseFile[], onProgress: ReadProgress): Promise<LooseOutcome> {
+  const entries = files.map(({ path, bytes }) => memoryFile(path, bytes));
+  const { characters, diagnostics } = await readCharacters(entries, onProgress);
+  const outcome: LooseOutcome = {
+    characters: await Promise.all(
+      characters.map(async ({ character, files: own }) => ({
+        character,
+        files: await Promise.all(
+          own.map(async (file) => ({ path: file.path, bytes: await file.bytes() })),
+        ),
+      })),
+    ),
+    diagnostics,
+  };
+  return transfer(outcome, buffersOf(outcome));
+}
+
+export type Read = typeof read;
+
+expose(read);
