@@ -12,7 +12,10 @@ const layers = {
   document: ['core', 'formats', 'skinning', 'posing', 'modelling'],
   view: ['core', 'formats', 'skinning', 'posing', 'modelling', 'document', 'gl'],
   ui: ['core', 'formats', 'skinning', 'posing', 'modelling', 'document', 'view'],
-  app: ['core', 'formats', 'skinning', 'posing', 'modelling', 'document', 'gl', 'view', 'ui'],
+  app: [
+    ...['core', 'formats', 'skinning', 'posing', 'modelling', 'document'],
+    ...['gl', 'view', 'ui', 'workers'],
+  ],
   workers: ['core', 'formats', 'skinning', 'posing', 'modelling'],
   cli: ['core', 'formats', 'skinning', 'posing', 'modelling', 'document'],
 };

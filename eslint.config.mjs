@@ -11,6 +11,7 @@ export default tseslint.config(
           './tsconfig.pure.json',
           './tsconfig.page.json',
           './tsconfig.node.json',
+          './tsconfig.worker.json',
           './tsconfig.e2e.json',
         ],
         tsconfigRootDir: import.meta.dirname,

@@ -27,7 +27,7 @@ const longestMinutes = 15;
 /** @type {Check[]} The longest first, so that the two lanes end together. */
 const checks = [
   { group: 'lint', name: 'lint', command: () => packageCommand('eslint', ['.']) },
-  ...['node', 'page', 'e2e', 'pure'].map((part) => ({
+  ...['node', 'page', 'e2e', 'pure', 'worker'].map((part) => ({
     group: 'types',
     name: `types ${part}`,
     command: () =>

@@ -50,6 +50,7 @@ export function createEditor(
     progress: meter.shown,
     notice,
     helpOpen: signal(false),
+    letterKeys: signal(true),
     drawer: signal<Drawer | null>(null),
     fileExtensions: [...readableExtensions, '.json', '.png'],
 

@@ -55,6 +55,8 @@ export interface Editor {
   /** A word on what was just done, for the status line. */
   readonly notice: Signal<string>;
   readonly helpOpen: Signal<boolean>;
+  /** Whether single letters act; speech input and cats may want them off. */
+  readonly letterKeys: Signal<boolean>;
   readonly drawer: Signal<Drawer | null>;
   /** Endings that the file dialog offers. */
   readonly fileExtensions: readonly string[];

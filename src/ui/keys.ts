@@ -1,12 +1,16 @@
 import type { Editor } from './editor.ts';
 import { everywhere, type KeyBinding, withCommand } from './keymap.ts';
 
-/** Runs the first binding that a key press matches; text fields keep their own keys. */
+/** What has keys of its own: there only those with Ctrl or Cmd act. */
+const ownKeys = 'input, select, textarea, dialog, [role="tree"], [role="slider"]';
+
+/** Runs the first binding that a key press matches. */
 export function listenToKeys(editor: Editor): void {
   window.addEventListener('keydown', (event) => {
-    const bindings = isTextField(event.target) ? [] : everywhere;
-    const binding = [...withCommand, ...bindings].find((each) => matches(each, event));
-    if (!binding || event.defaultPrevented || isOperated(event)) return;
+    if (event.defaultPrevented) return;
+    const bindings = hasOwnKeys(event) ? withCommand : [...withCommand, ...everywhere];
+    const binding = bindings.find((each) => matches(each, event));
+    if (!binding || (isLetter(binding) && !editor.letterKeys.value)) return;
     event.preventDefault();
     binding.run(editor);
   });
@@ -20,16 +24,13 @@ function matches({ key, command = false, shift }: KeyBinding, event: KeyboardEve
   return !command || (shift ?? false) === event.shiftKey;
 }
 
-function isTextField(target: EventTarget | null): boolean {
-  return (
-    target instanceof HTMLTextAreaElement ||
-    target instanceof HTMLSelectElement ||
-    (target instanceof HTMLInputElement && !/^(checkbox|radio|button)$/.test(target.type))
-  );
+function isLetter({ key, command }: KeyBinding): boolean {
+  return key.length === 1 && key !== ' ' && !command;
 }
 
-/** Space and Enter on a button press it. */
-function isOperated({ key, target }: KeyboardEvent): boolean {
-  if (!(target instanceof HTMLElement)) return false;
-  return (key === ' ' || key === 'Enter') && target.matches('button, summary, a, input');
+/** Space and Enter belong to a button that has the focus, all keys to fields and lists. */
+function hasOwnKeys({ key, target }: KeyboardEvent): boolean {
+  if (!(target instanceof Element)) return false;
+  if (target.closest(ownKeys)) return true;
+  return (key === ' ' || key === 'Enter') && target.closest('button, summary, a') !== null;
 }

@@ -123,6 +123,9 @@ export function addValueRow(folder: GUI, options: ValueRowOptions): ValueRow {
   function refresh(): void {
     controller.updateDisplay();
     const value = options.read();
+    // lil-gui leaves a field that has the focus alone, though an undo may have changed its number.
+    const typed = parseTyped(field.value);
+    if (Number.isFinite(typed) && typed !== value) field.value = value.toFixed(3);
     const shown = options.isAngle ? formatDegrees(value) : value.toFixed(3);
     degrees.textContent = shown;
     slider.setAttribute('aria-valuenow', value.toFixed(3));

@@ -4,7 +4,7 @@ import { everywhere, keyName, pointerHelp, withCommand } from '../keymap.ts';
 
 /** The keys and what the pointer does. */
 export function HelpSheet({ editor }: { readonly editor: Editor }) {
-  const { helpOpen } = editor;
+  const { helpOpen, letterKeys } = editor;
   const dialog = useRef<HTMLDialogElement>(null);
   const open = helpOpen.value;
   useEffect(() => {
@@ -30,6 +30,14 @@ export function HelpSheet({ editor }: { readonly editor: Editor }) {
           ))}
         </tbody>
       </table>
+      <label class="check">
+        <input
+          type="checkbox"
+          checked={letterKeys.value}
+          onChange={({ currentTarget }) => (letterKeys.value = currentTarget.checked)}
+        />
+        Single letters act
+      </label>
       <button type="button" onClick={() => (helpOpen.value = false)}>
         Close
       </button>

@@ -1,0 +1,70 @@
+import { describe, expect, it } from 'vitest';
+import { restPose } from '../../src/core/pose.ts';
+import type { CharacterState } from '../../src/document/document.ts';
+import type { VertexStreams } from '../../src/skinning/method.ts';
+import { methodById } from '../../src/skinning/registry.ts';
+import { skinVertices } from '../../src/skinning/skin-vertices.ts';
+import { verifySkin } from '../../src/view/verify.ts';
+import { characterOfRig } from '../fixtures/character-of-rig.ts';
+import { allRigs } from '../fixtures/rigs.ts';
+
+const character = characterOfRig(Object.values(allRigs)[0]!());
+const { q } = restPose(character.skeleton);
+const state: CharacterState = {
+  id: 1,
+  character,
+  q,
+  method: 'linear-blend',
+  normalizeWeights: false,
+};
+const posed = skinVertices(character, character.skin, { q }, methodById('linear-blend'));
+
+function changed(change: (streams: VertexStreams) => void): VertexStreams {
+  const copy = { positions: posed.positions.slice(), normals: posed.normals.slice() };
+  change(copy);
+  return copy;
+}
+
+describe('verification', () => {
+  it('finds equal vertices identical', () => {
+    const found = verifySkin(
+      state,
+      changed(() => undefined),
+      posed,
+    );
+    expect(found).toMatchObject({ position: 0, vertex: 0, normal: 0, identical: true });
+  });
+
+  it('names the vertex, counted from one, and the size of the largest difference', () => {
+    const found = verifySkin(
+      state,
+      changed(({ positions }) => (positions[3 * 2 + 1]! += 0.5)),
+      posed,
+    );
+    expect(found.vertex).toBe(3);
+    expect(found.position).toBeCloseTo(0.5, 5);
+    expect(found.identical).toBe(false);
+  });
+
+  it('sees a normal that alone differs, and a single bit', () => {
+    const normal = verifySkin(
+      state,
+      changed(({ normals }) => (normals[0]! += 0.25)),
+      posed,
+    );
+    expect(normal).toMatchObject({ position: 0, identical: false });
+    expect(normal.normal).toBeCloseTo(0.25, 5);
+    const zero = changed(({ positions }) => positions.fill(0));
+    const negativeZero = changed(({ positions }) => positions.fill(-0));
+    expect(verifySkin(state, zero, negativeZero).identical).toBe(false);
+  });
+
+  it('takes NaN for the largest difference there is', () => {
+    const found = verifySkin(
+      state,
+      changed(({ positions }) => (positions[4] = NaN)),
+      posed,
+    );
+    expect(found).toMatchObject({ position: Infinity, vertex: 2, identical: false });
+  });
+});
