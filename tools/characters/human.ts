@@ -1,8 +1,5 @@
-import { readFileSync } from 'node:fs';
-import { join } from 'node:path';
-import { writeGzipText } from './gzip-file.ts';
-import { buildHumanMesh } from './human-mesh.ts';
 import { PARTS, shapeTargets } from './human-shape.ts';
+import { readJointTable } from './joint-table.ts';
 import {
   addTarget,
   boneHead,
@@ -12,21 +9,19 @@ import {
   readRigWeights,
   type BaseMesh,
 } from './makehuman-source.ts';
-import { attachText, objText, roundWeights, skelText } from './mit-text.ts';
-import { subtract, type Vector3 } from './vector.ts';
+import { roundWeights } from './mit-text.ts';
+import { packMesh, type Face } from './pack-mesh.ts';
+import type { Vector3 } from './vector.ts';
+import { writeCharacter } from './write-character.ts';
 
 const METRES_PER_DECIMETRE = 0.1;
 
-/** File order, depth first, parents first; `bones` are the rig's names for them. */
-interface JointTable {
-  readonly names: readonly string[];
-  readonly parents: readonly number[];
-  readonly bones: readonly string[];
-}
-
-function readJointTable(): JointTable {
-  const path = join(import.meta.dirname, 'human-joints.json');
-  return JSON.parse(readFileSync(path, 'utf8')) as JointTable;
+function facesOf(mesh: BaseMesh, groups: readonly string[]): Face[] {
+  return groups.flatMap((group) => {
+    const faces = mesh.groups.get(group);
+    if (faces === undefined) throw new Error(`the base mesh has no group ${group}`);
+    return faces;
+  });
 }
 
 /** Base mesh (decimetres, origin inside the body) to file space: metres, soles at y = 0. */
@@ -53,31 +48,25 @@ export function makeHuman(sourceFolder: string, dataFolder: string): void {
     addTarget(sourceFolder, target, weight, base.positions);
   }
   const place = placeOnFloor(base);
-  const { obj, baseVertex } = buildHumanMesh(base, readMirror(sourceFolder), place);
+  const { obj, sourceVertex } = packMesh({
+    positions: base.positions.map(place),
+    textureCoordinates: base.textureCoordinates,
+    parts: PARTS.map(({ name, groups }) => ({ name, faces: facesOf(base, groups) })),
+    mirror: readMirror(sourceFolder),
+  });
 
-  const { names, parents, bones } = readJointTable();
+  const { names, parents, bones } = readJointTable('human');
   const rig = readRig(sourceFolder);
-  const heads = bones.map((bone, joint): Vector3 => {
+  const joints = bones.map((bone, joint): Vector3 => {
     const [x, y, z] = place(boneHead(rig, bone === '' ? 'Hips' : bone, base));
     // The rig takes the upper neck from two vertices that are not quite each other's mirror image.
     return /^(Left|Right) /.test(names[joint]!) ? [x, y, z] : [0, y, z];
   });
-  const offsets = heads.map((head, joint) => {
-    const parent = parents[joint]!;
-    return parent < 0 ? head : subtract(head, heads[parent]!);
-  });
-
   const weights = readRigWeights(sourceFolder);
   const columns = bones.slice(1).map((bone) => new Map(weights[bone] ?? []));
-  const rows = baseVertex.map((vertex) =>
+  const rows = sourceVertex.map((vertex) =>
     roundWeights(columns.map((column) => column.get(vertex) ?? 0)),
   );
 
-  const write = (ending: string, text: string): void => {
-    const path = join(dataFolder, 'human', `human.${ending}.gz`);
-    console.log(`human.${ending}.gz: ${writeGzipText(path, text)} bytes`);
-  };
-  write('skel', skelText(offsets, parents));
-  write('obj', objText(obj));
-  write('attach', attachText(rows));
+  writeCharacter(dataFolder, 'human', { joints, parents, obj, rows });
 }

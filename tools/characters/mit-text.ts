@@ -14,7 +14,7 @@ export interface ObjPart {
 }
 
 /** Weights are stored as whole ten-thousandths, so that a row can sum to exactly 1. */
-export const WEIGHT_STEPS = 10_000;
+const WEIGHT_STEPS = 10_000;
 
 /** A fixed number of decimals, and never a negative zero. */
 function fixed(value: number, decimals: number): string {

@@ -1,7 +1,6 @@
-import { join } from 'node:path';
-import { writeGzipText } from './gzip-file.ts';
-import { attachText, objText, roundWeights, skelText, type ObjPart } from './mit-text.ts';
+import { roundWeights, type ObjPart } from './mit-text.ts';
 import type { Vector2, Vector3 } from './vector.ts';
+import { writeCharacter } from './write-character.ts';
 
 /** Metres. The tube stands on the origin along +y, rounded at both ends. */
 const RADIUS = 0.25;
@@ -109,16 +108,11 @@ export function makeTube(dataFolder: string): void {
     const upper = upperWeight(point[1]);
     return roundWeights([1 - upper, upper]);
   });
-  const offsets: Vector3[] = [
+  const joints: Vector3[] = [
     [0, 0, 0],
     [0, 0, 0],
     [0, HEIGHT / 2, 0],
   ];
-  const write = (ending: string, text: string): void => {
-    const path = join(dataFolder, 'tube', `tube.${ending}.gz`);
-    console.log(`tube.${ending}.gz: ${writeGzipText(path, text)} bytes`);
-  };
-  write('skel', skelText(offsets, [-1, 0, 1]));
-  write('obj', objText({ positions, textureCoordinates, parts: [part] }));
-  write('attach', attachText(rows));
+  const obj = { positions, textureCoordinates, parts: [part] };
+  writeCharacter(dataFolder, 'tube', { joints, parents: [-1, 0, 1], obj, rows });
 }

@@ -4,11 +4,15 @@ export type Vector3 = readonly [x: number, y: number, z: number];
 /** A texture coordinate, origin at the lower left. */
 export type Vector2 = readonly [u: number, v: number];
 
+export function add(a: Vector3, b: Vector3): Vector3 {
+  return [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
+}
+
 export function subtract(a: Vector3, b: Vector3): Vector3 {
   return [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 }
 
-export function scale(a: Vector3, factor: number): Vector3 {
+function scale(a: Vector3, factor: number): Vector3 {
   return [a[0] * factor, a[1] * factor, a[2] * factor];
 }
 

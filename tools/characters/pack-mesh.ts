@@ -1,20 +1,26 @@
-import type { BaseMesh, Face } from './makehuman-source.ts';
 import type { ObjMesh, ObjPart } from './mit-text.ts';
-import { PARTS } from './human-shape.ts';
 import type { Vector2, Vector3 } from './vector.ts';
 
-/** The mesh for the file and, for each of its vertices, the vertex of the base mesh it was. */
-export interface HumanMesh {
-  readonly obj: ObjMesh;
-  readonly baseVertex: readonly number[];
+/** One corner of a face: zero-based indices into the positions and the texture coordinates. */
+export interface Corner {
+  readonly position: number;
+  readonly texture: number;
 }
 
-function facesOf(mesh: BaseMesh, groups: readonly string[]): Face[] {
-  return groups.flatMap((group) => {
-    const faces = mesh.groups.get(group);
-    if (faces === undefined) throw new Error(`the base mesh has no group ${group}`);
-    return faces;
-  });
+export type Face = readonly Corner[];
+
+export interface SourceMesh {
+  readonly positions: readonly Vector3[];
+  readonly textureCoordinates: readonly Vector2[];
+  readonly parts: readonly { readonly name: string; readonly faces: readonly Face[] }[];
+  /** For each vertex its mirror image in the plane x = 0, or itself. */
+  readonly mirror?: readonly number[];
+}
+
+/** The mesh for the file and, for each of its vertices, the vertex of the source that it was. */
+export interface PackedMesh {
+  readonly obj: ObjMesh;
+  readonly sourceVertex: readonly number[];
 }
 
 /**
@@ -39,28 +45,21 @@ function textureKey(coordinate: Vector2): string {
 }
 
 /**
- * Keeps the figure's parts and only the vertices that they use. Texture coordinates are numbered
- * like the vertices as far as that goes (`f 7/7 8/8 …` packs well): vertex k's first coordinate is
- * number k, and those of further charts, along seams, come after all of them.
- *
- * @param place takes a point of the base mesh to file space
+ * Keeps only the vertices that the parts use. Texture coordinates are numbered like the vertices as
+ * far as that goes (`f 7/7 8/8 …` packs well): vertex k's first coordinate is number k, and those
+ * of further charts, along seams, come after all of them.
  */
-export function buildHumanMesh(
-  base: BaseMesh,
-  mirror: readonly number[],
-  place: (point: Vector3) => Vector3,
-): HumanMesh {
-  const parts = PARTS.map(({ name, groups }) => ({ name, faces: facesOf(base, groups) }));
-  const allFaces = parts.flatMap((part) => part.faces);
-  const baseVertex = orderVertices(allFaces, mirror);
-  const fileVertex = new Map(baseVertex.map((vertex, index) => [vertex, index]));
+export function packMesh(source: SourceMesh): PackedMesh {
+  const allFaces = source.parts.flatMap((part) => part.faces);
+  const sourceVertex = orderVertices(allFaces, source.mirror ?? []);
+  const fileVertex = new Map(sourceVertex.map((vertex, index) => [vertex, index]));
 
   const textureCoordinates: Vector2[] = [];
   const textureOf = new Map<string, number>();
   for (const corner of allFaces.flat()) {
     const vertex = fileVertex.get(corner.position)!;
     if (textureCoordinates[vertex] !== undefined) continue;
-    const coordinate = base.textureCoordinates[corner.texture]!;
+    const coordinate = source.textureCoordinates[corner.texture]!;
     textureCoordinates[vertex] = coordinate;
     textureOf.set(`${vertex} ${textureKey(coordinate)}`, vertex);
   }
@@ -72,15 +71,15 @@ export function buildHumanMesh(
     return textureCoordinates.push(coordinate) - 1;
   };
 
-  const objParts: ObjPart[] = parts.map(({ name, faces }) => ({
+  const parts: ObjPart[] = source.parts.map(({ name, faces }) => ({
     name,
     faces: faces.map((face) =>
       face.map((corner) => {
         const vertex = fileVertex.get(corner.position)!;
-        return [vertex, fileTexture(vertex, base.textureCoordinates[corner.texture]!)] as const;
+        return [vertex, fileTexture(vertex, source.textureCoordinates[corner.texture]!)] as const;
       }),
     ),
   }));
-  const positions = baseVertex.map((vertex) => place(base.positions[vertex]!));
-  return { obj: { positions, textureCoordinates, parts: objParts }, baseVertex };
+  const positions = sourceVertex.map((vertex) => source.positions[vertex]!);
+  return { obj: { positions, textureCoordinates, parts }, sourceVertex };
 }

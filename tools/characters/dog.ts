@@ -1,0 +1,32 @@
+import { join } from 'node:path';
+import { moveBones, readJointPlaces, readMujocoSkin } from './mujoco-source.ts';
+import { addRigidPart, boneOf, floorOf, makeFromSkin } from './source-skin.ts';
+import { readStl } from './stl-source.ts';
+import type { Vector3 } from './vector.ts';
+
+/** MuJoCo's dog looks along +x, its left is +y, up is +z: it looks along +z, up is +y. */
+function turnUpright([x, y, z]: Vector3): Vector3 {
+  return [y, z, x];
+}
+
+/**
+ * Makes the dog from the folder `dm_control/suite` of the Python package dm-control: its skin and
+ * the eyes, which the model keeps beside it. The skin's bones are bound at the origins of bodies;
+ * they are moved to where the model's joints turn the bodies (the head about the atlas, not about
+ * its middle). The middle of the paws stands on the origin.
+ */
+export function makeDog(sourceFolder: string, dataFolder: string): void {
+  const assets = join(sourceFolder, 'dog_assets');
+  const body = readMujocoSkin(join(assets, 'dog_skin.skn'), 'body');
+  const eyes = ['L', 'R'].flatMap((side) => readStl(join(assets, `BONEeye_${side}.stl`)));
+  const bound = addRigidPart(body, 'eyes', 'skull', eyes);
+  const skin = moveBones(bound, readJointPlaces(join(sourceFolder, 'dog.xml')));
+  const toes = (bone: string): number => turnUpright(boneOf(skin, bone).position)[2];
+  const middle = (toes('finger_L') + toes('toe_L')) / 2;
+  const floor = floorOf(skin, turnUpright);
+  const place = (point: Vector3): Vector3 => {
+    const [x, y, z] = turnUpright(point);
+    return [x, y - floor, z - middle];
+  };
+  makeFromSkin('dog', skin, place, dataFolder);
+}

@@ -1,0 +1,127 @@
+import { readJointTable } from './joint-table.ts';
+import { roundWeights } from './mit-text.ts';
+import { packMesh, type Face } from './pack-mesh.ts';
+import type { Vector2, Vector3 } from './vector.ts';
+import { writeCharacter } from './write-character.ts';
+
+export interface SourceBone {
+  /** Where it turns while the mesh is as stored. */
+  readonly position: Vector3;
+  /** From vertex to weight. */
+  readonly weights: ReadonlyMap<number, number>;
+}
+
+export interface SourcePart {
+  readonly name: string;
+  readonly triangles: readonly (readonly number[])[];
+}
+
+/** A skinned mesh as engines hold it: vertices are doubled wherever their texture has a seam. */
+export interface SourceSkin {
+  readonly positions: readonly Vector3[];
+  /** One for each position, origin at the lower left. */
+  readonly textureCoordinates: readonly Vector2[];
+  readonly parts: readonly SourcePart[];
+  readonly bones: ReadonlyMap<string, SourceBone>;
+}
+
+export function boneOf(skin: SourceSkin, name: string): SourceBone {
+  const bone = skin.bones.get(name);
+  if (bone === undefined) throw new Error(`the source has no bone ${name}`);
+  return bone;
+}
+
+/** The skin and a part that moves with one bone; it has no texture. */
+export function addRigidPart(
+  skin: SourceSkin,
+  name: string,
+  boneName: string,
+  corners: readonly Vector3[],
+): SourceSkin {
+  const start = skin.positions.length;
+  const vertices = corners.map((_, corner) => start + corner);
+  const bone = boneOf(skin, boneName);
+  const weights = new Map([...bone.weights, ...vertices.map((vertex) => [vertex, 1] as const)]);
+  return {
+    positions: [...skin.positions, ...corners],
+    textureCoordinates: [...skin.textureCoordinates, ...corners.map((): Vector2 => [0, 0])],
+    parts: [...skin.parts, { name, triangles: trianglesOf(vertices) }],
+    bones: new Map(skin.bones).set(boneName, { ...bone, weights }),
+  };
+}
+
+/** Every three vertices in a row are a triangle. */
+export function trianglesOf(vertices: readonly number[]): number[][] {
+  return Array.from({ length: vertices.length / 3 }, (_, face) =>
+    vertices.slice(face * 3, face * 3 + 3),
+  );
+}
+
+/** The least y of the mesh once turned. */
+export function floorOf(skin: SourceSkin, turn: (point: Vector3) => Vector3): number {
+  return skin.positions.reduce((low, point) => Math.min(low, turn(point)[1]), Infinity);
+}
+
+/** One vertex for each place, so that doubled ones do not part where the mesh bends. */
+interface Welded {
+  readonly positions: readonly Vector3[];
+  /** The first of the source's vertices at each place. */
+  readonly first: readonly number[];
+  /** From the source's vertices to places. */
+  readonly placeOf: readonly number[];
+}
+
+function weld(points: readonly Vector3[]): Welded {
+  const places = new Map<string, number>();
+  const first: number[] = [];
+  const placeOf = points.map((point, vertex) => {
+    const key = point.join(' ');
+    const place = places.get(key) ?? first.push(vertex) - 1;
+    places.set(key, place);
+    return place;
+  });
+  return { positions: first.map((vertex) => points[vertex]!), first, placeOf };
+}
+
+/** For each point the index of its mirror image in the plane x = 0, or its own. */
+function mirrorOf(points: readonly Vector3[]): number[] {
+  // Six decimals: the two sides were rounded apart by less than that.
+  const key = (x: number, y: number, z: number): string =>
+    [x, y, z].map((value) => Math.round(value * 1e6)).join(' ');
+  const indices = new Map(points.map(([x, y, z], index) => [key(x, y, z), index]));
+  return points.map(([x, y, z], index) => indices.get(key(-x, y, z)) ?? index);
+}
+
+/**
+ * Writes the three files of a character from an engine's skin. A root that carries no weights
+ * stands where joint 1 does, since an `.attach` file has no column for joint 0.
+ *
+ * @param place takes a point of the source to file space
+ */
+export function makeFromSkin(
+  name: string,
+  skin: SourceSkin,
+  place: (point: Vector3) => Vector3,
+  dataFolder: string,
+): void {
+  const { parents, bones } = readJointTable(name);
+  const { positions, first, placeOf } = weld(skin.positions.map(place));
+  const parts = skin.parts.map((part) => ({
+    name: part.name,
+    faces: part.triangles.map((corners): Face =>
+      corners.map((vertex) => ({ position: placeOf[vertex]!, texture: vertex })),
+    ),
+  }));
+  const { obj, sourceVertex } = packMesh({
+    positions,
+    textureCoordinates: skin.textureCoordinates,
+    parts,
+    mirror: mirrorOf(positions),
+  });
+  const columns = bones.slice(1).map((bone) => boneOf(skin, bone).weights);
+  const rows = sourceVertex.map((vertex) =>
+    roundWeights(columns.map((column) => column.get(first[vertex]!) ?? 0)),
+  );
+  const joints = bones.map((bone) => place(boneOf(skin, bone === '' ? bones[1]! : bone).position));
+  writeCharacter(dataFolder, name, { joints, parents, obj, rows });
+}
