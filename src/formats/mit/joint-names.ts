@@ -178,7 +178,6 @@ const dog: NamedTopology = {
 
 const topologies: readonly NamedTopology[] = [course, makeHuman, hand, dog];
 
-
 /** Unique names: the known ones where the topology is known, else "joint 00", "joint 01", … */
 export function jointNames(parents: readonly number[]): readonly string[] {
   const known = topologies.find((topology) => sameNumbers(topology.parents, parents));
