@@ -9,7 +9,7 @@ import type { FileEntry } from '../formats/format.ts';
 import { readPngText } from '../formats/png/text-chunk.ts';
 import { poseFromJson, readPoseJson } from '../formats/pose-json.ts';
 import type { ReadCharacter, ReadProgress } from '../formats/read-characters.ts';
-import { decodeText } from '../formats/text/check-text.ts';
+import { decodeText } from '../formats/text/decode-text.ts';
 import { methods } from '../skinning/registry.ts';
 import { parsePictureNote, pictureKeyword, type PictureNote } from './picture-note.ts';
 import { readFiles } from './read-files.ts';
@@ -72,8 +72,10 @@ export class FileOpener {
     const reopened = first !== undefined && this.renews(first);
     const character = first?.character ?? this.selected?.character;
     const q = character && readPoses(poses, notes, character, problems);
-    if (first) this.show(first, q);
-    else if (q && this.selected) {
+    if (first) {
+      this.show(first, q);
+      problems.push(...missingParts(first.character));
+    } else if (q && this.selected) {
       this.store.dispatch(setPose(this.selected.id, q, 'Open a pose'));
     }
     this.session.problems.value = problems;
@@ -135,6 +137,18 @@ interface SortedFiles {
   readonly notes: readonly PictureNote[];
   readonly parts: readonly FileEntry[];
   readonly problems: Diagnostic[];
+}
+
+/** What the character's files leave out, with the way to add it. */
+function missingParts({ name, missing }: Character): Diagnostic[] {
+  return missing.map((ending) => ({
+    severity: 'warning',
+    code: 'file/missing',
+    file: name,
+    expected: `${name}${ending}`,
+    found: 'no such file',
+    effect: 'the rest is shown; drop the file here to complete the character',
+  }));
 }
 
 /** Poses and pictures are for the open character; the rest may hold characters. */

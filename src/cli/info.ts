@@ -1,5 +1,6 @@
 import { parseArgs } from 'node:util';
 import type { Character } from '../core/character.ts';
+import { printable } from '../core/diagnostics.ts';
 import { worldMatrices } from '../core/forward-kinematics.ts';
 import { noParent } from '../core/skeleton.ts';
 import { largestInfluenceCount } from '../core/skin.ts';
@@ -33,6 +34,9 @@ export const info: Command = {
   },
 };
 
+/** Names come from files, and may hold what a terminal acts on. */
+const longestName = 200;
+
 type Description = ReturnType<typeof describe>;
 
 function describe({ name, skeleton, mesh, skin, bounds, missing }: Character) {
@@ -62,8 +66,10 @@ function summary(character: Description): string {
   const { name, joints, vertices, triangles, largestInfluenceCount: influences } = character;
   const missing = character.missing.length > 0 ? `, without ${character.missing.join(', ')}` : '';
   return [
-    `${name}: ${joints.length} joints, ${vertices} vertices, ${triangles} triangles, ` +
+    `${printable(name, longestName)}: ${joints.length} joints, ${vertices} vertices, ${triangles} triangles, ` +
       `at most ${influences} influences${missing}`,
-    ...joints.map((joint) => `  #${joint.index} ${joint.name} (parent ${joint.parent})`),
+    ...joints.map(
+      (joint) => `  #${joint.index} ${printable(joint.name, longestName)} (parent ${joint.parent})`,
+    ),
   ].join('\n');
 }

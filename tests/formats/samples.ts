@@ -8,6 +8,8 @@ export interface FormatSamples {
   readonly characters: Readonly<Record<string, FileContents>>;
   /** Words that its readers know, to make nonsense of. */
   readonly tokens: readonly string[];
+  /** Numbers, and what looks like some, that are at or past what its readers take. */
+  readonly oddNumbers: readonly string[];
 }
 
 const square = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nusemtl a\nf 1 2 3\nusemtl\nf 1 3 4\n';
@@ -27,6 +29,13 @@ const mit: FormatSamples = {
     ...['v', 'vt', 'vn', 'f', 'o', 'g', 's', 'usemtl', 'mtllib', 'l', '#', '\\', 'balljoint'],
     ...['0', '1', '2', '3', '-1', '-2', '0.5', '1e-3', '1e39', '1e400', 'nan', '1e', '.', '-'],
     ...['1/1', '1//1', '1/2/3', '1/', '/', '//', '1/2/3/4', '__proto__', '<img>', '骨', '\u202e'],
+  ],
+  oddNumbers: [
+    ...['-1', '0', '1', '2', '7', '-2', '4095', '65536', '4294967297', '99999999999999999999'],
+    ...['1e6', '-1e6', '1.000001e6', '1e18', '-1e18', '1.1e18', '1e38', '1e39', '1e400'],
+    ...['1e-7', '1e-6', '1e-40', '-1e-45', '-0', '0.0', '+1', '1.', '.5', '1e', '1e+', '.', '--1'],
+    ...['nan', 'NaN', 'inf', '-Infinity', '0x10', '1,5', '1_0', '1/1', '1//1', '\u0661', '1\0'],
+    '9'.repeat(65),
   ],
 };
 

@@ -30,6 +30,8 @@ export interface ValueRow {
  */
 export function addValueRow(folder: GUI, options: ValueRowOptions): ValueRow {
   let gesture: Gesture | null = null;
+  /** Whether keys, not the pointer, are at work on the slider. */
+  let keyed = false;
   const write = (value: number): void => {
     if (!gesture?.isOpen) gesture = options.begin();
     options.preview(gesture, value);
@@ -37,6 +39,7 @@ export function addValueRow(folder: GUI, options: ValueRowOptions): ValueRow {
   const finish = (): void => {
     gesture?.commit();
     gesture = null;
+    keyed = false;
   };
   const bound = {
     get value(): number {
@@ -81,7 +84,9 @@ export function addValueRow(folder: GUI, options: ValueRowOptions): ValueRow {
     true,
   );
   row.addEventListener('keydown', onKey, true);
-  slider.addEventListener('keyup', finish);
+  slider.addEventListener('keyup', () => {
+    if (keyed) finish();
+  });
   field.addEventListener('blur', finish);
   // The second press of a double click would begin another drag; it resets instead.
   row.addEventListener(
@@ -116,6 +121,7 @@ export function addValueRow(folder: GUI, options: ValueRowOptions): ValueRow {
     if (target === undefined || event.ctrlKey || event.metaKey || event.altKey) return;
     event.stopImmediatePropagation();
     event.preventDefault();
+    keyed = onSlider;
     setTyped(target);
     field.value = options.read().toFixed(3);
   }

@@ -1,12 +1,15 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import { DiagnosticLog } from '../../../src/core/diagnostics.ts';
 import { LineReader } from '../../../src/formats/text/line-reader.ts';
 import { characterOf } from '../../support/decimals.ts';
 import { bytesOf } from '../../support/files.ts';
 
 /** [line, column, text] of every token. */
+const log = new DiagnosticLog('a.obj');
+
 function tokensOf(text: string, continuations = false): [number, number, string][] {
-  const reader = new LineReader(bytesOf(text), continuations);
+  const reader = new LineReader(bytesOf(text), log, { continuations });
   const tokens: [number, number, string][] = [];
   while (reader.next()) {
     while (reader.token()) {
@@ -73,7 +76,7 @@ describe('LineReader', () => {
   });
 
   it('counts the tokens of a line and goes back to before the first', () => {
-    const reader = new LineReader(bytesOf(' a b c # d\nx'));
+    const reader = new LineReader(bytesOf(' a b c # d\nx'), log);
     reader.next();
     expect(reader.countTokens()).toBe(3);
     reader.token();
@@ -81,7 +84,7 @@ describe('LineReader', () => {
   });
 
   it('shows the line itself, shortened', () => {
-    const reader = new LineReader(bytesOf(`first\r\nsecond ${'x'.repeat(500)}\r\n`));
+    const reader = new LineReader(bytesOf(`first\r\nsecond ${'x'.repeat(500)}\r\n`), log);
     reader.next();
     expect(reader.linePlace).toEqual({ line: 1, source: 'first' });
     reader.next();
@@ -90,7 +93,7 @@ describe('LineReader', () => {
 
   // Looking ahead for the line feed from every one of them would take minutes.
   it('takes time in proportion to the file, even where it is all returns', () => {
-    const reader = new LineReader(new Uint8Array(300_000).fill(0x0d));
+    const reader = new LineReader(new Uint8Array(300_000).fill(0x0d), log);
     let count = 0;
     while (reader.next()) count++;
     expect(count).toBe(300_000);
