@@ -1,0 +1,22 @@
+import type { Page } from '@playwright/test';
+import { controlRow } from './app.ts';
+
+/** The camera, as the View folder shows it: degrees, and scene units. */
+export async function cameraOf(page: Page) {
+  const value = async (row: string): Promise<number> =>
+    Number(await controlRow(page, row).locator('input').inputValue());
+  return {
+    azimuth: await value('Azimuth °'),
+    elevation: await value('Elevation °'),
+    distance: await value('Distance'),
+  };
+}
+
+/** What is drawn, as the View folder shows it. */
+export async function drawnOf(page: Page): Promise<string[]> {
+  const drawn: string[] = [];
+  for (const row of ['Skin', 'Skeleton', 'Axes']) {
+    if (await controlRow(page, row).getByRole('checkbox').isChecked()) drawn.push(row);
+  }
+  return drawn;
+}
