@@ -91,7 +91,10 @@ export class FileOpener {
     this.filesOf.set(read.character, read.files);
     const method = this.selected?.method ?? methods[0]!.id;
     this.store.dispatch(openCharacter(read.character, method, q ?? kept));
-    if (!kept) this.session.selectedJoint.value = null;
+    if (kept) return;
+    this.session.selectedJoint.value = null;
+    this.session.hoveredJoint.value = null;
+    this.session.activeDof.value = null;
   }
 
   private get selected(): CharacterState | undefined {

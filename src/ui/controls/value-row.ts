@@ -10,6 +10,8 @@ export interface ValueRowOptions {
   readonly minimum: number;
   readonly maximum: number;
   readonly isAngle: boolean;
+  /** Its limits leave it one value: it is shown, and can't be changed. */
+  readonly locked: boolean;
   /** What typing may reach. */
   readonly legal: readonly [number, number];
   read(): number;
@@ -48,7 +50,9 @@ export function addValueRow(folder: GUI, options: ValueRowOptions): ValueRow {
       write(value);
     },
   };
-  const { minimum, maximum } = options;
+  // A range without width has no slider; a locked row gets one that nothing moves.
+  const minimum = options.locked ? options.minimum - 1 : options.minimum;
+  const maximum = options.locked ? options.maximum + 1 : options.maximum;
   const controller = folder.add(bound, 'value', minimum, maximum).name(options.name).decimals(3);
   controller.onFinishChange(finish);
 
@@ -93,6 +97,12 @@ export function addValueRow(folder: GUI, options: ValueRowOptions): ValueRow {
     },
     true,
   );
+  if (options.locked) {
+    controller.disable();
+    slider.tabIndex = -1;
+    slider.setAttribute('aria-disabled', 'true');
+    row.title = `${options.fullName} is locked: its limits are equal`;
+  }
   refresh();
   return { refresh };
 
