@@ -5,6 +5,7 @@ import type { Editor } from '../editor.ts';
 import { addLightsFolder } from './lights-folder.ts';
 import { addPictureFolder } from './picture-folder.ts';
 import { addPoseFolder } from './pose-folder.ts';
+import { addSliderRoles } from './slider-role.ts';
 import { addSkinFolder } from './skin-folder.ts';
 import { addViewFolder } from './view-folder.ts';
 
@@ -16,4 +17,5 @@ export function createControls(container: HTMLElement, editor: Editor): void {
   addViewFolder(gui, editor);
   addLightsFolder(gui, editor);
   addPictureFolder(gui, editor);
+  addSliderRoles(gui);
 }
