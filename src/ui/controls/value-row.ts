@@ -124,6 +124,11 @@ export function addValueRow(folder: GUI, options: ValueRowOptions): ValueRow {
 
   function refresh(): void {
     controller.updateDisplay();
+    // lil-gui leaves a field that has the focus alone, though an undo may have changed its number.
+    const typed = parseTyped(field.value);
+    if (Number.isFinite(typed) && typed !== options.read()) {
+      field.value = options.read().toFixed(3);
+    }
     degrees.textContent = role.text();
     refreshRole();
   }
