@@ -1,19 +1,23 @@
 import type { Editor } from './editor.ts';
 import { everywhere, type KeyBinding, withCommand } from './keymap.ts';
 
-/** What has keys of its own: there only those with Ctrl or Cmd act. */
+/** What has keys of its own; only those with Ctrl or Cmd act there. */
 const ownKeys = 'input, select, textarea, dialog, [role="tree"], [role="slider"]';
 
 /** Runs the first binding that a key press matches. */
 export function listenToKeys(editor: Editor): void {
+  // lil-gui keeps key presses to itself, so that those with Ctrl or Cmd are caught on their way in.
+  window.addEventListener('keydown', (event) => run(withCommand, event, editor), true);
   window.addEventListener('keydown', (event) => {
-    if (event.defaultPrevented) return;
-    const bindings = hasOwnKeys(event) ? withCommand : [...withCommand, ...everywhere];
-    const binding = bindings.find((each) => matches(each, event));
-    if (!binding || (isLetter(binding) && !editor.letterKeys.value)) return;
-    event.preventDefault();
-    binding.run(editor);
+    if (!event.defaultPrevented && !hasOwnKeys(event)) run(everywhere, event, editor);
   });
+}
+
+function run(bindings: readonly KeyBinding[], event: KeyboardEvent, editor: Editor): void {
+  const binding = bindings.find((each) => matches(each, event));
+  if (!binding || (isLetter(binding) && !editor.letterKeys.value)) return;
+  event.preventDefault();
+  binding.run(editor);
 }
 
 function matches({ key, command = false, shift }: KeyBinding, event: KeyboardEvent): boolean {
