@@ -73,6 +73,34 @@ describe('buildSkin', () => {
     ]);
   });
 
+  it('does without a skin that names a joint which is not there', () => {
+    const rig = withRows(unitWeights(), [[[0, 1]], [[2, 1]], [[9, 1]], [[300, 1]]]);
+    const { value, diagnostics } = buildCharacter(partsOfRig(rig));
+    expect([...value!.skin.paletteJoint]).toEqual([noJoint]);
+    expect(diagnostics).toMatchObject([
+      {
+        severity: 'error',
+        code: 'character/index',
+        expected: 'joints from 0 to 8',
+        found: 'joint 9 at vertex 3',
+      },
+    ]);
+  });
+
+  it('leaves out weights under a millionth, whatever their sign', () => {
+    const row: Influence[] = [
+      [0, 1],
+      [1, 9e-7],
+      [2, -9e-7],
+      [3, 1e-6],
+      [4, 1e-45],
+    ];
+    expect(rowOf(withRows(rotatedTree(), [row]), 0)).toEqual([
+      [0, 1],
+      [3, Math.fround(1e-6)],
+    ]);
+  });
+
   it('does without a skin whose rows are not the points', () => {
     const rig = rotatedTree();
     const { value, diagnostics } = buildCharacter(partsOfRig({ ...rig, rows: rig.rows.slice(1) }));
@@ -96,12 +124,24 @@ describe('normalizeSkin', () => {
     }
   });
 
-  it('leaves rows whose sum is nothing as they are', () => {
+  it.each([
+    [0.5, -0.5],
+    [1000, -999.5],
+  ])('leaves rows whose sum is next to nothing as they are: %d and %d', (a, b) => {
     const row: Influence[] = [
-      [0, 0.5],
-      [1, -0.5],
+      [0, a],
+      [1, b],
     ];
     const { weights } = normalizeSkin(characterOfRig(withRows(rotatedTree(), [row])).skin);
-    expect([...weights.subarray(0, 2)]).toEqual([0.5, -0.5]);
+    expect([...weights.subarray(0, 2)]).toEqual([a, b]);
+  });
+
+  it('takes rows of small weights for what they are', () => {
+    const row: Influence[] = [
+      [0, 3e-6],
+      [1, 1e-6],
+    ];
+    const { weights } = normalizeSkin(characterOfRig(withRows(rotatedTree(), [row])).skin);
+    expect(weights[0]).toBeCloseTo(0.75, 5);
   });
 });

@@ -58,4 +58,4 @@ function textPrefix(keyword: string): number[] {
 }
 
 const encoder = new TextEncoder();
-const decoder = new TextDecoder();
+const decoder = new TextDecoder('utf-8', { ignoreBOM: true });
