@@ -30,3 +30,12 @@ test('the sheet of keys', async () => {
   await expect(page().getByRole('dialog')).toBeVisible();
   expect(await violations(page())).toEqual([]);
 });
+
+test('the drawers of a narrow page', async () => {
+  await page().keyboard.press('Escape');
+  await page().setViewportSize({ width: 390, height: 800 });
+  for (const name of ['Characters', 'Controls']) {
+    await page().getByRole('button', { name, exact: true }).click();
+    expect(await violations(page())).toEqual([]);
+  }
+});

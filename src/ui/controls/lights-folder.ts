@@ -20,8 +20,8 @@ export function addLightsFolder(gui: GUI, { session: { lights } }: Editor): void
     return [
       one.addColor(change('color'), 'color').name('Colour'),
       one.add(change('intensity'), 'intensity', 0, 3).name('Strength').decimals(2),
-      one.add(change('azimuth'), 'azimuth', -180, 180).name('Azimuth °').decimals(0),
-      one.add(change('elevation'), 'elevation', -89, 89).name('Elevation °').decimals(0),
+      one.add(change('azimuth'), 'azimuth', -180, 180).name('Around °').decimals(0),
+      one.add(change('elevation'), 'elevation', -89, 89).name('Above °').decimals(0),
     ];
   });
   folder.add({ reset: () => (lights.value = studioLights) }, 'reset').name('Reset lights');

@@ -60,7 +60,7 @@ type NumberController = Controller & { _min: number; _max: number; _name: string
 function makeAccessible(controller: NumberController): void {
   const value = (): number => controller.getValue() as number;
   const role: SliderRole = {
-    name: controller._name,
+    name: `${controller.parent._title} ${controller._name}`,
     minimum: controller._min,
     maximum: controller._max,
     value,
