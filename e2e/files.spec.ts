@@ -92,7 +92,7 @@ test('large files are read by a worker, to the same end', async () => {
   const { skel, obj, attach } = files('large');
   await drop(page(), [
     skel,
-    { ...obj, content: `#${'-'.repeat(2 ** 21)}\n${String(obj.content)}` },
+    { ...obj, content: `${'# a comment\n'.repeat(2 ** 17)}${String(obj.content)}` },
     attach,
   ]);
   expect(await shown()).toEqual({ ...whole, name: 'large' });

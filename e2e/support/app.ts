@@ -105,11 +105,9 @@ export async function bytesOf(blob: JSHandle<Blob>): Promise<Buffer> {
   return Buffer.from(url.slice(url.indexOf(',') + 1), 'base64');
 }
 
-/** The row of the controls with this name. */
-export function controlRow(page: Page, name: string): Locator {
-  return page.locator('.controls .lil-controller', {
-    has: page.locator('.lil-name').getByText(name, { exact: true }),
-  });
+/** The row of the controls, or of a folder of theirs, with this name. */
+export function controlRow(within: Page | Locator, name: string): Locator {
+  return within.locator(`.lil-controller:has(.lil-name:text-is("${name}"))`);
 }
 
 /** Chooses in a row of the controls, be they in sight or not. */

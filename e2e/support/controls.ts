@@ -1,10 +1,15 @@
-import type { Page } from '@playwright/test';
+import type { Locator, Page } from '@playwright/test';
 import { controlRow } from './app.ts';
+
+/** A folder of the controls; lights and camera have rows of the same names. */
+function folder(page: Page, title: string): Locator {
+  return page.locator(`.controls .lil-gui:has(> .lil-title:text-is("${title}"))`);
+}
 
 /** The camera, as the View folder shows it: degrees, and scene units. */
 export async function cameraOf(page: Page) {
   const value = async (row: string): Promise<number> =>
-    Number(await controlRow(page, row).locator('input').inputValue());
+    Number(await controlRow(folder(page, 'View'), row).locator('input').inputValue());
   return {
     azimuth: await value('Azimuth °'),
     elevation: await value('Elevation °'),
@@ -16,7 +21,8 @@ export async function cameraOf(page: Page) {
 export async function drawnOf(page: Page): Promise<string[]> {
   const drawn: string[] = [];
   for (const row of ['Skin', 'Skeleton', 'Axes']) {
-    if (await controlRow(page, row).getByRole('checkbox').isChecked()) drawn.push(row);
+    if (await controlRow(folder(page, 'View'), row).getByRole('checkbox').isChecked())
+      drawn.push(row);
   }
   return drawn;
 }

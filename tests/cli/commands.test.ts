@@ -1,10 +1,13 @@
-import { readFileSync } from 'node:fs';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { gzipSync } from 'node:zlib';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { commands } from '../../src/cli/commands.ts';
 import { UsageError } from '../../src/cli/usage-error.ts';
 import { readObj } from '../../src/formats/obj/read-obj.ts';
 import { methods } from '../../src/skinning/registry.ts';
+import type { FileContents } from '../support/files.ts';
+import { zipOf } from '../support/zip.ts';
 import { folderWith } from './run-sinew.ts';
 
 const files = {
@@ -13,7 +16,7 @@ const files = {
   'a.attach': '1 0\n0.5 0.25\n0.4 0.6\n',
   'p.json': '{"joints": {"#1": [0, 0, 3.141592653589793]}}',
 };
-const names = ['a.skel', 'a.obj', 'a.attach'];
+const names = ['a.skel', 'a.obj', 'a.attach'] as const;
 
 let errors: string[];
 let out: string[];
@@ -28,7 +31,7 @@ afterEach(() => {
   vi.unstubAllEnvs();
 });
 
-function run(name: string, contents: Record<string, string>, ...words: string[]) {
+function run(name: string, contents: FileContents, ...words: string[]) {
   const folder = folderWith(contents);
   vi.stubEnv('INIT_CWD', folder);
   return { folder, code: commands.find((command) => command.name === name)!.run(words) };
@@ -136,11 +139,40 @@ describe('info', () => {
     expect(errors[0]).toContain('warning: p.json: expected files that Sinew reads');
   });
 
+  it('reads folders, with all that is in them, and archives', async () => {
+    const { folder, code } = run('info', { 'all.zip': zipOf(files) }, 'all.zip');
+    expect(await code).toBe(0);
+    expect(out[0]).toMatch(/^a: 3 joints, 3 vertices, 1 triangles/);
+    mkdirSync(join(folder, 'x/y'), { recursive: true });
+    for (const name of names) writeFileSync(join(folder, 'x/y', name), files[name]);
+    writeFileSync(join(folder, 'x', '._a.obj'), 'junk');
+    writeFileSync(join(folder, 'x', 'b.obj.gz'), gzipSync(files['a.obj']));
+    expect(await commands[0]!.run(['x'])).toBe(0);
+    expect(out.slice(1).map((text) => text.split(',')[0])).toEqual(['b: 0 joints', 'a: 3 joints']);
+    expect(await commands[0]!.run(['x/y/a.obj', 'x/y/b', 'x/none'])).toBe(0);
+    const missing = (path: string): string =>
+      `error: ${path}: expected a file that can be read, found "ENOENT"; the file is not used`;
+    expect(errors.slice(-2)).toEqual([missing('x/y/b'), missing('x/none')]);
+  });
+
+  it('says so of an empty folder, and of a packed file that is none', async () => {
+    const { folder, code } = run('info', { 'a.obj.gz': 'no gzip' }, 'a.obj.gz');
+    expect(await code).toBe(1);
+    mkdirSync(join(folder, 'empty'));
+    expect(await commands[0]!.run(['empty', 'a.obj.gz'])).toBe(1);
+    expect(errors.join('\n')).toContain('empty: expected a file that can be read, found "an empty');
+    expect(errors.join('\n')).toContain(
+      'a.obj.gz: expected a file that can be read, found "Z_DATA',
+    );
+  });
+
   it('shows names of files harmlessly', async () => {
     expect(await run('info', {}, 'a\u001b[2J\u202e.skel').code).toBe(1);
     expect(errors.join('')).not.toMatch(/[\p{Cc}\p{Cf}]/u);
     const joined = { 'a\u202e.skel': files['a.skel'], 'b.obj': files['a.obj'] };
     expect(await run('info', joined, ...Object.keys(joined)).code).toBe(0);
     expect(errors.join('')).not.toMatch(/[\p{Cc}\p{Cf}]/u);
+    expect(out.join('').replaceAll('\n', '')).not.toMatch(/[\p{Cc}\p{Cf}]/u);
+    expect(out[0]).toMatch(/^a\uFFFD: 3 joints/);
   });
 });

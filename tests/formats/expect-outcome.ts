@@ -1,16 +1,12 @@
 import { expect } from 'vitest';
 import { formatDiagnostic, hasErrors } from '../../src/core/diagnostics.ts';
 import { expectPosable, expectSound } from '../support/check-character.ts';
-import { type FileContents, readContents } from '../support/files.ts';
-
-/** A guard against hanging: what is read here is small. */
-const longestRead = 1000;
+import type { FileContents } from '../support/files.ts';
+import { readSoon } from '../support/read-soon.ts';
 
 /** Reads without throwing and soon, and gives sound characters or says why not. */
 export async function expectOutcome(contents: FileContents): Promise<void> {
-  const before = performance.now();
-  const { characters, diagnostics } = await readContents(contents);
-  expect(performance.now() - before).toBeLessThan(longestRead);
+  const { characters, diagnostics } = await readSoon(contents);
   for (const { character } of characters) {
     expectSound(character);
     if (character.mesh.pointCount > 0 && !hasErrors(diagnostics)) expectPosable(character);

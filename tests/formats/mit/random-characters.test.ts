@@ -37,7 +37,7 @@ describe('random meshes', () => {
         expect(diagnostics).toEqual([]);
         expect(withoutSeams(buildMesh(value!))).toEqual(withoutSeams(mesh));
       }),
-      { numRuns: 1000 },
+      { numRuns: 400 },
     );
   });
 });
@@ -54,7 +54,7 @@ describe('random characters', () => {
         expect(again.skin).toEqual(character.skin);
         expect(withoutSeams(again.mesh)).toEqual(withoutSeams(character.mesh));
       }),
-      { numRuns: 500 },
+      { numRuns: 150 },
     );
   });
 
@@ -79,7 +79,7 @@ describe('random characters', () => {
           character.skin.weights.every((weight) => Math.abs(weight) >= Math.fround(1e-6)),
         ).toBe(true);
       }),
-      { numRuns: 300 },
+      { numRuns: 200 },
     );
   });
 });

@@ -3,7 +3,7 @@ import type { Character } from '../../../../src/core/character.ts';
 import { noJoint } from '../../../../src/core/skin.ts';
 import { expectSound } from '../../../support/check-character.ts';
 import { said } from '../../../support/diagnose.ts';
-import { readContents } from '../../../support/files.ts';
+import { readSoon } from '../../../support/read-soon.ts';
 import { attachCases } from './attach-cases.ts';
 import type { BadInput, Left } from './bad-input.ts';
 import { objFaces } from './obj-faces.ts';
@@ -48,7 +48,7 @@ describe('bad files of 6.837', () => {
   });
 
   it.each(cases)('$title', async ({ files, limits, messages, left, check }) => {
-    const { characters, diagnostics } = await readContents(files, limits);
+    const { characters, diagnostics } = await readSoon(files, limits);
     expect(said(diagnostics)).toEqual(messages);
     expect(characters.map(({ character }) => leftOf(character))).toEqual(left ? [left] : []);
     for (const { effect } of diagnostics) expect(effect).not.toBe('');
