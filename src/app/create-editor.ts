@@ -6,6 +6,7 @@ import type { Store } from '../document/store.ts';
 import { readableExtensions } from '../formats/extensions.ts';
 import { writeObj } from '../formats/obj/write-obj.ts';
 import { poseToJson } from '../formats/pose-json.ts';
+import type { FileEntry } from '../formats/format.ts';
 import type { ReadCharacter } from '../formats/read-characters.ts';
 import { copyText } from '../ui/copy-text.ts';
 import type { Drawer, Editor, ThemeChoice } from '../ui/editor.ts';
@@ -15,7 +16,7 @@ import type { Verification } from '../view/verify.ts';
 import type { Viewer } from '../view/viewer.ts';
 import { type CatalogueEntry, FetchError, fetchBundled } from './catalogue.ts';
 import { download } from './download.ts';
-import type { FileOpener } from './open-files.ts';
+import type { FileOpener, OpenOutcome } from './open-files.ts';
 import { ProgressMeter } from './progress-meter.ts';
 import { savePicture } from './save-picture.ts';
 import { workspaces } from './workspaces.ts';
@@ -35,12 +36,6 @@ export function createEditor(
   const notice = signal('');
   const meter = new ProgressMeter();
   let opening = new AbortController();
-  /** Ends what is being opened; what begins now ends with the signal. */
-  const beginOpening = (): AbortSignal => {
-    opening.abort();
-    opening = new AbortController();
-    return opening.signal;
-  };
   const selected = () => selectedCharacter(store.document.value);
 
   const editor: Editor = {
@@ -62,10 +57,7 @@ export function createEditor(
     fileExtensions: [...readableExtensions, '.json', '.png'],
 
     async openFiles(files) {
-      const signal = beginOpening();
-      const outcome = await meter.during('Reading', () =>
-        opener.open(files, signal, meter.report, (id) => editor.openBundled(id)),
-      );
+      const outcome = await whileOpening('Reading', (signal) => open(files, signal));
       if (!outcome) return;
       const { found, opened, reopened, posed } = outcome;
       if (opened) {
@@ -82,20 +74,12 @@ export function createEditor(
         notice.value = `There is no character "${id}"`;
         return;
       }
-      const signal = beginOpening();
-      try {
-        const outcome = await meter.during(`Loading ${entry.label}`, async () => {
-          const files = await fetchBundled(entry, signal);
-          return opener.open(files, signal, meter.report, (id) => editor.openBundled(id));
-        });
-        if (!outcome?.opened) return;
-        openedId.value = id;
-        showOpened(entry.label, false);
-      } catch (error) {
-        if (signal.aborted) return;
-        if (!(error instanceof FetchError)) throw error;
-        notice.value = error.message;
-      }
+      const outcome = await whileOpening(`Loading ${entry.label}`, async (signal) =>
+        open(await fetchBundled(entry, signal), signal),
+      );
+      if (!outcome?.opened) return;
+      openedId.value = id;
+      showOpened(entry.label, false);
     },
 
     openOwn(character) {
@@ -169,6 +153,30 @@ export function createEditor(
   };
   return editor;
 
+  function open(files: readonly FileEntry[], signal: AbortSignal) {
+    return opener.open(files, signal, meter.report, (id) => editor.openBundled(id));
+  }
+
+  /** Ends what is being opened, and opens; what fails becomes a word, and the page stays as it was. */
+  async function whileOpening(
+    title: string,
+    work: (signal: AbortSignal) => Promise<OpenOutcome | undefined>,
+  ): Promise<OpenOutcome | undefined> {
+    opening.abort();
+    const { signal } = (opening = new AbortController());
+    try {
+      return await meter.during(title, () => work(signal));
+    } catch (error) {
+      if (signal.aborted) return undefined;
+      if (error instanceof FetchError) notice.value = error.message;
+      else {
+        notice.value = 'Sinew itself failed at this; the page is as it was';
+        reportError(error);
+      }
+      return undefined;
+    }
+  }
+
   function poseText(): string {
     const state = selected();
     const json = state ? poseToJson(state.character.skeleton, { q: state.q }) : {};
@@ -179,6 +187,6 @@ export function createEditor(
     verification.value = null;
     const workspace = workspaces.find(({ id }) => id === workspaceId.value);
     if (workspace?.framed && !reopened) viewer.frameAll();
-    notice.value = reopened ? `${name} renewed; pose and camera kept` : `${name} opened`;
+    notice.value = reopened ? `${name} updated; pose and camera kept` : `${name} opened`;
   }
 }

@@ -1,5 +1,6 @@
 import { proxy, transfer, wrap } from 'comlink';
 import type { Diagnostic } from '../core/diagnostics.ts';
+import { defaultLimits } from '../core/limits.ts';
 import { extensionOf, memoryFile } from '../formats/file-entry.ts';
 import type { FileEntry } from '../formats/format.ts';
 import { readableExtensions } from '../formats/extensions.ts';
@@ -8,7 +9,6 @@ import type { LooseFile, Read } from '../workers/reader.worker.ts';
 
 /** More than this is read on another thread, so that the page stays alive. */
 const workerSize = 1024 * 1024;
-const largestFile = 256 * 1024 * 1024;
 
 /** Reads characters here or in a worker; once the signal is aborted the outcome is of no use. */
 export async function readFiles(
@@ -39,8 +39,8 @@ async function loadBytes(
     };
     if (!readableExtensions.includes(extensionOf(path))) {
       loaded.push({ path, bytes: new Uint8Array(0) }); // for the list of what is not used
-    } else if (size > largestFile) {
-      fail('file/limit', `at most ${largestFile} bytes`, `${size}`);
+    } else if (size > defaultLimits.fileSize) {
+      fail('file/limit', `at most ${defaultLimits.fileSize} bytes`, `${size}`);
     } else {
       try {
         loaded.push({ path, bytes: await file.bytes() });

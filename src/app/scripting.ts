@@ -73,6 +73,7 @@ export function createScripting(editor: Editor, ready: Promise<void>): Scripting
       if (json === undefined) return poseToJson(skeleton, { q: state.q });
       const { value, diagnostics } = poseFromJson('pose', json, skeleton);
       if (!value) throw new Error(diagnostics.map(formatDiagnostic).join('\n'));
+      if (diagnostics.length > 0) session.problems.value = diagnostics;
       store.dispatch(setPose(state.id, value.q));
       return poseToJson(skeleton, value);
     },

@@ -3,6 +3,7 @@ import { join } from 'node:path';
 import { gzipSync } from 'node:zlib';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { commands } from '../../src/cli/commands.ts';
+import { unwritable } from '../../src/cli/files.ts';
 import { UsageError } from '../../src/cli/usage-error.ts';
 import { readObj } from '../../src/formats/obj/read-obj.ts';
 import { methods } from '../../src/skinning/registry.ts';
@@ -92,6 +93,14 @@ describe('pose', () => {
     expect(await code).toBe(1);
     expect(errors.join('\n')).toContain(message);
     expect(() => readFileSync(join(folder, 'o.obj'))).toThrow('ENOENT');
+  });
+
+  it('has a code of its own for what can not be written', () => {
+    expect(unwritable('o.obj', new Error('full'))).toMatchObject({
+      code: 'file/unwritable',
+      file: 'o.obj',
+      found: 'full',
+    });
   });
 
   it('ends with 1 where it cannot write', async () => {

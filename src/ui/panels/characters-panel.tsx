@@ -1,3 +1,4 @@
+import { printable } from '../../core/diagnostics.ts';
 import { selectedCharacter } from '../../document/document.ts';
 import { chooseFiles } from '../choose-files.ts';
 import type { Editor } from '../editor.ts';
@@ -32,7 +33,7 @@ export function CharactersPanel({ editor }: { readonly editor: Editor }) {
               aria-pressed={read.character === shown}
               onClick={() => editor.openOwn(read)}
             >
-              {read.character.name}
+              {printable(read.character.name, 80)}
             </button>
           </li>
         ))}

@@ -1,3 +1,4 @@
+import { printable } from '../../core/diagnostics.ts';
 import { selectedCharacter } from '../../document/document.ts';
 import { methodById } from '../../skinning/registry.ts';
 import type { Editor } from '../editor.ts';
@@ -12,7 +13,7 @@ export function StatusLine({ editor }: { readonly editor: Editor }) {
     <footer class="status">
       {state && (
         <>
-          <strong>{state.character.name}</strong>
+          <strong>{printable(state.character.name, 80)}</strong>
           <span>{state.character.skeleton.jointCount} joints</span>
           <span>{state.character.mesh.pointCount.toLocaleString('en')} vertices</span>
           <span>{methodById(state.method).label}</span>
