@@ -9,6 +9,9 @@ declare global {
   }
 }
 
+// A small view is drawn sooner; nothing here is about its size.
+test.use({ viewport: { width: 760, height: 420 } });
+
 const page = sharedPage((page) => openView(page, 'model=tube'));
 
 async function lose(page: Page): Promise<void> {

@@ -3,6 +3,9 @@ import { drop, openApp } from './support/app.ts';
 import { madeCharacter } from './support/made-character.ts';
 import { test } from './support/test.ts';
 
+// A small view is drawn sooner; nothing here is about its size.
+test.use({ viewport: { width: 760, height: 420 } });
+
 const names = [
   '<img src=x onerror=alert(1)>',
   '"><script>alert(1)',

@@ -27,7 +27,7 @@ test('fifty loads and unloads leave nothing behind', async ({ page }) => {
   );
   const round = async (): Promise<Holdings> => {
     for (const files of characters) await drop(page, files);
-    await page.evaluate(() => window.sinew.capture());
+    await page.evaluate(() => window.sinew.capture({ width: 64, height: 48 }));
     const objects = await page.evaluate(() => window.sinew.liveObjects);
     return { objects, ...(await page.evaluate(() => window.holdings())) };
   };

@@ -3,6 +3,9 @@ import { drop, openApp } from './support/app.ts';
 import { madeCharacter } from './support/made-character.ts';
 import { test } from './support/test.ts';
 
+// A small view is drawn sooner; nothing here is about its size.
+test.use({ viewport: { width: 760, height: 420 } });
+
 test('a character past the limits of the GPU is told, and the page lives on', async ({ page }) => {
   await page.addInitScript(() => {
     const { getParameter } = WebGL2RenderingContext.prototype;

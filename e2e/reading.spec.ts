@@ -4,6 +4,9 @@ import { drop, openApp } from './support/app.ts';
 import { madeCharacter } from './support/made-character.ts';
 import { test } from './support/test.ts';
 
+// A small view is drawn sooner; nothing here is about its size.
+test.use({ viewport: { width: 760, height: 420 } });
+
 const encoder = new TextEncoder();
 
 function packed(count: number): Uint8Array {

@@ -6,6 +6,9 @@ import { test } from './support/test.ts';
 
 // Open, pose and capture, each with one kind of hand.
 
+// A small view is drawn sooner; nothing here is about its size.
+test.use({ viewport: { width: 760, height: 420 } });
+
 async function focused(page: Page): Promise<string> {
   return page.evaluate(() => {
     const { activeElement: element } = document;
