@@ -1,3 +1,5 @@
+import { mkdirSync, writeFileSync } from 'node:fs';
+import path from 'node:path';
 import { expect } from '@playwright/test';
 import { zipSync } from 'fflate';
 import { drop, openApp } from './support/app.ts';
@@ -84,4 +86,22 @@ test('a newer drop ends the one under way', async ({ page }) => {
   await first;
   await page.waitForTimeout(1000);
   expect(await page.evaluate(() => window.sinew.characters[0]!.joints.length)).toBe(5);
+});
+
+// The entries of a drop were once asked with `instanceof` for classes that browsers do not name.
+test('a folder is dropped with all that is in it, junk aside', async ({ page }, info) => {
+  const folder = info.outputPath('Mödels');
+  mkdirSync(path.join(folder, 'inner'), { recursive: true });
+  for (const { name, content } of madeCharacter(5, 2)) {
+    writeFileSync(path.join(folder, 'inner', name), content);
+    writeFileSync(path.join(folder, 'inner', `._${name}`), 'resource fork');
+  }
+  await openApp(page, 'model=tube');
+  const client = await page.context().newCDPSession(page);
+  const data = { items: [], files: [folder], dragOperationsMask: 1 };
+  for (const type of ['dragEnter', 'dragOver', 'drop'] as const) {
+    await client.send('Input.dispatchDragEvent', { type, x: 400, y: 200, data });
+  }
+  await expect(page.locator('.status strong')).toHaveText('made');
+  expect(await page.evaluate(() => window.sinew.problems)).toEqual([]);
 });

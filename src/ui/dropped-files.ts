@@ -20,18 +20,31 @@ async function walk(entries: readonly FileSystemEntry[]): Promise<FileEntry[]> {
   const pending = [...entries].reverse();
   for (let entry = pending.pop(); entry; entry = pending.pop()) {
     if (isJunk(entry.name)) continue;
-    if (entry instanceof FileSystemDirectoryEntry) {
+    if (isFolder(entry)) {
       pending.push(...(await listFolder(entry)).reverse());
-    } else if (entry instanceof FileSystemFileEntry) {
+    } else if (isFile(entry)) {
       const { fullPath } = entry;
-      const file = await new Promise<File>((resolve, reject) => {
-        entry.file(resolve, reject);
-      });
+      const file = await fileOf(entry);
       found.push(await fileEntry(file, fullPath.replace(/^\//, '')));
       if (found.length >= largestCount) break;
     }
   }
   return found;
+}
+
+// Browsers have no constructors of these names to ask with `instanceof`; the entries tell themselves.
+function isFolder(entry: FileSystemEntry): entry is FileSystemDirectoryEntry {
+  return entry.isDirectory;
+}
+
+function isFile(entry: FileSystemEntry): entry is FileSystemFileEntry {
+  return entry.isFile;
+}
+
+function fileOf(entry: FileSystemFileEntry): Promise<File> {
+  return new Promise((resolve, reject) => {
+    entry.file(resolve, reject);
+  });
 }
 
 /** A reader gives a folder's entries in batches, and an empty one at the end. */
