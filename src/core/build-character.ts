@@ -5,10 +5,12 @@ import { buildSkeleton, emptySkeleton } from './build-skeleton.ts';
 import { buildSkin, buildStaticSkin } from './build-skin.ts';
 import type { CharacterParts, SkinParts } from './character-parts.ts';
 import type { Character } from './character.ts';
+import { compileClip } from './clip.ts';
 import { type Diagnostic, DiagnosticLog, type Parsed } from './diagnostics.ts';
 import { worldMatrices } from './forward-kinematics.ts';
 import { defaultLimits, type Limits } from './limits.ts';
 import { emptyMesh, type Mesh } from './mesh.ts';
+import { buildMorph } from './morph.ts';
 import type { Skeleton } from './skeleton.ts';
 import type { Skin } from './skin.ts';
 
@@ -56,6 +58,9 @@ function assemble(
     skeleton,
     mesh,
     skin,
+    morphs: (parts.morphs ?? []).map((morph) => buildMorph(morph, mesh)),
+    clips: (parts.clips ?? []).map((clip) => compileClip(clip, skeleton)),
+    materials: parts.mesh?.materials ?? [],
     bones: deriveBones(skeleton, skin, mesh),
     bounds: restBounds(skeleton, mesh),
     missing: parts.missing,

@@ -133,6 +133,7 @@ function copyUnit(from: Float32Array, source: number, to: Float32Array, target: 
   const [x, y, z] = [from[source * 3]!, from[source * 3 + 1]!, from[source * 3 + 2]!];
   const length = Math.hypot(x, y, z);
   if (!(length > 1e-12)) return false;
-  to.set([x / length, y / length, z / length], target * 3);
+  const scale = Math.abs(length - 1) < 1e-6 ? 1 : 1 / length; // so that unit ones keep their bits
+  to.set([x * scale, y * scale, z * scale], target * 3);
   return true;
 }

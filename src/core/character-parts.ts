@@ -78,6 +78,8 @@ export interface SkinParts {
   readonly weights: Float32Array;
   /** (jointCount × 16) file order, column-major; the inverse of the rest pose where absent. */
   readonly jointFromBind?: Float64Array;
+  /** (jointCount × 16) their inverses, where it is these that the file has: for writers. */
+  readonly bindFromJoint?: Float64Array;
 }
 
 export interface MaterialParts {

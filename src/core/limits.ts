@@ -5,6 +5,8 @@ export interface Limits {
   readonly triangleCount: number;
   readonly cornersPerFace: number;
   readonly tokenLength: number;
+  /** How deep joints and blocks of a text file may nest. */
+  readonly depth: number;
 }
 
 export const defaultLimits: Limits = {
@@ -13,4 +15,5 @@ export const defaultLimits: Limits = {
   triangleCount: 8_000_000,
   cornersPerFace: 10_000,
   tokenLength: 64,
+  depth: 1024,
 };

@@ -130,7 +130,7 @@ describe('info', () => {
   it('ends with 0 as soon as one character came, and tells what is missing', async () => {
     expect(await run('info', files, 'a.skel', 'p.json').code).toBe(0);
     expect(out[0]).toContain('without .obj, .attach');
-    expect(errors[0]).toContain('warning: p.json: expected a file that Sinew reads');
+    expect(errors[0]).toContain('warning: p.json: expected files that Sinew reads');
   });
 
   it('shows names of files harmlessly', async () => {

@@ -1,3 +1,4 @@
+import { leg } from '../support/cse169-files.ts';
 import { courseSkel } from '../support/course-skeleton.ts';
 import type { FileContents } from '../support/files.ts';
 import { golden, oddities } from '../support/golden.ts';
@@ -30,4 +31,23 @@ const mit: FormatSamples = {
   ],
 };
 
-export const formatSamples: Readonly<Record<string, FormatSamples | undefined>> = { mit };
+const cse169: FormatSamples = {
+  characters: {
+    'a skeleton, skin, morph and clip': leg,
+    'a skeleton alone, with odd line ends': {
+      'a.skel': 'balljoint  {\r\r\n  pose 0 9 0\r}\rballjoint a{ boxmin 1 1 1 }\r\nballjoint a { }',
+    },
+    'a skin alone, without skinweights': {
+      'a.skin': 'positions 3 { 0 0 0 1 0 0 0 1 0 } triangles 1 { 0 1 2 } material {}',
+    },
+  },
+  tokens: [
+    ...['balljoint', 'offset', 'boxmin', 'boxmax', 'rotxlimit', 'pose', '{', '}', '{', '}', '//'],
+    ...['positions', 'normals', 'texcoords', 'skinweights', 'material', 'texture', 'triangles'],
+    ...['bindings', 'matrix', 'animation', 'range', 'numchannels', 'channel', 'extrapolate'],
+    ...['keys', 'flat', 'smooth', 'cycle_offset', 'bounce', 'rig', 'skeleton', 'skin', 'morphs'],
+    ...['0', '1', '2', '3', '-1', '0.5', '1e39', 'nan', '1.#QNAN', '/*', '*/', '#', '__proto__'],
+  ],
+};
+
+export const formatSamples: Readonly<Record<string, FormatSamples | undefined>> = { mit, cse169 };

@@ -8,7 +8,7 @@ import type { FileEntry, FileGroup, Format, OutputFile } from '../format.ts';
 import { groupByStem } from '../group-by-stem.ts';
 import { readObj } from '../obj/read-obj.ts';
 import { writeObj } from '../obj/write-obj.ts';
-import { decodeText } from '../text/check-text.ts';
+import { skelDialect } from '../skel-dialect.ts';
 import { type AttachParts, readAttach, writeAttach } from './attach.ts';
 import { readSkel, writeSkel } from './skel.ts';
 
@@ -24,10 +24,9 @@ export const mitFormat: Format = {
   write: writeCharacter,
 };
 
-/** The other course's `.skel` says `balljoint`; this one has nothing but numbers and comments. */
 function isMitFile(file: FileEntry): boolean {
   const extension = extensionOf(file.path);
-  if (extension === '.skel') return !/balljoint/i.test(decodeText(file.head));
+  if (extension === '.skel') return skelDialect(file) === 'mit';
   return kinds.some((kind) => kind === extension);
 }
 
