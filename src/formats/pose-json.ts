@@ -1,5 +1,5 @@
 import { DiagnosticLog, type Parsed } from '../core/diagnostics.ts';
-import { axisDofs, type Pose, restPose } from '../core/pose.ts';
+import { type AxisDof, axisDofs, type Pose, restPose } from '../core/pose.ts';
 import { DofKind, firstRoot, type Skeleton } from '../core/skeleton.ts';
 
 /**
@@ -58,8 +58,19 @@ export function poseFromJson(file: string, json: unknown, skeleton: Skeleton): P
 
   function setAxes(joint: number, kind: DofKind, values: readonly number[]): void {
     for (const dof of axisDofs(skeleton, joint)) {
-      if (dof.kind === kind) pose.q[dof.index] = values[dof.axis]!;
+      if (dof.kind === kind) pose.q[dof.index] = withinLimits(joint, dof, values[dof.axis]!);
     }
+  }
+
+  function withinLimits(joint: number, { axis, index }: AxisDof, value: number): number {
+    const [low, high] = [skeleton.qMin[index]!, skeleton.qMax[index]!];
+    if (value >= low && value <= high) return value;
+    const clamped = value < low ? low : high;
+    const name = `${'xyz'[axis]!} of "${skeleton.names[joint]!}"`;
+    const expected = `${name} within its limits, ${low} to ${high}`;
+    const became = `it is clamped to ${clamped}`;
+    log.warn({ code: 'pose/range', expected, found: String(value), effect: became });
+    return clamped;
   }
 
   function fail(kind: 'json' | 'unknown' | 'unknown-joint', expected: string, found: string): void {

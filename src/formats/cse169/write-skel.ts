@@ -1,6 +1,6 @@
 import { axisDofs } from '../../core/pose.ts';
 import { DofKind, type Skeleton } from '../../core/skeleton.ts';
-import { encodeLines, writeFloat64 } from '../text/write-number.ts';
+import { encodeLines, writeFloat32, writeFloat64 } from '../text/write-number.ts';
 
 /**
  * Writes a `balljoint` skeleton, joints depth first as the skeleton has them: offset, box where there
@@ -42,8 +42,8 @@ function properties(skeleton: Skeleton, joint: number): string[] {
   const lines = [`offset ${numbers(skeleton.restOffsets.subarray(joint * 3, joint * 3 + 3))}`];
   const box = skeleton.displayBoxes?.subarray(joint * 6, joint * 6 + 6);
   if (box) {
-    lines.push(`boxmin ${numbers(box.subarray(0, 3))}`);
-    lines.push(`boxmax ${numbers(box.subarray(3))}`);
+    lines.push(`boxmin ${floats(box.subarray(0, 3))}`);
+    lines.push(`boxmax ${floats(box.subarray(3))}`);
   }
   const pose = [0, 0, 0];
   const limits: string[] = [];
@@ -54,6 +54,10 @@ function properties(skeleton: Skeleton, joint: number): string[] {
     if (range.every(Number.isFinite)) limits[axis] = `rot${'xyz'[axis]!}limit ${numbers(range)}`;
   }
   return [...lines, ...limits.filter((line) => line !== ''), `pose ${numbers(pose)}`];
+}
+
+function floats(values: Float32Array): string {
+  return Array.from(values, writeFloat32).join(' ');
 }
 
 function numbers(values: ArrayLike<number>): string {
