@@ -1,15 +1,15 @@
 // The studio's light on a matte surface: a warm key, a cool fill, a rim from behind, and a soft dome
-// above a lit floor. Directions point to the light, scene space, unit length.
+// above a lit floor. Directions point to the light, scene space, unit length; colours are linear.
 #include "lib/key-shadow.glsl"
 
 uniform vec3 keyDirection;
+uniform vec3 keyColor;
 uniform vec3 fillDirection;
+uniform vec3 fillColor;
 uniform vec3 rimDirection;
+uniform vec3 rimColor;
 uniform vec3 eye;
 
-const vec3 keyColor = vec3(1.0, 0.93, 0.84) * 1.45;
-const vec3 fillColor = vec3(0.7, 0.83, 1.0) * 0.22;
-const vec3 rimColor = vec3(0.86, 0.93, 1.0) * 0.5;
 const vec3 skyColor = vec3(0.84, 0.91, 1.0) * 0.4;
 const vec3 groundColor = vec3(1.0, 0.92, 0.83) * 0.2;
 

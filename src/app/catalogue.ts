@@ -17,17 +17,20 @@ export async function fetchCatalogue(): Promise<readonly CatalogueEntry[]> {
 }
 
 /** The character's files, its pose among them. */
-export function fetchBundled({ files, pose }: CatalogueEntry): Promise<FileEntry[]> {
+export function fetchBundled(
+  { files, pose }: CatalogueEntry,
+  signal: AbortSignal,
+): Promise<FileEntry[]> {
   const paths = pose === undefined ? files : [...files, pose];
-  return Promise.all(paths.map((path) => fetchFile(new URL(path, dataUrl))));
+  return Promise.all(paths.map((path) => fetchFile(new URL(path, dataUrl), signal)));
 }
 
 /** A file of the page's own origin, unpacked if it is gzipped. */
-export async function fetchFile(url: URL): Promise<FileEntry> {
+export async function fetchFile(url: URL, signal?: AbortSignal): Promise<FileEntry> {
   if (url.origin !== location.origin) {
     throw new FetchError(`${url.href}: only this page's own files; download it and drop it here`);
   }
-  const response = await fetchChecked(url);
+  const response = await fetchChecked(url, signal);
   const bytes = new Uint8Array(await response.arrayBuffer());
   const path = decodeURIComponent(url.pathname.slice(url.pathname.lastIndexOf('/') + 1));
   // Some servers unpack .gz files on the way, so the bytes tell, not the name.
@@ -39,10 +42,10 @@ export async function fetchFile(url: URL): Promise<FileEntry> {
 /** A file that the page's server did not give; a message, not a bug. */
 export class FetchError extends Error {}
 
-async function fetchChecked(url: URL): Promise<Response> {
+async function fetchChecked(url: URL, signal?: AbortSignal): Promise<Response> {
   let response: Response;
   try {
-    response = await fetch(url);
+    response = await fetch(url, signal ? { signal } : {});
   } catch {
     throw new FetchError(`${url.pathname} could not be fetched`);
   }

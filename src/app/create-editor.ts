@@ -34,6 +34,13 @@ export function createEditor(
   const verification = signal<Verification | null>(null);
   const notice = signal('');
   const meter = new ProgressMeter();
+  let opening = new AbortController();
+  /** Ends what is being opened; what begins now ends with the signal. */
+  const beginOpening = (): AbortSignal => {
+    opening.abort();
+    opening = new AbortController();
+    return opening.signal;
+  };
   const selected = () => selectedCharacter(store.document.value);
 
   const editor: Editor = {
@@ -55,8 +62,9 @@ export function createEditor(
     fileExtensions: [...readableExtensions, '.json', '.png'],
 
     async openFiles(files) {
+      const signal = beginOpening();
       const outcome = await meter.during('Reading', () =>
-        opener.open(files, meter.report, (id) => editor.openBundled(id)),
+        opener.open(files, signal, meter.report, (id) => editor.openBundled(id)),
       );
       if (!outcome) return;
       const { found, opened, reopened, posed } = outcome;
@@ -74,14 +82,17 @@ export function createEditor(
         notice.value = `There is no character "${id}"`;
         return;
       }
+      const signal = beginOpening();
       try {
-        const outcome = await meter.during(`Loading ${entry.label}`, async () =>
-          opener.open(await fetchBundled(entry), meter.report, (id) => editor.openBundled(id)),
-        );
+        const outcome = await meter.during(`Loading ${entry.label}`, async () => {
+          const files = await fetchBundled(entry, signal);
+          return opener.open(files, signal, meter.report, (id) => editor.openBundled(id));
+        });
         if (!outcome?.opened) return;
         openedId.value = id;
         showOpened(entry.label, false);
       } catch (error) {
+        if (signal.aborted) return;
         if (!(error instanceof FetchError)) throw error;
         notice.value = error.message;
       }
@@ -94,7 +105,7 @@ export function createEditor(
     },
 
     cancelOpening() {
-      opener.cancel();
+      opening.abort();
       meter.clear();
       notice.value = 'Cancelled';
     },

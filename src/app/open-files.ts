@@ -9,7 +9,7 @@ import type { FileEntry } from '../formats/format.ts';
 import { readPngText } from '../formats/png/text-chunk.ts';
 import { poseFromJson, readPoseJson } from '../formats/pose-json.ts';
 import type { ReadCharacter, ReadProgress } from '../formats/read-characters.ts';
-import { decodeText } from '../formats/text/check-text.ts';
+import { decodeText } from '../formats/text/decode-text.ts';
 import { methods } from '../skinning/registry.ts';
 import { parsePictureNote, pictureKeyword, type PictureNote } from './picture-note.ts';
 import { readFiles } from './read-files.ts';
@@ -33,38 +33,30 @@ export class FileOpener {
   private readonly session: Session;
   /** The files of each character that was opened, so that later drops can complete or renew it. */
   private readonly filesOf = new WeakMap<Character, readonly FileEntry[]>();
-  private underWay: AbortController | null = null;
 
   constructor(store: Store, session: Session) {
     this.store = store;
     this.session = session;
   }
 
-  /** Ends what is being read; the page stays as it is. */
-  cancel(): void {
-    this.underWay?.abort();
-    this.underWay = null;
-  }
-
   /**
+   * @param signal aborted where the user cancels, or where later files take over
    * @param openBundled opens a bundled character, for pictures that remember one
-   * @returns nothing where it was cancelled, or where later files took over
+   * @returns nothing where it was aborted; the page is then as it was
    */
   async open(
     files: readonly FileEntry[],
+    signal: AbortSignal,
     onProgress: ReadProgress,
     openBundled: (id: string) => Promise<void>,
   ): Promise<OpenOutcome | undefined> {
-    this.cancel();
-    const controller = (this.underWay = new AbortController());
     const { poses, notes, parts, problems } = await sortFiles(files);
     const completed = this.completed(parts);
     const { characters, diagnostics } =
       completed.length > 0
-        ? await readFiles(completed, controller.signal, onProgress)
+        ? await readFiles(completed, signal, onProgress)
         : { characters: [], diagnostics: [] };
-    if (controller.signal.aborted) return undefined;
-    this.underWay = null;
+    if (signal.aborted) return undefined;
     problems.push(...diagnostics);
     const first = characters[0];
     const remembered = notes.at(-1)?.bundled;
@@ -72,8 +64,10 @@ export class FileOpener {
     const reopened = first !== undefined && this.renews(first);
     const character = first?.character ?? this.selected?.character;
     const q = character && readPoses(poses, notes, character, problems);
-    if (first) this.show(first, q);
-    else if (q && this.selected) {
+    if (first) {
+      this.show(first, q);
+      problems.push(...missingParts(first.character));
+    } else if (q && this.selected) {
       this.store.dispatch(setPose(this.selected.id, q, 'Open a pose'));
     }
     this.session.problems.value = problems;
@@ -91,7 +85,10 @@ export class FileOpener {
     this.filesOf.set(read.character, read.files);
     const method = this.selected?.method ?? methods[0]!.id;
     this.store.dispatch(openCharacter(read.character, method, q ?? kept));
-    if (!kept) this.session.selectedJoint.value = null;
+    if (kept) return;
+    this.session.selectedJoint.value = null;
+    this.session.hoveredJoint.value = null;
+    this.session.activeDof.value = null;
   }
 
   private get selected(): CharacterState | undefined {
@@ -135,6 +132,18 @@ interface SortedFiles {
   readonly notes: readonly PictureNote[];
   readonly parts: readonly FileEntry[];
   readonly problems: Diagnostic[];
+}
+
+/** What the character's files leave out, with the way to add it. */
+function missingParts({ name, missing }: Character): Diagnostic[] {
+  return missing.map((ending) => ({
+    severity: 'warning',
+    code: 'file/missing',
+    file: name,
+    expected: `${name}${ending}`,
+    found: 'no such file',
+    effect: 'the rest is shown; drop the file here to complete the character',
+  }));
 }
 
 /** Poses and pictures are for the open character; the rest may hold characters. */

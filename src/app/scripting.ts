@@ -78,7 +78,7 @@ export function createScripting(editor: Editor, ready: Promise<void>): Scripting
     },
     vertices: (device) => viewer.vertices(device),
     verify: () => viewer.verify(),
-    capture({ format = 'png', width, height, background = true } = {}) {
+    async capture({ format = 'png', width, height, background = true } = {}) {
       const size = width !== undefined && height !== undefined ? { width, height } : undefined;
       return encodePicture(viewer.capture(size, background), format);
     },

@@ -1,13 +1,14 @@
-import { effect, signal } from '@preact/signals-core';
+import { effect, type Signal, signal } from '@preact/signals-core';
 import { Session } from '../document/session.ts';
 import { Store } from '../document/store.ts';
 import { listenToDrops } from '../ui/drop-zone.ts';
+import type { Editor } from '../ui/editor.ts';
 import { listenToKeys } from '../ui/keys.ts';
 import { listenToPaste } from '../ui/paste.ts';
 import { listenToPointer } from '../ui/pointer.ts';
 import { orbitTool } from '../ui/tools/orbit.ts';
 import { Viewer } from '../view/viewer.ts';
-import { type CatalogueEntry, fetchCatalogue } from './catalogue.ts';
+import { type CatalogueEntry, FetchError, fetchCatalogue } from './catalogue.ts';
 import { createEditor } from './create-editor.ts';
 import { createLayout } from './layout.ts';
 import { FileOpener } from './open-files.ts';
@@ -55,13 +56,35 @@ export async function start(root: HTMLElement): Promise<void> {
   listenToPaste(editor);
   listenToPointer(layout.canvas, orbitTool, editor);
 
-  const wanted = workspaces.find(({ id }) => id === parameters.get('workspace'));
-  editor.setWorkspace((wanted ?? workspaces[0]!).id);
-  catalogue.value = await fetchCatalogue();
-  await editor.openBundled(parameters.get('model') ?? catalogue.value[0]!.id);
-  // Without a context there is no picture to wait for; the rest is as alive.
-  if (!viewer.available.value) firstFrameShown();
-  if (store.document.value.characters.length > 0) await firstFrame;
+  await openNamed(editor, catalogue, parameters);
+  // Without a character or a context there is no picture to wait for; the rest is as alive.
+  if (store.document.value.characters.length === 0 || !viewer.available.value) firstFrameShown();
+  await firstFrame;
   const { mountPanels } = await import('./mount-panels.tsx');
   mountPanels(layout, editor);
+}
+
+/** Opens what the page's address names; the first stands in for what is not there, with a word. */
+async function openNamed(
+  editor: Editor,
+  catalogue: Signal<readonly CatalogueEntry[]>,
+  parameters: URLSearchParams,
+): Promise<void> {
+  const notes: string[] = [];
+  const named = <T extends { readonly id: string }>(list: readonly T[], key: string) => {
+    const wanted = parameters.get(key);
+    const found = list.find(({ id }) => id === wanted);
+    if (wanted !== null && !found) notes.push(`There is no ${key} "${wanted}"`);
+    return found ?? list[0];
+  };
+  editor.setWorkspace(named(workspaces, 'workspace')!.id);
+  try {
+    catalogue.value = await fetchCatalogue();
+  } catch (error) {
+    if (!(error instanceof FetchError)) throw error;
+    notes.push(error.message);
+  }
+  const character = named(catalogue.value, 'model');
+  if (character) await editor.openBundled(character.id);
+  if (notes.length > 0) editor.notice.value = notes.join('; ');
 }

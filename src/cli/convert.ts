@@ -8,19 +8,18 @@ import { convertCharacter } from '../formats/convert.ts';
 import type { ConvertTarget } from '../formats/convert-parts.ts';
 import { writeCse169 } from '../formats/cse169/write-character.ts';
 import { baseName } from '../formats/file-entry.ts';
-import type { OutputFile } from '../formats/format.ts';
+import type { OutputFile, Written } from '../formats/format.ts';
 import { mitFormat } from '../formats/mit/format.ts';
 import { poseToJson, readPoseJson } from '../formats/pose-json.ts';
 import { readCharacters } from '../formats/read-characters.ts';
-import type { Written } from '../formats/written.ts';
 import type { Command } from './commands.ts';
-import { printDiagnostics, readFiles, unreadable, userPath } from './files.ts';
+import { printDiagnostics, readFiles, unreadable, unwritable, userPath } from './files.ts';
 import { parseWords } from './parse-words.ts';
 import { UsageError } from './usage-error.ts';
 
 /** By the id of the format. */
 const writers: Readonly<Record<ConvertTarget, (character: Character) => Written>> = {
-  mit: (character) => ({ files: mitFormat.write(character), losses: [] }),
+  mit: (character) => mitFormat.write(character),
   cse169: (character) => writeCse169(character),
 };
 
@@ -111,7 +110,7 @@ function writeAll(folder: string, files: readonly OutputFile[]): boolean {
     }
     return true;
   } catch (error) {
-    printDiagnostics([unreadable(folder, error)]);
+    printDiagnostics([unwritable(folder, error)]);
     return false;
   }
 }

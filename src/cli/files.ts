@@ -1,16 +1,33 @@
-import { readFileSync } from 'node:fs';
-import { resolve } from 'node:path';
+import { readFileSync, statSync } from 'node:fs';
+import { relative, resolve } from 'node:path';
 import { gunzipSync } from 'node:zlib';
-import { type Diagnostic, formatDiagnostic, printable } from '../core/diagnostics.ts';
-import { memoryFile } from '../formats/file-entry.ts';
+import {
+  type Diagnostic,
+  type DiagnosticCode,
+  formatDiagnostic,
+  printable,
+} from '../core/diagnostics.ts';
+import { defaultLimits } from '../core/limits.ts';
+import { readableExtensions } from '../formats/extensions.ts';
+import { extensionOf, memoryFile } from '../formats/file-entry.ts';
 import type { FileEntry } from '../formats/format.ts';
+import { listFiles } from './list-files.ts';
+
+const packedEnding = /\.gz$/i;
 
 /** npm runs scripts in the project's folder; paths are meant from where the user stands. */
 export function userPath(path: string): string {
-  return resolve(process.env['INIT_CWD'] ?? process.cwd(), path);
+  return resolve(userFolder(), path);
 }
 
-/** The files, with a diagnostic for each that can't be read; `.gz` ones are unpacked. */
+function userFolder(): string {
+  return process.env['INIT_CWD'] ?? process.cwd();
+}
+
+/**
+ * The files, those of folders too, with a diagnostic for each that can't be read; `.gz` ones are
+ * unpacked. The bytes of files that no reader asks for stay on the disk.
+ */
 export function readFiles(paths: readonly string[]): {
   files: FileEntry[];
   diagnostics: Diagnostic[];
@@ -18,29 +35,65 @@ export function readFiles(paths: readonly string[]): {
   const files: FileEntry[] = [];
   const diagnostics: Diagnostic[] = [];
   for (const path of paths) {
+    attempt(path, () => {
+      const found = listFiles(userPath(path));
+      const isFolder = found[0] !== userPath(path);
+      for (const each of found) {
+        const shown = isFolder ? relative(userFolder(), each) : path;
+        attempt(shown, () => files.push(readEntry(shown)));
+      }
+    });
+  }
+  return { files, diagnostics };
+
+  function attempt(path: string, read: () => void): void {
     try {
-      const bytes = readFileSync(userPath(path));
-      files.push(
-        path.endsWith('.gz')
-          ? memoryFile(path.slice(0, -3), new Uint8Array(gunzipSync(bytes)))
-          : memoryFile(path, new Uint8Array(bytes)),
-      );
+      read();
     } catch (error) {
       diagnostics.push(unreadable(path, error));
     }
   }
-  return { files, diagnostics };
+}
+
+function readEntry(path: string): FileEntry {
+  const name = path.replace(packedEnding, '');
+  if (!readableExtensions.includes(extensionOf(name))) return memoryFile(name, new Uint8Array(0));
+  const { fileSize } = defaultLimits;
+  const { size } = statSync(userPath(path));
+  if (size > fileSize) throw new Error(`${size} bytes, more than ${fileSize}`);
+  const bytes = readFileSync(userPath(path));
+  const unpacked = name === path ? bytes : gunzipSync(bytes, { maxOutputLength: fileSize });
+  return memoryFile(name, new Uint8Array(unpacked));
 }
 
 export function unreadable(path: string, error: unknown): Diagnostic {
-  return {
-    severity: 'error',
-    code: 'file/missing',
-    file: path,
-    expected: 'a file that can be read',
-    found: error instanceof Error && 'code' in error ? String(error.code) : String(error),
-    effect: 'the file is not used',
-  };
+  return failure('file/missing', path, 'a file that can be read', 'the file is not used', error);
+}
+
+export function unwritable(path: string, error: unknown): Diagnostic {
+  return failure(
+    'file/unwritable',
+    path,
+    'a file that can be written',
+    'nothing is written',
+    error,
+  );
+}
+
+function failure(
+  code: DiagnosticCode,
+  file: string,
+  expected: string,
+  effect: string,
+  error: unknown,
+): Diagnostic {
+  return { severity: 'error', code, file, expected, found: reasonOf(error), effect };
+}
+
+/** Short, as in "ENOENT", where the system says so. */
+function reasonOf(error: unknown): string {
+  if (!(error instanceof Error)) return String(error);
+  return 'code' in error ? String(error.code) : error.message;
 }
 
 /** One line each, to stderr. */

@@ -36,6 +36,9 @@ export const info: Command = {
   },
 };
 
+/** Names come from files, and may hold what a terminal acts on. */
+const longestName = 200;
+
 type Description = ReturnType<typeof describe>;
 
 function describe(character: Character) {
@@ -92,17 +95,18 @@ function summary(character: Description): string {
   const { name, joints, vertices, triangles, largestInfluenceCount: influences } = character;
   const missing = character.missing.length > 0 ? `, without ${character.missing.join(', ')}` : '';
   return [
-    `${name}: ${joints.length} joints, ${vertices} vertices, ${triangles} triangles, ` +
+    `${printable(name, longestName)}: ${joints.length} joints, ${vertices} vertices, ${triangles} triangles, ` +
       `at most ${influences} influences${missing}`,
     ...joints.map(
-      ({ index, name: own, parent }) => `  #${index} ${printable(own, 64)} (parent ${parent})`,
+      ({ index, name: own, parent }) =>
+        `  #${index} ${printable(own, longestName)} (parent ${parent})`,
     ),
     ...character.morphs.map(
-      (morph) => `  morph ${printable(morph.name, 64)}: ${morph.vertices} vertices`,
+      (morph) => `  morph ${printable(morph.name, longestName)}: ${morph.vertices} vertices`,
     ),
     ...character.clips.map(
       (clip) =>
-        `  clip ${printable(clip.name, 64)}: ${clip.channels} channels, ${clip.start} to ${clip.end} s`,
+        `  clip ${printable(clip.name, longestName)}: ${clip.channels} channels, ${clip.start} to ${clip.end} s`,
     ),
   ].join('\n');
 }

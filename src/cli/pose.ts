@@ -11,7 +11,7 @@ import { readCharacters } from '../formats/read-characters.ts';
 import { isMethodId, methodById, methods } from '../skinning/registry.ts';
 import { skinVertices } from '../skinning/skin-vertices.ts';
 import type { Command } from './commands.ts';
-import { printDiagnostics, readFiles, unreadable, userPath } from './files.ts';
+import { printDiagnostics, readFiles, unreadable, unwritable, userPath } from './files.ts';
 import { parseWords } from './parse-words.ts';
 import { UsageError } from './usage-error.ts';
 
@@ -92,7 +92,7 @@ function writeOut(path: string, bytes: Uint8Array): boolean {
     writeFileSync(userPath(path), bytes);
     return true;
   } catch (error) {
-    printDiagnostics([unreadable(path, error)]);
+    printDiagnostics([unwritable(path, error)]);
     return false;
   }
 }

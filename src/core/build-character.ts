@@ -3,9 +3,10 @@ import { type Bounds, emptyBounds, includePositions } from './bounds.ts';
 import { buildMesh } from './build-mesh.ts';
 import { buildSkeleton, emptySkeleton } from './build-skeleton.ts';
 import { buildSkin, buildStaticSkin } from './build-skin.ts';
-import type { CharacterParts, SkinParts } from './character-parts.ts';
+import type { CharacterParts, MeshParts, SkinParts } from './character-parts.ts';
 import type { Character } from './character.ts';
 import { compileClip } from './clip.ts';
+import { reportCoincidentJoints } from './coincident-joints.ts';
 import { type Diagnostic, DiagnosticLog, type Parsed } from './diagnostics.ts';
 import { worldMatrices } from './forward-kinematics.ts';
 import { defaultLimits, type Limits } from './limits.ts';
@@ -24,10 +25,14 @@ export function buildCharacter(
   limits: Limits = defaultLimits,
 ): Parsed<Character> {
   const diagnostics: Diagnostic[] = [];
-  const skeleton = buildPart(parts.skeleton, (part, log) => buildSkeleton(part, log, limits));
+  const skeleton = buildPart(parts.skeleton, (part, log) => {
+    const built = buildSkeleton(part, log, limits);
+    if (built) reportCoincidentJoints(built, log);
+    return built;
+  });
   const mesh = parts.mesh ? buildMesh(parts.mesh) : emptyMesh;
   const skin = buildPart(parts.skin, (part, log) =>
-    skinFits(part, mesh, skeleton, log) ? buildSkin(part, skeleton!, log) : undefined,
+    skinFits(part, parts.mesh, skeleton, log) ? buildSkin(part, skeleton!, log) : undefined,
   );
   if (!skeleton && !parts.mesh) return { diagnostics };
   return {
@@ -70,16 +75,17 @@ function assemble(
 /** Whether rows and points agree; a skin whose mesh or skeleton is missing waits without a word. */
 function skinFits(
   parts: SkinParts,
-  mesh: Mesh,
+  mesh: MeshParts | undefined,
   skeleton: Skeleton | undefined,
   log: DiagnosticLog,
 ): boolean {
-  if (!skeleton || skeleton.jointCount === 0 || mesh.pointCount === 0) return false;
+  if (!skeleton || skeleton.jointCount === 0 || !mesh) return false;
   const rowCount = parts.start.length - 1;
-  if (rowCount === mesh.pointCount) return true;
+  const pointCount = mesh.positions.length / 3;
+  if (rowCount === pointCount) return true;
   log.error({
     code: 'character/count',
-    expected: `${mesh.pointCount} rows of weights, one for each vertex of the mesh`,
+    expected: `${pointCount} rows of weights, one for each vertex of ${mesh.file}`,
     found: `${rowCount} rows`,
     effect: 'the mesh is shown without its weights',
   });

@@ -3,9 +3,11 @@ import type { DiagnosticLog } from './diagnostics.ts';
 import { defaultLimits, type Limits } from './limits.ts';
 import { dofSize, noParent, type Skeleton } from './skeleton.ts';
 
+const effect = 'the skeleton is not used';
+
 /**
  * Checks the hierarchy, sorts the joints depth first (children in file order) and packs them.
- * Reports joints without number, parents that are not there and cycles, and then returns nothing.
+ * Reports too many joints, parents that are not there, no root and cycles, and then returns nothing.
  */
 export function buildSkeleton(
   parts: SkeletonParts,
@@ -18,11 +20,11 @@ export function buildSkeleton(
       code: 'character/limit',
       expected: `at most ${limits.jointCount} joints`,
       found: `${joints.length} joints`,
-      effect: 'the skeleton is not used',
+      effect,
     });
     return undefined;
   }
-  if (!parentsExist(joints, log)) return undefined;
+  if (!parentsExist(joints, log) || !rootExists(joints, log)) return undefined;
   const order = depthFirstOrder(joints);
   if (order.length < joints.length) {
     reportCycle(joints, order, log);
@@ -40,13 +42,21 @@ function parentsExist(joints: readonly JointParts[], log: DiagnosticLog): boolea
     }
     log.error({
       code: 'character/parent',
-      ...lineOf(joint),
+      ...joint.place,
       expected: `a parent from -1 to ${joints.length - 1}`,
       found: `${joint.parent}`,
-      effect: 'the skeleton is not used',
+      effect,
     });
   }
   return !log.failed;
+}
+
+function rootExists(joints: readonly JointParts[], log: DiagnosticLog): boolean {
+  if (joints.length === 0 || joints.some(({ parent }) => parent === noParent)) return true;
+  const expected = 'at least one root (parent -1)';
+  const found = `none among ${joints.length}`;
+  log.error({ code: 'character/root', expected, found, effect });
+  return false;
 }
 
 /** File indices of all joints that a root reaches, parents first, a subtree in one run. */
@@ -79,15 +89,11 @@ function reportCycle(joints: readonly JointParts[], order: number[], log: Diagno
   const shown = cycle.length > 8 ? [...cycle.slice(0, 8), '…'] : cycle;
   log.error({
     code: 'character/cycle',
-    ...lineOf(joints[entry]!),
+    ...joints[entry]!.place,
     expected: 'parents that lead to a root (-1)',
     found: shown.join(' > '),
-    effect: 'the skeleton is not used',
+    effect,
   });
-}
-
-function lineOf(joint: JointParts): { line: number } | object {
-  return joint.line === undefined ? {} : { line: joint.line };
 }
 
 function pack(joints: readonly JointParts[], order: readonly number[]): Skeleton {

@@ -2,18 +2,25 @@ import { mat4 } from 'gl-matrix';
 import type { SkinParts } from './character-parts.ts';
 import type { DiagnosticLog } from './diagnostics.ts';
 import { worldMatrices } from './forward-kinematics.ts';
+import { reportRows, type SkinRows } from './report-rows.ts';
 import { firstRoot, type Skeleton } from './skeleton.ts';
 import { noJoint, type Skin } from './skin.ts';
 
 /** Weights smaller than this are noise of a file; kept, they would be slow and change nothing. */
-const smallestWeight = 1e-6;
+const smallestWeight = Math.fround(1e-6);
 const sumTolerance = 1e-3;
 
 /**
  * Packs the weights over a palette of one entry a joint, and reports rows that do not sum to one.
- * Weights stay as the file has them; a row without any follows the first root rigidly.
+ * Weights stay as the file has them; a row without any follows the first root rigidly. Joints that
+ * are not there are an error, and then there is no skin.
  */
-export function buildSkin(parts: SkinParts, skeleton: Skeleton, log: DiagnosticLog): Skin {
+export function buildSkin(
+  parts: SkinParts,
+  skeleton: Skeleton,
+  log: DiagnosticLog,
+): Skin | undefined {
+  if (!jointsExist(parts, skeleton, log)) return undefined;
   const rows = packRows(parts, skeleton);
   reportRows(rows, log);
   return {
@@ -35,14 +42,20 @@ export function buildStaticSkin(pointCount: number): Skin {
   };
 }
 
-interface Rows {
-  readonly skin: Pick<Skin, 'start' | 'entries' | 'weights'>;
-  readonly zeroRows: readonly number[];
-  readonly negativeRows: readonly number[];
-  readonly unevenRows: readonly { readonly point: number; readonly sum: number }[];
+function jointsExist(parts: SkinParts, { jointCount }: Skeleton, log: DiagnosticLog): boolean {
+  const at = parts.joints.findIndex((joint) => joint >= jointCount);
+  if (at === -1) return true;
+  const point = parts.start.findIndex((start) => start > at) - 1;
+  log.error({
+    code: 'character/index',
+    expected: `joints from 0 to ${jointCount - 1}`,
+    found: `joint ${parts.joints[at]!} at vertex ${point + 1}`,
+    effect: 'the mesh is shown without its weights',
+  });
+  return false;
 }
 
-function packRows(parts: SkinParts, skeleton: Skeleton): Rows {
+function packRows(parts: SkinParts, skeleton: Skeleton): SkinRows {
   const pointCount = parts.start.length - 1;
   const root = firstRoot(skeleton);
   const start = new Uint32Array(pointCount + 1);
@@ -72,41 +85,6 @@ function packRows(parts: SkinParts, skeleton: Skeleton): Rows {
   }
   const skin = { start, entries: Uint16Array.from(entries), weights: Float32Array.from(weights) };
   return { skin, zeroRows, negativeRows, unevenRows };
-}
-
-function reportRows({ zeroRows, negativeRows, unevenRows }: Rows, log: DiagnosticLog): void {
-  if (zeroRows.length > 0) {
-    log.warn({
-      code: 'character/weight-zero',
-      expected: 'at least one weight for every vertex',
-      found: `none for ${zeroRows.length} (${listed(zeroRows)})`,
-      effect: 'they follow the root rigidly',
-    });
-  }
-  if (negativeRows.length > 0) {
-    log.warn({
-      code: 'character/weight-negative',
-      expected: 'weights of at least 0',
-      found: `negative ones for ${negativeRows.length} (${listed(negativeRows)})`,
-      effect: 'they are kept as they are',
-    });
-  }
-  if (unevenRows.length > 0) {
-    const worst = unevenRows.reduce((a, b) => (Math.abs(b.sum - 1) > Math.abs(a.sum - 1) ? b : a));
-    const sum = Number(worst.sum.toPrecision(6));
-    log.warn({
-      code: 'character/weight-sum',
-      expected: 'weights that sum to 1 for every vertex',
-      found: `${unevenRows.length} that do not; worst: vertex ${worst.point + 1}, ${sum}`,
-      effect: 'they are used as they are; "normalise weights" divides them by their sum',
-    });
-  }
-}
-
-/** Vertices one-based, as OBJ counts them. */
-function listed(points: readonly number[]): string {
-  const shown = points.slice(0, 5).map((point) => point + 1);
-  return `vertex ${shown.join(', ')}${points.length > shown.length ? ', …' : ''}`;
 }
 
 /** The file's inverse bind matrices, or the inverses of the rest pose's world matrices. */

@@ -1,3 +1,4 @@
+import type { Place } from './diagnostics.ts';
 import type { DofKind } from './skeleton.ts';
 
 /**
@@ -25,8 +26,8 @@ export interface JointParts {
   /** Unique display name; where the format is nameless its reader makes one. */
   readonly name: string;
   readonly fileName?: string;
-  /** One-based line in the file, for messages. */
-  readonly line?: number;
+  /** Of its parent in the file, for messages. */
+  readonly place?: Place;
   /** File index of the parent; -1 for a root. */
   readonly parent: number;
   /** In the parent's frame, model units. */

@@ -10,10 +10,12 @@ type DiagnosticArea =
   'file' | 'skel' | 'obj' | 'attach' | 'skin' | 'morph' | 'anim' | 'rig' | 'pose' | 'character';
 
 type DiagnosticKind =
-  | 'archive' // a zip that can't be unpacked
+  | 'archive' // a zip that can't be unpacked, or lies within another
   | 'binary' // text expected, other bytes found
   | 'box' // corners in the wrong order
   | 'case' // a word in other letters than the format's
+  | 'coincident' // joints that all stand on one point
+  | 'continuation' // a line to be continued by one that is not there
   | 'count' // two numbers of things that must agree
   | 'cycle' // joints that are their own ancestors
   | 'degrees' // angles that look like degrees
@@ -49,27 +51,33 @@ type DiagnosticKind =
   | 'singular' // without an inverse
   | 'token' // another word expected
   | 'trailing' // after the end of what the file is for
+  | 'truncated' // fewer bytes than the file has
   | 'unknown' // nothing here reads it
   | 'unknown-joint' // a joint name that no joint has, or that several have
+  | 'unwritable' // a place where no file can be put
   | 'uv' // texture coordinates that do not fit
   | 'weight-negative'
   | 'weight-sum'
   | 'weight-zero';
 
-export interface Diagnostic {
-  readonly severity: Severity;
-  readonly code: DiagnosticCode;
-  readonly file: string;
-  /** One-based; absent where the whole file is meant. */
+/** Where in a file; nothing of it where the whole file is meant. */
+export interface Place {
+  /** One-based. */
   readonly line?: number;
   /** One-based, in bytes of the line; absent where the whole line is meant. */
   readonly column?: number;
+  /** The line itself, shortened, for the Problems panel. */
+  readonly source?: string;
+}
+
+export interface Diagnostic extends Place {
+  readonly severity: Severity;
+  readonly code: DiagnosticCode;
+  readonly file: string;
   readonly expected: string;
   readonly found: string;
   /** What became of it, for the user: "the file is not used", "kept as it is". */
   readonly effect: string;
-  /** The line itself, shortened, for the Problems panel. */
-  readonly source?: string;
 }
 
 /** The outcome of reading: a value, if one could be had, and everything worth saying about it. */
@@ -146,8 +154,15 @@ export class DiagnosticLog {
     return value === undefined || this.failed ? { diagnostics } : { value, diagnostics };
   }
 
+  /** An error takes the place of the last warning, so that warnings can't hide it. */
   private add(diagnostic: Diagnostic): void {
-    if (this.listed.length < maximumPerFile) this.listed.push(diagnostic);
-    else this.omitted++;
+    if (this.listed.length >= maximumPerFile) {
+      this.omitted++;
+      if (diagnostic.severity === 'warning') return;
+      const last = this.listed.findLastIndex(({ severity }) => severity === 'warning');
+      if (last === -1) return;
+      this.listed.splice(last, 1);
+    }
+    this.listed.push(diagnostic);
   }
 }

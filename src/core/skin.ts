@@ -28,15 +28,22 @@ export function largestInfluenceCount(skin: Skin): number {
   return largest;
 }
 
-/** The same skin with each row divided by its sum; rows that sum to zero stay as they are. */
+/**
+ * The same skin with each row divided by its sum; rows that sum to nearly nothing, measured by their
+ * own weights, stay as they are.
+ */
 export function normalizeSkin(skin: Skin): Skin {
   const weights = skin.weights.slice();
   for (let point = 0; point + 1 < skin.start.length; point++) {
     const from = skin.start[point]!;
     const to = skin.start[point + 1]!;
     let sum = 0;
-    for (let i = from; i < to; i++) sum += skin.weights[i]!;
-    if (Math.abs(sum) < 1e-6) continue;
+    let size = 0;
+    for (let i = from; i < to; i++) {
+      sum += skin.weights[i]!;
+      size += Math.abs(skin.weights[i]!);
+    }
+    if (!(Math.abs(sum) > size * 1e-3)) continue;
     for (let i = from; i < to; i++) weights[i] = skin.weights[i]! / sum;
   }
   return { ...skin, weights };

@@ -1,3 +1,5 @@
+import { flushSubnormal } from './float32.ts';
+
 /**
  * Unit normals at points, from the triangles around them, each weighted by its corner's angle, so
  * that the outcome does not depend on how a face is cut (Thürmer and Wüthrich 1998, "Computing
@@ -16,7 +18,8 @@ export function computeVertexNormals(
   for (let first = 0; first < triangles.length; first += 3) addTriangle(first);
   for (let i = 0; i < sums.length; i += 3) {
     const length = Math.hypot(sums[i]!, sums[i + 1]!, sums[i + 2]!);
-    if (length > 0) for (let k = 0; k < 3; k++) normals[i + k] = sums[i + k]! / length;
+    if (length > 0)
+      for (let k = 0; k < 3; k++) normals[i + k] = flushSubnormal(sums[i + k]! / length);
     else normals.set([0, 1, 0], i);
   }
 

@@ -5,6 +5,33 @@ export type Shading = 'smooth' | 'faceted';
 /** Where vertices are skinned. */
 export type SkinDevice = 'gpu' | 'cpu';
 
+/** A light far away; the first of them throws shadows. */
+export interface Light {
+  readonly name: string;
+  /** #rrggbb, as the display has it. */
+  readonly color: string;
+  readonly intensity: number;
+  /** Degrees about +y, from +z (where characters look) towards +x (their left). */
+  readonly azimuth: number;
+  /** Degrees above the floor. */
+  readonly elevation: number;
+}
+
+/** A warm key from the upper left, a cool fill, a rim from behind. */
+export const studioLights: readonly Light[] = [
+  { name: 'Key', color: '#fff7ec', intensity: 1.45, azimuth: -18, elevation: 48 },
+  { name: 'Fill', color: '#d9eaff', intensity: 0.22, azimuth: 88, elevation: 16 },
+  { name: 'Rim', color: '#eef7ff', intensity: 0.5, azimuth: 168, elevation: 34 },
+];
+
+/** A degree of freedom as the interface names it: "Left elbow X". */
+export interface ActiveDof {
+  readonly name: string;
+  /** Its place in q. */
+  readonly index: number;
+  readonly isAngle: boolean;
+}
+
 /** What is neither saved nor undone: how the document is looked at. */
 export class Session {
   readonly showSkin = signal(true);
@@ -14,7 +41,12 @@ export class Session {
   readonly translucent = signal(false);
   readonly shading = signal<Shading>('smooth');
   readonly skinDevice = signal<SkinDevice>('gpu');
+  readonly lights = signal<readonly Light[]>(studioLights);
   readonly selectedJoint = signal<number | null>(null);
+  /** The joint under the pointer. */
+  readonly hoveredJoint = signal<number | null>(null);
+  /** The degree of freedom last touched, for the text in the view. */
+  readonly activeDof = signal<ActiveDof | null>(null);
   /** What the last files had to say. */
   readonly problems = signal<readonly Diagnostic[]>([]);
 }

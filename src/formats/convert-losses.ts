@@ -1,7 +1,7 @@
 import type { Character } from '../core/character.ts';
 import type { Diagnostic } from '../core/diagnostics.ts';
 import type { ConvertTarget } from './convert-parts.ts';
-import { lost } from './written.ts';
+import { lost } from './lost.ts';
 
 /** What a character has and the other course's files have no place for, whatever its pose. */
 export function partsLost(

@@ -11,7 +11,7 @@ import { partsLost } from './convert-losses.ts';
 import { type ConvertTarget, convertParts, tripleAt } from './convert-parts.ts';
 import { bindMatrix } from './cse169/write-skin.ts';
 import { solvePose, type Target } from './solve-pose.ts';
-import { lost } from './written.ts';
+import { lost } from './lost.ts';
 
 export interface Converted {
   readonly character: Character;

@@ -1,6 +1,7 @@
 import type { Character } from '../core/character.ts';
 import type { CharacterParts } from '../core/character-parts.ts';
 import type { Diagnostic, Parsed } from '../core/diagnostics.ts';
+import type { Limits } from '../core/limits.ts';
 
 /** A file that was dropped, fetched or named on the command line; its bytes come when asked for. */
 export interface FileEntry {
@@ -25,6 +26,12 @@ export interface OutputFile {
   readonly bytes: Uint8Array;
 }
 
+export interface Written {
+  readonly files: readonly OutputFile[];
+  /** What the character has and the files can't hold. */
+  readonly losses: readonly Diagnostic[];
+}
+
 /** A seam: a new format is one folder or file that fills this in, and one line in the registry. */
 export interface Format {
   readonly id: string;
@@ -33,6 +40,6 @@ export interface Format {
   readonly extensions: readonly string[];
   /** Groups those of the files that are this format's; the rest is left for others. */
   claim(files: readonly FileEntry[]): readonly FileGroup[];
-  read(group: FileGroup): Promise<Parsed<CharacterParts>>;
-  write(character: Character): readonly OutputFile[];
+  read(group: FileGroup, limits: Limits): Promise<Parsed<CharacterParts>>;
+  write(character: Character): Written;
 }

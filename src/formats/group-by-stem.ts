@@ -1,4 +1,4 @@
-import type { Diagnostic } from '../core/diagnostics.ts';
+import { type Diagnostic, printable } from '../core/diagnostics.ts';
 import { baseName, extensionOf, pathStem } from './file-entry.ts';
 import type { FileEntry, FileGroup } from './format.ts';
 
@@ -14,25 +14,32 @@ export function groupByStem(files: readonly FileEntry[], kinds: readonly string[
   }
   const all = [...groups.values()];
   const kindsSeen = files.map(({ path }) => extensionOf(path));
-  if (all.length > 1 && new Set(kindsSeen).size === files.length) return [joinedGroup(files)];
+  if (all.length > 1 && new Set(kindsSeen).size === files.length)
+    return [joinedGroup(files, kinds)];
   return all.map((group) => onePerKind(group, kinds));
 }
 
-function nameOf(file: FileEntry): string {
-  return baseName(pathStem(file.path));
+/** By the first kind that is there, whatever order the files come in. */
+function nameOf(files: readonly FileEntry[], kinds: readonly string[]): string {
+  return baseName(pathStem(sortedByKind(files, kinds)[0]!.path));
 }
 
-function joinedGroup(files: readonly FileEntry[]): FileGroup {
-  const names = files.map(({ path }) => baseName(path));
+function sortedByKind(files: readonly FileEntry[], kinds: readonly string[]): FileEntry[] {
+  const rank = ({ path }: FileEntry): number => kinds.indexOf(extensionOf(path));
+  return files.toSorted((a, b) => rank(a) - rank(b));
+}
+
+function joinedGroup(files: readonly FileEntry[], kinds: readonly string[]): FileGroup {
+  const names = sortedByKind(files, kinds).map(({ path }) => baseName(path));
   const joined: Diagnostic = {
     severity: 'warning',
     code: 'file/pairing',
     file: names[0]!,
     expected: 'files of one name',
     found: names.slice(1).join(', '),
-    effect: `${names.join(' and ')} are read as one character`,
+    effect: `${names.map((name) => printable(name)).join(' and ')} are read as one character`,
   };
-  return { name: nameOf(files[0]!), files, diagnostics: [joined] };
+  return { name: nameOf(files, kinds), files, diagnostics: [joined] };
 }
 
 /** Two files of one name and kind differ in case alone; the first is taken. */
@@ -52,5 +59,5 @@ function onePerKind(files: readonly FileEntry[], kinds: readonly string[]): File
         effect,
       };
     });
-  return { name: nameOf(files[0]!), files, diagnostics };
+  return { name: nameOf(files, kinds), files, diagnostics };
 }

@@ -1,5 +1,8 @@
 import { DiagnosticLog, type Parsed } from '../core/diagnostics.ts';
-import { type AxisDof, axisDofs, type Pose, restPose } from '../core/pose.ts';
+import { defaultLimits } from '../core/limits.ts';
+import { axisDofs, type Pose, restPose } from '../core/pose.ts';
+import { setAxisValues } from './axis-values.ts';
+import { boundText } from './text/write-number.ts';
 import { DofKind, firstRoot, type Skeleton } from '../core/skeleton.ts';
 
 /**
@@ -13,7 +16,12 @@ export interface PoseJson {
 
 const effect = 'the pose is not used';
 
-/** The pose that the text describes; joints it does not name keep the file's pose. */
+type PoseFault = 'json' | 'range' | 'unknown' | 'unknown-joint';
+
+/**
+ * The pose that the text describes; joints it does not name keep the file's pose. Values past a
+ * joint's limits are clamped, and those that it has no freedom for left out, each with a warning.
+ */
 export function readPoseJson(file: string, text: string, skeleton: Skeleton): Parsed<Pose> {
   const log = new DiagnosticLog(file);
   let json: unknown;
@@ -47,33 +55,25 @@ export function poseFromJson(file: string, json: unknown, skeleton: Skeleton): P
   function setAngles(name: string, value: unknown): void {
     const joint = findJoint(skeleton, name);
     if (typeof joint === 'string') fail('unknown-joint', joint, name);
-    else if (!isTriple(value)) fail('json', `three numbers for "${name}"`, display(value));
-    else setAxes(joint, DofKind.hinge, value);
-  }
-
-  function setRoot(value: unknown): void {
-    if (!isTriple(value)) fail('json', 'three numbers for "root"', display(value));
-    else if (skeleton.jointCount > 0) setAxes(firstRoot(skeleton), DofKind.slide, value);
-  }
-
-  function setAxes(joint: number, kind: DofKind, values: readonly number[]): void {
-    for (const dof of axisDofs(skeleton, joint)) {
-      if (dof.kind === kind) pose.q[dof.index] = withinLimits(joint, dof, values[dof.axis]!);
+    else if (isTripleOf(`"${name}"`, value)) {
+      setAxisValues(skeleton, pose, joint, DofKind.hinge, value, log);
     }
   }
 
-  function withinLimits(joint: number, { axis, index }: AxisDof, value: number): number {
-    const [low, high] = [skeleton.qMin[index]!, skeleton.qMax[index]!];
-    if (value >= low && value <= high) return value;
-    const clamped = value < low ? low : high;
-    const name = `${'xyz'[axis]!} of "${skeleton.names[joint]!}"`;
-    const expected = `${name} within its limits, ${low} to ${high}`;
-    const became = `it is clamped to ${clamped}`;
-    log.warn({ code: 'pose/range', expected, found: String(value), effect: became });
-    return clamped;
+  function setRoot(value: unknown): void {
+    if (!isTripleOf('"root"', value)) return;
+    setAxisValues(skeleton, pose, firstRoot(skeleton), DofKind.slide, value, log);
   }
 
-  function fail(kind: 'json' | 'unknown' | 'unknown-joint', expected: string, found: string): void {
+  function isTripleOf(what: string, value: unknown): value is [number, number, number] {
+    const largest = defaultLimits.coordinate;
+    if (!isTriple(value)) fail('json', `three numbers for ${what}`, display(value));
+    else if (value.every((item) => Math.abs(item) <= largest)) return true;
+    else fail('range', `numbers within ±${boundText(largest)} for ${what}`, display(value));
+    return false;
+  }
+
+  function fail(kind: PoseFault, expected: string, found: string): void {
     log.error({ code: `pose/${kind}`, expected, found, effect });
   }
 }

@@ -2,12 +2,13 @@ import { buildCharacter } from '../core/build-character.ts';
 import type { Character } from '../core/character.ts';
 import type { Diagnostic } from '../core/diagnostics.ts';
 import { missingTextures, texturesOf } from './attach-textures.ts';
+import { defaultLimits, type Limits } from '../core/limits.ts';
 import { characterExtensions } from './extensions.ts';
 import { baseName, extensionOf } from './file-entry.ts';
 import type { FileEntry, FileGroup, Format } from './format.ts';
 import { isJunk } from './junk.ts';
 import { formats } from './registry.ts';
-import { expandArchives } from './unzip.ts';
+import { expandArchives } from './zip/expand-archives.ts';
 
 export interface ReadCharacter {
   readonly character: Character;
@@ -26,19 +27,21 @@ export type ReadProgress = (label: string, fraction: number) => void;
 export async function readCharacters(
   given: readonly FileEntry[],
   onProgress: ReadProgress = () => undefined,
+  limits: Limits = defaultLimits,
 ): Promise<ReadOutcome> {
   const expanded = await expandArchives(given);
-  const files = withProgress(
-    expanded.files.filter(({ path }) => !isJunk(path)),
-    onProgress,
-  );
   const characters: ReadCharacter[] = [];
   const diagnostics: Diagnostic[] = [...expanded.diagnostics];
+  const files = watched(
+    expanded.files.filter(({ path }) => !isJunk(path)),
+    onProgress,
+    diagnostics,
+  );
   let unclaimed = files;
   for (const format of formats) {
     for (const group of format.claim(unclaimed)) {
       unclaimed = unclaimed.filter((file) => !group.files.includes(file));
-      const character = await readGroup(format, group, diagnostics);
+      const character = await readGroup(format, group, limits, diagnostics);
       if (character) characters.push(withTextures(character, group.files, files));
     }
   }
@@ -51,12 +54,13 @@ export async function readCharacters(
 async function readGroup(
   format: Format,
   group: FileGroup,
+  limits: Limits,
   diagnostics: Diagnostic[],
 ): Promise<Character | undefined> {
-  const parsed = await format.read(group);
+  const parsed = await format.read(group, limits);
   diagnostics.push(...group.diagnostics, ...parsed.diagnostics);
   if (!parsed.value) return undefined;
-  const built = buildCharacter(parsed.value);
+  const built = buildCharacter(parsed.value, limits);
   diagnostics.push(...built.diagnostics);
   return built.value;
 }
@@ -77,18 +81,36 @@ function withTextures(
   };
 }
 
-/** The same files; asking one for its bytes reports it. */
-function withProgress(files: readonly FileEntry[], onProgress: ReadProgress): readonly FileEntry[] {
+/** The same files; asking one for its bytes reports progress, and fewer bytes than it should have. */
+function watched(
+  files: readonly FileEntry[],
+  onProgress: ReadProgress,
+  diagnostics: Diagnostic[],
+): readonly FileEntry[] {
   const total = files.reduce((sum, { size }) => sum + size, 0);
   let before = 0;
   return files.map((file) => ({
     ...file,
-    bytes: () => {
+    bytes: async () => {
       onProgress(baseName(file.path), total > 0 ? before / total : 0);
       before += file.size;
-      return file.bytes();
+      const bytes = await file.bytes();
+      if (bytes.length < file.size) diagnostics.push(truncated(file, bytes.length));
+      return bytes;
     },
   }));
+}
+
+/** A text cut between two lines, or within a number, may read well all the same. */
+function truncated({ path, size }: FileEntry, found: number): Diagnostic {
+  return {
+    severity: 'warning',
+    code: 'file/truncated',
+    file: baseName(path),
+    expected: `${size} bytes`,
+    found: `${found}`,
+    effect: 'what came of the file is read',
+  };
 }
 
 /** One warning for all of them: a folder may hold hundreds. */

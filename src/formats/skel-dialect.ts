@@ -1,5 +1,5 @@
 import type { FileEntry } from './format.ts';
-import { decodeText } from './text/check-text.ts';
+import { decodeText } from './text/decode-text.ts';
 
 /**
  * Both courses call their skeletons `.skel`: CSE169's is made of `balljoint NAME { … }`, 6.837's of

@@ -1,4 +1,4 @@
-import { flushSubnormal } from './float32.ts';
+import { flushSubnormal } from '../core/float32.ts';
 import type { VertexStreams } from './method.ts';
 
 const { fround } = Math;

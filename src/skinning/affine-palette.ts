@@ -1,5 +1,5 @@
 import { noJoint, type Skin } from '../core/skin.ts';
-import { flushSubnormal } from './float32.ts';
+import { flushSubnormal } from '../core/float32.ts';
 
 /**
  * Packs, for every palette entry, the upper three rows of `worldFromJoint · jointFromBind`, row by

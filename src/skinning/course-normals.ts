@@ -1,7 +1,7 @@
 import type { Skin } from '../core/skin.ts';
 import type { Mesh } from '../core/mesh.ts';
 import { noJoint } from '../core/skin.ts';
-import { flushSubnormal } from './float32.ts';
+import { flushSubnormal } from '../core/float32.ts';
 
 /**
  * Normals as CSE169 (project 2) asks: `n' = Σ w (W B⁻¹)⁻ᵀ n`, made unit, each joint turning the normal

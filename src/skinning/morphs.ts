@@ -1,6 +1,6 @@
 import type { Mesh } from '../core/mesh.ts';
 import type { Morph } from '../core/morph.ts';
-import { flushSubnormal } from './float32.ts';
+import { flushSubnormal } from '../core/float32.ts';
 import type { VertexStreams } from './method.ts';
 
 const { fround } = Math;

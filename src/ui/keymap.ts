@@ -1,3 +1,4 @@
+import { selectedCharacter } from '../document/document.ts';
 import { orbit } from '../view/camera.ts';
 import type { Editor } from './editor.ts';
 
@@ -21,6 +22,8 @@ export const everywhere: readonly KeyBinding[] = [
   { key: 't', label: 'Translucent skin', run: ({ session }) => toggle(session.translucent) },
   { key: 'j', label: 'Save a picture', run: savePicture },
   { key: 'r', label: 'Reset the pose', run: (editor) => editor.resetAll() },
+  { key: '[', label: 'Previous joint', run: (editor) => stepJoint(editor, -1) },
+  { key: ']', label: 'Next joint', run: (editor) => stepJoint(editor, 1) },
   { key: 'Home', label: 'Frame the character', run: ({ viewer }) => viewer.frameAll() },
   {
     key: ' ',
@@ -64,6 +67,15 @@ export function keyName({ key, command, shift }: KeyBinding): string {
 
 function savePicture(editor: Editor): void {
   void editor.savePicture({ format: 'png', background: true, target: 'file' });
+}
+
+/** Selects the joint before or after the selected one, round and round. */
+export function stepJoint({ store, session }: Editor, step: 1 | -1): void {
+  const count = selectedCharacter(store.document.value)?.character.skeleton.jointCount ?? 0;
+  if (count === 0) return;
+  const { selectedJoint } = session;
+  const from = selectedJoint.value ?? (step > 0 ? -1 : count);
+  selectedJoint.value = (from + step + count) % count;
 }
 
 function toggle(flag: { value: boolean }): void {

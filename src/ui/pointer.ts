@@ -1,10 +1,14 @@
 import { zoom } from '../view/camera.ts';
 import type { Editor } from './editor.ts';
-import type { Tool } from './tool.ts';
+import type { Tool, ToolPlace } from './tool.ts';
 
 const zoomPerWheelPixel = 0.0012;
 const pixelsPerLine = 24;
 const panButton = 1;
+/** Less than this is a click, not a drag; CSS pixels. */
+const stillDistance = 4;
+const mouseTolerance = 4;
+const touchTolerance = 22;
 
 interface Place {
   readonly x: number;
@@ -19,18 +23,24 @@ export function listenToPointer(canvas: HTMLCanvasElement, tool: Tool, editor: E
   const { camera } = editor.viewer;
   const places = new Map<number, Place>();
   let button = 0;
+  let pressed: Place | null = null;
 
   canvas.addEventListener('pointerdown', (event) => {
     if (places.size === 0) button = event.button;
     if (event.pointerType === 'mouse' && places.size > 0) return;
     places.set(event.pointerId, placeOf(event));
+    pressed = places.size === 1 && event.button === 0 ? placeOf(event) : null;
     canvas.setPointerCapture(event.pointerId);
     canvas.focus({ preventScroll: true });
     event.preventDefault();
   });
   canvas.addEventListener('pointermove', (event) => {
     const before = places.get(event.pointerId);
-    if (!before) return;
+    if (!before) {
+      tool.hover(toolPlace(event, canvas), editor);
+      return;
+    }
+    if (pressed && distance(pressed, placeOf(event)) > stillDistance) pressed = null;
     const [oldMiddle, oldSpread] = gather(places);
     places.set(event.pointerId, placeOf(event));
     const [middle, spread] = gather(places);
@@ -43,7 +53,12 @@ export function listenToPointer(canvas: HTMLCanvasElement, tool: Tool, editor: E
   const release = (event: PointerEvent): void => {
     places.delete(event.pointerId);
   };
-  canvas.addEventListener('pointerup', release);
+  canvas.addEventListener('pointerup', (event) => {
+    release(event);
+    if (pressed) tool.click(toolPlace(event, canvas), editor);
+    pressed = null;
+  });
+  canvas.addEventListener('pointerleave', () => tool.hover(null, editor));
   canvas.addEventListener('pointercancel', release);
   canvas.addEventListener('contextmenu', (event) => event.preventDefault());
   canvas.addEventListener(
@@ -59,6 +74,20 @@ export function listenToPointer(canvas: HTMLCanvasElement, tool: Tool, editor: E
 
 function placeOf({ clientX: x, clientY: y }: PointerEvent): Place {
   return { x, y };
+}
+
+function distance(a: Place, b: Place): number {
+  return Math.hypot(a.x - b.x, a.y - b.y);
+}
+
+function toolPlace(event: PointerEvent, canvas: HTMLCanvasElement): ToolPlace {
+  const { left, top, width, height } = canvas.getBoundingClientRect();
+  return {
+    x: ((event.clientX - left) / width) * 2 - 1,
+    y: 1 - ((event.clientY - top) / height) * 2,
+    tolerance: event.pointerType === 'mouse' ? mouseTolerance : touchTolerance,
+    viewHeight: height,
+  };
 }
 
 /** The middle of all pointers, and their mean distance from it. */

@@ -1,3 +1,4 @@
+import type { Light } from '../document/session.ts';
 import type { UniformValue } from '../gl/program.ts';
 import { type Camera, clipFromScene, eyeOf } from './camera.ts';
 import type { CharacterView } from './character-view.ts';
@@ -14,6 +15,9 @@ export interface ViewOptions {
   readonly faceted: boolean;
   /** Of the selected character, or null. */
   readonly selectedJoint: number | null;
+  readonly hoveredJoint: number | null;
+  /** Key, fill and rim. */
+  readonly lights: readonly Light[];
 }
 
 /** All that passes read to draw one picture. */

@@ -1,20 +1,18 @@
 import { mat4, vec3 } from 'gl-matrix';
+import type { Light } from '../document/session.ts';
 import type { Gpu } from '../gl/gpu.ts';
 import { DepthTarget } from '../gl/depth-target.ts';
 import type { UniformValue } from '../gl/program.ts';
+import type { CharacterView } from './character-view.ts';
 import { ContactShadow } from './contact-shadow.ts';
 import type { Frame } from './frame.ts';
 import type { Programs } from './programs.ts';
 import { type Subject, subjectOf } from './subject.ts';
+import { linear } from './theme.ts';
 
 const keyShadowSize = 1024;
 const keyShadowUnit = 2;
 const contactShadowUnit = 3;
-
-/** Directions to the lights, scene space: characters face +z, so that the key is at their right. */
-const keyDirection = directionTo(-18, 48);
-const fillDirection = directionTo(88, 16);
-const rimDirection = directionTo(168, 34);
 
 /** The studio's lights and the shadows they throw, drawn anew only when a pose changed. */
 export class Lighting {
@@ -34,21 +32,31 @@ export class Lighting {
 
   /** Draws the shadows of a frame, binds them, and tells the uniforms that every pass may read. */
   prepare(frame: Frame): Readonly<Record<string, UniformValue>> {
+    const { showSkin, lights } = frame.options;
+    const [key, fill, rim] = lights.map(lightUniforms) as [
+      LightUniforms,
+      LightUniforms,
+      LightUniforms,
+    ];
     const versions = frame.characters.map(({ state, version }) => `${state.id}.${version}`);
-    const key = `${frame.options.showSkin} ${versions.join()}`;
-    if (key !== this.shown) {
-      this.shown = key;
-      const casters = frame.options.showSkin ? frame.characters : [];
+    const shadows = `${showSkin} ${key.direction.join()} ${versions.join()}`;
+    if (shadows !== this.shown) {
+      this.shown = shadows;
+      const casters = showSkin ? frame.characters : [];
       const subject = subjectOf(frame.characters);
-      this.drawKeyShadow({ ...frame, characters: casters }, subject);
+      mat4.copy(this.clipFromScene, keyClipFromScene(subject, key.direction));
+      this.drawKeyShadow(casters);
       this.contactShadow.draw(casters, subject);
     }
     this.keyShadow.bind(keyShadowUnit);
     this.contactShadow.texture.bind(contactShadowUnit);
     return {
-      keyDirection,
-      fillDirection,
-      rimDirection,
+      keyDirection: key.direction,
+      keyColor: key.color,
+      fillDirection: fill.direction,
+      fillColor: fill.color,
+      rimDirection: rim.direction,
+      rimColor: rim.color,
       keyClipFromScene: this.clipFromScene,
       keyShadow: keyShadowUnit,
       contactShadow: contactShadowUnit,
@@ -61,9 +69,8 @@ export class Lighting {
     this.contactShadow.dispose();
   }
 
-  private drawKeyShadow({ characters }: Frame, subject: Subject): void {
+  private drawKeyShadow(casters: readonly CharacterView[]): void {
     const { gl } = this;
-    mat4.copy(this.clipFromScene, keyClipFromScene(subject));
     this.keyShadow.begin();
     const program = this.programs.pass('key-shadow');
     program.use();
@@ -71,7 +78,7 @@ export class Lighting {
     // Slope and step push the caster back, so that it does not shade itself.
     gl.enable(gl.POLYGON_OFFSET_FILL);
     gl.polygonOffset(2, 2);
-    for (const { display, skinned } of characters) {
+    for (const { display, skinned } of casters) {
       program.set({ sceneFromCharacter: display.sceneFromCharacter });
       skinned.draw(program);
     }
@@ -80,16 +87,25 @@ export class Lighting {
 }
 
 /** Looks along the key light at the subject, without perspective. */
-function keyClipFromScene({ center, radius }: Subject): mat4 {
+function keyClipFromScene({ center, radius }: Subject, keyDirection: vec3): mat4 {
   const eye = vec3.scaleAndAdd(new Float64Array(3), center, keyDirection, 4 * radius);
   const view = mat4.lookAt(new Float64Array(16), eye, center, [0, 1, 0]);
   const bounds = [-radius, radius, -radius, radius, radius, 9 * radius] as const;
   return mat4.multiply(new Float64Array(16), mat4.ortho(new Float64Array(16), ...bounds), view);
 }
 
-/** @param azimuth degrees about +y from +z towards +x; @param elevation degrees above the floor */
-function directionTo(azimuth: number, elevation: number): [number, number, number] {
+interface LightUniforms {
+  /** To the light, unit, scene space. */
+  readonly direction: [number, number, number];
+  /** Linear, times the intensity. */
+  readonly color: readonly number[];
+}
+
+function lightUniforms({ color, intensity, azimuth, elevation }: Light): LightUniforms {
   const [around, above] = [(azimuth * Math.PI) / 180, (elevation * Math.PI) / 180];
   const level = Math.cos(above);
-  return [Math.sin(around) * level, Math.sin(above), Math.cos(around) * level];
+  return {
+    direction: [Math.sin(around) * level, Math.sin(above), Math.cos(around) * level],
+    color: linear(color).map((channel) => channel * intensity),
+  };
 }

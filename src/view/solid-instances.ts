@@ -2,38 +2,46 @@ import { mat4 } from 'gl-matrix';
 import type { Bone } from '../core/bones.ts';
 import type { CharacterView } from './character-view.ts';
 import { instanceSize } from './instanced-solid.ts';
+import { boneRadius, jointRadius } from './solid-sizes.ts';
 import { palette } from './theme.ts';
 
-/** The handout's sizes for a character about one unit tall, scene units. */
-const jointRadius = 0.025;
-const boneRadius = 0.02;
+/** Scene units. */
 const originAxisLength = 0.3;
 const jointAxisLength = 0.07;
 const axisThickness = 0.06; // of the length
 
 type Color = readonly number[];
 
+/** Joints that stand out, or null. */
+export interface JointMarks {
+  readonly selected: number | null;
+  readonly hovered: number | null;
+}
+
+function colorOf(joint: number, { selected, hovered }: JointMarks): Color {
+  if (joint === selected) return palette.selected;
+  return joint === hovered ? palette.hovered : palette.bone;
+}
+
 /** A sphere at every joint. */
-export function jointInstances(view: CharacterView, selected: number | null): Float32Array {
+export function jointInstances(view: CharacterView, marks: JointMarks): Float32Array {
   const { jointCount } = view.state.character.skeleton;
   const instances = new Float32Array(jointCount * instanceSize);
   const radius = jointRadius / view.display.scale;
   const jointFromSphere = mat4.fromScaling(new Float64Array(16), [radius, radius, radius]);
   for (let joint = 0; joint < jointCount; joint++) {
-    const color = joint === selected ? palette.selected : palette.bone;
-    writeInstance(view, joint, jointFromSphere, color, instances, joint);
+    writeInstance(view, joint, jointFromSphere, colorOf(joint, marks), instances, joint);
   }
   return instances;
 }
 
 /** A cylinder along every bone, in the frame of the joint that turns it. */
-export function boneInstances(view: CharacterView, selected: number | null): Float32Array {
+export function boneInstances(view: CharacterView, marks: JointMarks): Float32Array {
   const { bones } = view.state.character;
   const instances = new Float32Array(bones.length * instanceSize);
   bones.forEach((bone, index) => {
-    const color = bone.joint === selected ? palette.selected : palette.bone;
     const matrix = jointFromBone(bone, boneRadius / view.display.scale);
-    writeInstance(view, bone.joint, matrix, color, instances, index);
+    writeInstance(view, bone.joint, matrix, colorOf(bone.joint, marks), instances, index);
   });
   return instances;
 }

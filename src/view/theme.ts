@@ -10,7 +10,7 @@ export interface Theme {
 }
 
 /** From the display's #rrggbb to linear light. */
-function linear(hex: string): number[] {
+export function linear(hex: string): number[] {
   return [1, 3, 5].map((at) => {
     const encoded = parseInt(hex.slice(at, at + 2), 16) / 255;
     return encoded <= 0.04045 ? encoded / 12.92 : ((encoded + 0.055) / 1.055) ** 2.4;
@@ -36,7 +36,8 @@ export const themes: Readonly<Record<ThemeName, Theme>> = {
 
 export const palette = {
   clay: linear('#a5a29c'),
-  bone: linear('#efe9dc'),
+  bone: linear('#e4dccb'),
+  hovered: linear('#fff6d6'),
   selected: linear('#ffab2e'),
   axes: [linear('#e5484d'), linear('#46a758'), linear('#3b82f6')],
 } as const;

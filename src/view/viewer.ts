@@ -1,5 +1,6 @@
 import { effect, signal } from '@preact/signals-core';
 import { assert } from '../core/assert.ts';
+import { worldMatrices } from '../core/forward-kinematics.ts';
 import { type CharacterState, selectedCharacter, skinInUse } from '../document/document.ts';
 import type { Session, SkinDevice } from '../document/session.ts';
 import type { Store } from '../document/store.ts';
@@ -7,7 +8,9 @@ import type { VertexStreams } from '../skinning/method.ts';
 import { methodById } from '../skinning/registry.ts';
 import { skinVertices } from '../skinning/skin-vertices.ts';
 import { type Camera, frameBox } from './camera.ts';
+import { displayTransform } from './display-transform.ts';
 import { createFrame, type Frame } from './frame.ts';
+import { pickJoint, rayThrough } from './picking.ts';
 import { type Picture, pictureFromGl } from './picture.ts';
 import { posedBounds, unite } from './posed-bounds.ts';
 import { Renderer } from './renderer.ts';
@@ -101,6 +104,25 @@ export class Viewer {
     return pictureFromGl(this.present().capture(frame, width, height), width, height);
   }
 
+  /**
+   * The joint of the selected character under a point of the view, where its skeleton is shown.
+   * @param x from -1 (left) to 1; @param y from -1 (bottom) to 1
+   * @param pixels how near is near enough, in CSS pixels of a view `viewHeight` tall
+   */
+  pick(x: number, y: number, pixels: number, viewHeight: number): number | null {
+    const state = selectedCharacter(this.store.document.value);
+    if (!state || !this.session.showSkeleton.value) return null;
+    const { character, q } = state;
+    const camera = this.camera.value;
+    const target = {
+      character,
+      display: displayTransform(character),
+      worldFromJoint: worldMatrices(character.skeleton, q),
+    };
+    const perPixel = (2 * Math.tan(camera.fieldOfView / 2)) / viewHeight;
+    return pickJoint(target, rayThrough(camera, this.aspect, x, y), pixels * perPixel);
+  }
+
   /** (pointCount × 3) posed positions of the selected character, file order and units. */
   vertices(device: SkinDevice): Float32Array {
     const state = selectedCharacter(this.store.document.value);
@@ -191,6 +213,8 @@ export class Viewer {
         translucent: session.translucent.value,
         faceted: session.shading.value === 'faceted',
         selectedJoint: session.selectedJoint.value,
+        hoveredJoint: session.hoveredJoint.value,
+        lights: session.lights.value,
       },
       theme: this.theme.value,
       camera: this.camera.value,

@@ -1,11 +1,14 @@
-import { readFileSync } from 'node:fs';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { gzipSync } from 'node:zlib';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { commands } from '../../src/cli/commands.ts';
 import { UsageError } from '../../src/cli/usage-error.ts';
 import { readObj } from '../../src/formats/obj/read-obj.ts';
 import { methods } from '../../src/skinning/registry.ts';
 import { leg, legAnim, legSkel, legSkin } from '../support/cse169-files.ts';
+import type { FileContents } from '../support/files.ts';
+import { zipOf } from '../support/zip.ts';
 import { folderWith } from './run-sinew.ts';
 
 const files = {
@@ -14,7 +17,7 @@ const files = {
   'a.attach': '1 0\n0.5 0.25\n0.4 0.6\n',
   'p.json': '{"joints": {"#1": [0, 0, 3.141592653589793]}}',
 };
-const names = ['a.skel', 'a.obj', 'a.attach'];
+const names = ['a.skel', 'a.obj', 'a.attach'] as const;
 
 let errors: string[];
 let out: string[];
@@ -29,7 +32,7 @@ afterEach(() => {
   vi.unstubAllEnvs();
 });
 
-function run(name: string, contents: Record<string, string>, ...words: string[]) {
+function run(name: string, contents: FileContents, ...words: string[]) {
   const folder = folderWith(contents);
   vi.stubEnv('INIT_CWD', folder);
   return { folder, code: commands.find((command) => command.name === name)!.run(words) };
@@ -50,7 +53,7 @@ describe('pose', () => {
   it('writes an OBJ with the faces and materials, weights as in the file', async () => {
     expect(await posed('--out', 'o.obj')).toEqual([0, 1, 0, 0, 0, 0, -1, 0, 0]);
     expect(errors).toHaveLength(1);
-    expect(errors[0]).toContain('worst: vertex 2, 0.75');
+    expect(errors[0]).toContain('found "0.75 for 1"; they are used as they are, vertex 2');
   });
 
   it('divides weights by their sum with --normalize', async () => {
@@ -95,7 +98,10 @@ describe('pose', () => {
   it('ends with 1 where it cannot write', async () => {
     const words = [...names, '--pose', 'p.json', '--out', 'no/such/folder/o.obj'];
     expect(await run('pose', files, ...words).code).toBe(1);
-    expect(errors.join('\n')).toContain('no/such/folder/o.obj');
+    expect(errors).toContain(
+      'error: no/such/folder/o.obj: expected a file that can be written, found "ENOENT"; ' +
+        'nothing is written',
+    );
   });
 
   it.each([
@@ -152,12 +158,41 @@ describe('info', () => {
     expect(errors[0]).toContain('warning: p.json: expected files that Sinew reads');
   });
 
+  it('reads folders, with all that is in them, and archives', async () => {
+    const { folder, code } = run('info', { 'all.zip': zipOf(files) }, 'all.zip');
+    expect(await code).toBe(0);
+    expect(out[0]).toMatch(/^a: 3 joints, 3 vertices, 1 triangles/);
+    mkdirSync(join(folder, 'x/y'), { recursive: true });
+    for (const name of names) writeFileSync(join(folder, 'x/y', name), files[name]);
+    writeFileSync(join(folder, 'x', '._a.obj'), 'junk');
+    writeFileSync(join(folder, 'x', 'b.obj.gz'), gzipSync(files['a.obj']));
+    expect(await commands[0]!.run(['x'])).toBe(0);
+    expect(out.slice(1).map((text) => text.split(',')[0])).toEqual(['b: 0 joints', 'a: 3 joints']);
+    expect(await commands[0]!.run(['x/y/a.obj', 'x/y/b', 'x/none'])).toBe(0);
+    const missing = (path: string): string =>
+      `error: ${path}: expected a file that can be read, found "ENOENT"; the file is not used`;
+    expect(errors.slice(-2)).toEqual([missing('x/y/b'), missing('x/none')]);
+  });
+
+  it('says so of an empty folder, and of a packed file that is none', async () => {
+    const { folder, code } = run('info', { 'a.obj.gz': 'no gzip' }, 'a.obj.gz');
+    expect(await code).toBe(1);
+    mkdirSync(join(folder, 'empty'));
+    expect(await commands[0]!.run(['empty', 'a.obj.gz'])).toBe(1);
+    expect(errors.join('\n')).toContain('empty: expected a file that can be read, found "an empty');
+    expect(errors.join('\n')).toContain(
+      'a.obj.gz: expected a file that can be read, found "Z_DATA',
+    );
+  });
+
   it('shows names of files harmlessly', async () => {
     expect(await run('info', {}, 'a\u001b[2J\u202e.skel').code).toBe(1);
     expect(errors.join('')).not.toMatch(/[\p{Cc}\p{Cf}]/u);
     const joined = { 'a\u202e.skel': files['a.skel'], 'b.obj': files['a.obj'] };
     expect(await run('info', joined, ...Object.keys(joined)).code).toBe(0);
     expect(errors.join('')).not.toMatch(/[\p{Cc}\p{Cf}]/u);
+    expect(out.join('').replaceAll('\n', '')).not.toMatch(/[\p{Cc}\p{Cf}]/u);
+    expect(out[0]).toMatch(/^a\uFFFD: 3 joints/);
   });
 });
 
@@ -193,7 +228,7 @@ describe('convert', () => {
     const { folder, code } = run('convert', contents, ...words);
     expect(await code).toBe(0);
     expect(out).toEqual(['a.skel', 'a.obj', 'a.attach', 'p.json'].map((name) => join('new', name)));
-    expect(errors.join('\n')).toContain('z of "knee" within its limits, -2 to 2, found "9"');
+    expect(errors.join('\n')).toContain('z of "knee" from -2 to 2, found "9"');
     expect(errors.join('\n')).toContain('a root without weight is put before it');
     const pose = JSON.parse(readFileSync(join(folder, 'new/p.json'), 'utf8')) as { joints: object };
     expect(Object.keys(pose.joints)).toContain('joint 02');

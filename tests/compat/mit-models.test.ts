@@ -82,7 +82,9 @@ describeWithShared('Model1 of 6.837, posed', [data, reference], () => {
   });
 
   it('is the same character when written and read again', async () => {
-    const written = mitFormat.write(character).map(({ path, bytes }) => [path, bytes] as const);
+    const { files, losses } = mitFormat.write(character);
+    expect(losses).toEqual([]);
+    const written = files.map(({ path, bytes }) => [path, bytes] as const);
     expect(await readOne(Object.fromEntries(written))).toEqual(character);
   });
 });

@@ -33,7 +33,7 @@ describe('buildCharacter', () => {
     const parts = { ...common, mesh: mesh!, skin: skin!, skeleton: brokenSkeleton };
     const { value, diagnostics } = buildCharacter(parts);
     expect(value).toMatchObject({ skeleton: { jointCount: 0 }, mesh: { pointCount: 62 } });
-    expect(diagnostics).toMatchObject([{ severity: 'error', code: 'character/cycle' }]);
+    expect(diagnostics).toMatchObject([{ severity: 'error', code: 'character/root' }]);
   });
 
   it('gives nothing where all there is has an error', () => {

@@ -2,6 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { buildMesh } from '../../src/core/build-mesh.ts';
 import type { MeshParts } from '../../src/core/character-parts.ts';
 import type { Mesh } from '../../src/core/mesh.ts';
+import { cpuTime } from '../support/cpu-time.ts';
 import { numbersAt } from '../support/compare.ts';
 
 /** Two triangles that share the edge 1 2, and a fifth point that no face uses. */
@@ -69,6 +70,39 @@ describe('buildMesh', () => {
     });
     expectSound(mesh);
     expect(mesh.vertexCount).toBe(5);
+  });
+
+  it('splits one point at thousands of seams in time that does not grow with their square', async () => {
+    // A fan: each of its triangles gives the middle another texture coordinate.
+    const count = 40_000;
+    const fan: MeshParts = {
+      file: 'a.obj',
+      positions: Float32Array.from({ length: (count + 2) * 3 }, (_, i) => Math.sin(i)),
+      cornerPoints: Uint32Array.from({ length: count * 3 }, (_, i) => {
+        return i % 3 === 0 ? 0 : Math.floor(i / 3) + (i % 3);
+      }),
+      uvs: Float32Array.from({ length: count * 2 }, (_, i) => i),
+      cornerUvs: Int32Array.from({ length: count * 3 }, (_, i) => (i % 3 ? 0 : i / 3)),
+    };
+    // Some 20 times what it takes; the square of the seams would take a minute.
+    expect(await cpuTime(() => buildMesh(fan))).toBeLessThan(3000);
+    expect(buildMesh(fan).vertexCount).toBe(count + 2 + count - 1);
+  });
+
+  it('keeps unit normals bit by bit, and flushes what GPUs flush', () => {
+    const unit = [0.6, 0.8, 0].map(Math.fround);
+    const mesh = buildMesh({
+      ...square,
+      positions: Float32Array.of(0, 1e-40, -1e-45, 1, 0, 0, 0, 1, 0, 1, 1, 0, 9, 9, 9),
+      uvs: Float32Array.of(1e-39, 1),
+      cornerUvs: new Int32Array(6),
+      normals: Float32Array.of(...unit, 1, 1e-39, 0),
+      cornerNormals: Int32Array.of(0, 0, 0, 1, 1, 1),
+    });
+    expect(numbersAt(mesh.positions, 0, 3)).toEqual([0, 0, 0]);
+    expect(numbersAt(mesh.uvs!, 0, 2)).toEqual([0, 1]);
+    expect(numbersAt(mesh.normals, 0, 3)).toEqual(unit);
+    expect(numbersAt(mesh.normals, 3, 3)).toEqual([1, 0, 0]);
   });
 
   it('makes a submesh of each run of a material and none of an empty run', () => {

@@ -9,7 +9,8 @@ import { DofKind, firstRoot, type Skeleton, subtreeEnd } from '../../src/core/sk
 function build(parents: readonly number[], limits: Limits = defaultLimits) {
   const log = new DiagnosticLog('a.skel');
   const joints = parents.map((parent, index): JointParts => {
-    return { name: `${index}`, line: index + 1, parent, restOffset: [index, 0, 0], dofs: [] };
+    const place = { line: index + 1 };
+    return { name: `${index}`, place, parent, restOffset: [index, 0, 0], dofs: [] };
   });
   const skeleton = buildSkeleton({ file: 'a.skel', joints }, log, limits);
   return { skeleton, messages: log.diagnostics.map(formatDiagnostic), log };
@@ -41,9 +42,9 @@ describe('buildSkeleton', () => {
 
   it.each([
     [[-1, 1], '1 > 1', 2],
-    [[1, 0], '0 > 1 > 0', 1],
+    [[1, 0, -1], '0 > 1 > 0', 1],
     [[-1, 0, 3, 4, 2], '2 > 3 > 4 > 2', 3],
-    [[1, 2, 1], '1 > 2 > 1', 2],
+    [[1, 2, 1, -1], '1 > 2 > 1', 2],
   ])('reports the cycle in %j with its path', (parents, path, line) => {
     const { skeleton, messages } = build(parents);
     expect(skeleton).toBeUndefined();
@@ -54,7 +55,14 @@ describe('buildSkeleton', () => {
 
   it('shortens a long cycle', () => {
     const parents = Array.from({ length: 20 }, (_, index) => (index + 1) % 20);
-    expect(build(parents).messages[0]).toContain('0 > 1 > 2 > 3 > 4 > 5 > 6 > 7 > …');
+    const { messages } = build([...parents, -1]);
+    expect(messages[0]).toContain('0 > 1 > 2 > 3 > 4 > 5 > 6 > 7 > …');
+  });
+
+  it('reports that there is no root', () => {
+    const { skeleton, log } = build([1, 2, 0]);
+    expect(skeleton).toBeUndefined();
+    expect(log.diagnostics).toMatchObject([{ code: 'character/root', found: 'none among 3' }]);
   });
 
   it.each([[3], [-2], [0.5], [NaN]])('reports the parent %d of three joints', (parent) => {

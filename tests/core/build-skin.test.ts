@@ -47,13 +47,13 @@ describe('buildSkin', () => {
       {
         severity: 'warning',
         code: 'character/weight-zero',
-        found: 'none for 3 (vertex 1, 2, 3)',
+        found: 'none for 3: vertex 1, 2, 3',
         effect: 'they follow the root rigidly',
       },
     ]);
   });
 
-  it('keeps negative weights and names the first five', () => {
+  it('keeps negative weights and names the first', () => {
     const row: Influence[] = [
       [0, 1.5],
       [2, -0.5],
@@ -61,7 +61,7 @@ describe('buildSkin', () => {
     const rig = withRows(rotatedTree(), [row, row, row, row, row, row]);
     expect(rowOf(rig, 0)).toEqual(row);
     expect(messagesOf(rig)).toMatchObject([
-      { code: 'character/weight-negative', found: 'negative ones for 6 (vertex 1, 2, 3, 4, 5, …)' },
+      { code: 'character/weight-negative', found: 'negative ones for 6: vertex 1, 2, 3, …' },
     ]);
   });
 
@@ -69,7 +69,35 @@ describe('buildSkin', () => {
     const rig = withRows(unitWeights(), [[[0, 0.98]], [[0, 2]], [[0, 1]]]);
     expect(rowOf(rig, 1)).toEqual([[0, 2]]);
     expect(messagesOf(rig)).toMatchObject([
-      { code: 'character/weight-sum', found: '2 that do not; worst: vertex 2, 2' },
+      { code: 'character/weight-sum', found: '0.98 to 2 for 2' },
+    ]);
+  });
+
+  it('does without a skin that names a joint which is not there', () => {
+    const rig = withRows(unitWeights(), [[[0, 1]], [[2, 1]], [[9, 1]], [[300, 1]]]);
+    const { value, diagnostics } = buildCharacter(partsOfRig(rig));
+    expect([...value!.skin.paletteJoint]).toEqual([noJoint]);
+    expect(diagnostics).toMatchObject([
+      {
+        severity: 'error',
+        code: 'character/index',
+        expected: 'joints from 0 to 8',
+        found: 'joint 9 at vertex 3',
+      },
+    ]);
+  });
+
+  it('leaves out weights under a millionth, whatever their sign', () => {
+    const row: Influence[] = [
+      [0, 1],
+      [1, 9e-7],
+      [2, -9e-7],
+      [3, 1e-6],
+      [4, 1e-45],
+    ];
+    expect(rowOf(withRows(rotatedTree(), [row]), 0)).toEqual([
+      [0, 1],
+      [3, Math.fround(1e-6)],
     ]);
   });
 
@@ -96,12 +124,24 @@ describe('normalizeSkin', () => {
     }
   });
 
-  it('leaves rows whose sum is nothing as they are', () => {
+  it.each([
+    [0.5, -0.5],
+    [1000, -999.5],
+  ])('leaves rows whose sum is next to nothing as they are: %d and %d', (a, b) => {
     const row: Influence[] = [
-      [0, 0.5],
-      [1, -0.5],
+      [0, a],
+      [1, b],
     ];
     const { weights } = normalizeSkin(characterOfRig(withRows(rotatedTree(), [row])).skin);
-    expect([...weights.subarray(0, 2)]).toEqual([0.5, -0.5]);
+    expect([...weights.subarray(0, 2)]).toEqual([a, b]);
+  });
+
+  it('takes rows of small weights for what they are', () => {
+    const row: Influence[] = [
+      [0, 3e-6],
+      [1, 1e-6],
+    ];
+    const { weights } = normalizeSkin(characterOfRig(withRows(rotatedTree(), [row])).skin);
+    expect(weights[0]).toBeCloseTo(0.75, 5);
   });
 });

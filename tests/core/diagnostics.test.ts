@@ -64,13 +64,23 @@ describe('DiagnosticLog', () => {
     });
   });
 
-  it('knows of an error that it no longer lists', () => {
+  it('lists an error in the place of a warning where there are too many', () => {
     const log = new DiagnosticLog('a.skel');
-    for (let i = 0; i < 100; i++) log.warn(details);
-    log.error(details);
+    for (let i = 0; i < 101; i++) log.warn(details);
+    log.error({ ...details, found: 'the error' });
     expect(log.failed).toBe(true);
-    expect(hasErrors(log.diagnostics)).toBe(true);
+    expect(log.diagnostics).toHaveLength(101);
+    expect(log.diagnostics[99]).toMatchObject({ severity: 'error', found: 'the error' });
+    expect(log.diagnostics.at(-1)).toMatchObject({ severity: 'error', found: '2 more' });
     expect(log.finish('value')).not.toHaveProperty('value');
+  });
+
+  it('knows of an error that it does not list', () => {
+    const log = new DiagnosticLog('a.skel');
+    for (let i = 0; i < 102; i++) log.error(details);
+    expect(log.diagnostics).toHaveLength(101);
+    expect(log.diagnostics.at(-1)).toMatchObject({ severity: 'error', found: '2 more' });
+    expect(hasErrors(log.diagnostics)).toBe(true);
   });
 
   it('gives the value along with warnings, and nothing along with an error', () => {

@@ -33,7 +33,9 @@ function randomPose({ skeleton }: Character, seed: number): Pose {
 async function through(character: Character, pose: Pose, to: 'mit' | 'cse169') {
   const converted = convertCharacter(character, to, pose);
   const files =
-    to === 'mit' ? mitFormat.write(converted.character) : writeCse169(converted.character).files;
+    to === 'mit'
+      ? mitFormat.write(converted.character).files
+      : writeCse169(converted.character).files;
   const again = await readOne(Object.fromEntries(files.map(({ path, bytes }) => [path, bytes])));
   const json = poseToJson(converted.character.skeleton, converted.pose);
   const read = poseFromJson('p', json, again.skeleton);

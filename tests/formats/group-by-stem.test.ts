@@ -21,8 +21,7 @@ describe('groupByStem', () => {
     [['data/a.obj', 'data/a.skel']],
     [['a.skel']],
   ])('takes %j as one character', (paths) => {
-    const name = paths[0]!.replace('data/', '').split('.')[0];
-    expect(group(...paths)).toEqual([{ name, paths, notes: [] }]);
+    expect(group(...paths)).toEqual([{ name: 'a', paths, notes: [] }]);
   });
 
   it('keeps two characters apart, in whatever order their files come', () => {
@@ -41,14 +40,29 @@ describe('groupByStem', () => {
   });
 
   it.each([
-    [['man.obj', 'rig.skel'], 'man.obj and rig.skel'],
-    [['man.obj', 'rig.skel', 'rig.attach'], 'man.obj and rig.skel and rig.attach'],
-  ])('joins %j, one of each kind, and says so', (paths, names) => {
+    [
+      ['man.obj', 'rig.skel'],
+      ['rig.skel', 'man.obj'],
+    ],
+    [
+      ['rig.skel', 'man.obj'],
+      ['rig.skel', 'man.obj'],
+    ],
+    [
+      ['w.attach', 'man.obj', 'rig.skel'],
+      ['rig.skel', 'man.obj', 'w.attach'],
+    ],
+    [
+      ['w.attach', 'man.obj'],
+      ['man.obj', 'w.attach'],
+    ],
+  ])('joins %j, one of each kind, and says so in any order', (paths, sorted) => {
+    const effect = `${sorted.join(' and ')} are read as one character`;
     expect(group(...paths)).toEqual([
       {
-        name: 'man',
+        name: sorted[0]!.split('.')[0],
         paths,
-        notes: [`file/pairing: ${paths.slice(1).join(', ')}: ${names} are read as one character`],
+        notes: [`file/pairing: ${sorted.slice(1).join(', ')}: ${effect}`],
       },
     ]);
   });

@@ -9,7 +9,7 @@ import { mitFiles } from '../support/mit-files.ts';
 import { formatSamples } from './samples.ts';
 
 function written(format: Format, character: Character): FileContents {
-  return Object.fromEntries(format.write(character).map(({ path, bytes }) => [path, bytes]));
+  return Object.fromEntries(format.write(character).files.map(({ path, bytes }) => [path, bytes]));
 }
 
 /** All but what the files are called. */

@@ -3,7 +3,7 @@ import type { Mesh } from '../../src/core/mesh.ts';
 import { emptyMesh } from '../../src/core/mesh.ts';
 import { noJoint, type Skin } from '../../src/core/skin.ts';
 import { packAffinePalette } from '../../src/skinning/affine-palette.ts';
-import { flushSubnormal } from '../../src/skinning/float32.ts';
+import { flushSubnormal } from '../../src/core/float32.ts';
 import { isMethodId, methodById, methods } from '../../src/skinning/registry.ts';
 import { identity, type Matrix, translation } from '../reference/matrix.ts';
 import { columnMajor } from '../support/compare.ts';

@@ -1,9 +1,14 @@
 import { type Diagnostic, formatDiagnostic } from '../../src/core/diagnostics.ts';
 
-/** Diagnostics as the command line shows them: "error: FILE:LINE:COL: … [code]; effect". */
-export function shown(diagnostics: readonly Diagnostic[]): string[] {
+/** Diagnostics without their effects: "error: FILE:LINE:COL: expected …, found "…" [code]". */
+export function said(diagnostics: readonly Diagnostic[]): string[] {
   return diagnostics.map((diagnostic) => {
-    const { severity, code, effect } = diagnostic;
-    return `${severity}: ${formatDiagnostic(diagnostic)} [${code}]; ${effect}`;
+    const { severity, code } = diagnostic;
+    return `${severity}: ${formatDiagnostic(diagnostic)} [${code}]`;
   });
+}
+
+/** The same with their effects: "…; the file is not used". */
+export function shown(diagnostics: readonly Diagnostic[]): string[] {
+  return said(diagnostics).map((message, index) => `${message}; ${diagnostics[index]!.effect}`);
 }

@@ -1,4 +1,5 @@
 import type { Character } from '../../src/core/character.ts';
+import { defaultLimits, type Limits } from '../../src/core/limits.ts';
 import { memoryFile } from '../../src/formats/file-entry.ts';
 import type { FileEntry } from '../../src/formats/format.ts';
 import { readCharacters, type ReadOutcome } from '../../src/formats/read-characters.ts';
@@ -18,8 +19,11 @@ function filesOf(contents: FileContents): FileEntry[] {
   return Object.entries(contents).map(([path, content]) => memoryFile(path, bytesOf(content)));
 }
 
-export function readContents(contents: FileContents): Promise<ReadOutcome> {
-  return readCharacters(filesOf(contents));
+export function readContents(
+  contents: FileContents,
+  limits: Partial<Limits> = {},
+): Promise<ReadOutcome> {
+  return readCharacters(filesOf(contents), undefined, { ...defaultLimits, ...limits });
 }
 
 /** The one character in the files; throws, with what was said, where there is not exactly one. */

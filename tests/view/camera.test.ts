@@ -22,11 +22,7 @@ const camera: Camera = {
 
 /** Where a point of the scene falls in the picture, -1 to 1. */
 function project(from: Camera, point: readonly number[], aspect: number): vec3 {
-  return vec3.transformMat4(
-    new Float64Array(3),
-    point,
-    clipFromScene(from, aspect),
-  );
+  return vec3.transformMat4(new Float64Array(3), point, clipFromScene(from, aspect));
 }
 
 describe('the camera', () => {

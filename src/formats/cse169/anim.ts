@@ -36,7 +36,7 @@ export function readAnim(
   limits: Limits = defaultLimits,
 ): Parsed<ClipParts> {
   const log = new DiagnosticLog(file);
-  const scanner = scan(bytes, log, about, limits);
+  const scanner = scan(file, bytes, log, about, limits);
   if (!scanner) return log.finish<ClipParts>(undefined);
   const draft: Draft = { channels: [] };
   if (scanner.keyword(isOuter) !== 'animation') scanner.fail('token', '"animation"');

@@ -1,6 +1,7 @@
 import { buildMesh } from '../../core/build-mesh.ts';
 import type { CharacterParts, ClipParts, MorphParts } from '../../core/character-parts.ts';
 import { type Diagnostic, DiagnosticLog, type Parsed } from '../../core/diagnostics.ts';
+import type { Limits } from '../../core/limits.ts';
 import { formatExtensions } from '../extensions.ts';
 import { baseName, extensionOf } from '../file-entry.ts';
 import type { FileEntry, FileGroup, Format } from '../format.ts';
@@ -24,7 +25,7 @@ export const cse169Format: Format = {
   extensions: kinds,
   claim: (files) => groupFiles(files.filter(isOwn)),
   read: readGroup,
-  write: (character) => writeCse169(character).files,
+  write: (character) => writeCse169(character),
 };
 
 function isOwn(file: FileEntry): boolean {
@@ -33,7 +34,7 @@ function isOwn(file: FileEntry): boolean {
   return kinds.some((kind) => kind === extension);
 }
 
-async function readGroup(group: FileGroup): Promise<Parsed<CharacterParts>> {
+async function readGroup(group: FileGroup, limits: Limits): Promise<Parsed<CharacterParts>> {
   const diagnostics: Diagnostic[] = [];
   const rigs = await readAll('.rig', readRig);
   const [skeleton] = await readAll('.skel', readSkel, 1);
@@ -58,12 +59,12 @@ async function readGroup(group: FileGroup): Promise<Parsed<CharacterParts>> {
 
   async function readAll<T>(
     kind: string,
-    read: (file: string, bytes: Uint8Array) => Parsed<T>,
+    read: (file: string, bytes: Uint8Array, limits: Limits) => Parsed<T>,
     most = Infinity,
   ): Promise<T[]> {
     const values: T[] = [];
     for (const file of filesOf(group, kind).slice(0, most)) {
-      const parsed = read(baseName(file.path), await file.bytes());
+      const parsed = read(baseName(file.path), await file.bytes(), limits);
       diagnostics.push(...parsed.diagnostics);
       if (parsed.value !== undefined) values.push(parsed.value);
     }

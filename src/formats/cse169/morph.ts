@@ -31,7 +31,7 @@ export function readMorph(
   limits: Limits = defaultLimits,
 ): Parsed<MorphFile> {
   const log = new DiagnosticLog(file);
-  const scanner = scan(bytes, log, about, limits);
+  const scanner = scan(file, bytes, log, about, limits);
   if (!scanner) return log.finish<MorphFile>(undefined);
   const read = new Map<string, Targets>();
   while (scanner.sound()) {

@@ -23,7 +23,7 @@ export function readRig(
   limits: Limits = defaultLimits,
 ): Parsed<RigFile> {
   const log = new DiagnosticLog(file);
-  const scanner = scan(bytes, log, about, limits);
+  const scanner = scan(file, bytes, log, about, limits);
   if (!scanner) return log.finish<RigFile>(undefined);
   if (scanner.keyword(isOuter) !== 'rig') scanner.fail('token', '"rig"');
   let name = '';

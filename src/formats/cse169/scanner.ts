@@ -202,11 +202,12 @@ export class Scanner {
 
 /** A scanner of a file's text, or nothing (and a diagnostic) where it is none. */
 export function scan(
+  file: string,
   bytes: Uint8Array,
   log: DiagnosticLog,
   about: { readonly area: Area; readonly effect: string },
   limits?: Limits,
 ): Scanner | undefined {
-  const text = checkText(bytes, log);
+  const text = checkText(file, bytes, log);
   return text && new Scanner(text, log, about, limits);
 }

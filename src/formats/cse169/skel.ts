@@ -39,7 +39,7 @@ export function readSkel(
   limits: Limits = defaultLimits,
 ): Parsed<SkeletonParts> {
   const log = new DiagnosticLog(file);
-  const scanner = scan(bytes, log, about, limits);
+  const scanner = scan(file, bytes, log, about, limits);
   if (!scanner) return log.finish<SkeletonParts>(undefined);
   const drafts = readTree(scanner);
   if (!scanner.sound()) return log.finish<SkeletonParts>(undefined);

@@ -24,7 +24,7 @@ export function readSkin(
   limits: Limits = defaultLimits,
 ): Parsed<SkinFile> {
   const log = new DiagnosticLog(file);
-  const scanner = scan(bytes, log, { area: 'skin', effect }, limits);
+  const scanner = scan(file, bytes, log, { area: 'skin', effect }, limits);
   if (!scanner) return log.finish<SkinFile>(undefined);
   const sections: Sections = {};
   const materials: MaterialParts[] = [];

@@ -1,91 +1,132 @@
 import type { SkinParts } from '../../core/character-parts.ts';
 import { DiagnosticLog, type Parsed } from '../../core/diagnostics.ts';
-import type { Skeleton } from '../../core/skeleton.ts';
-import type { Skin } from '../../core/skin.ts';
+import { defaultLimits, type Limits } from '../../core/limits.ts';
 import { checkFloat32 } from '../text/check-float32.ts';
-import { checkText } from '../text/check-text.ts';
 import { growFloat32, growUint16, growUint32 } from '../text/growable.ts';
-import { LineReader } from '../text/line-reader.ts';
-import { encodeLines, writeFloat32 } from '../text/write-number.ts';
+import type { LineReader } from '../text/line-reader.ts';
+import { openText } from '../text/open-text.ts';
 
 const effect = 'the mesh is shown without its weights';
 
-/** The weights, and how many columns every row has: one a joint, less the root. */
-export interface AttachParts extends SkinParts {
-  readonly columnCount: number;
+/** How many columns a row should have, and by what: one a joint, less the root. */
+export interface ExpectedColumns {
+  readonly count: number;
+  /** "18 joints in a.skel, less the root" */
+  readonly reason: string;
 }
 
 /**
  * Reads a 6.837 `.attach` (handout, 4.3) straight to sparse rows: a line a vertex, column i the weight
- * of joint i + 1 (joint 0 has none). Zeros are left out; blank lines may stand only at the end.
+ * of joint i + 1 (joint 0 has none). Zeros are left out; blank lines may stand only at the end. Where
+ * the skeleton is known, the first row must fit it, else that row says how long all are. A lone
+ * joint has no column, so that all rows are blank.
  */
-export function readAttach(file: string, bytes: Uint8Array): Parsed<AttachParts> {
+export function readAttach(
+  file: string,
+  bytes: Uint8Array,
+  skeletonColumns?: ExpectedColumns,
+  limits: Limits = defaultLimits,
+): Parsed<SkinParts> {
   const log = new DiagnosticLog(file);
-  const text = checkText(bytes, log);
-  if (!text) return log.finish<AttachParts>(undefined);
-  const start = growUint32();
-  const joints = growUint16();
-  const weights = growFloat32();
-  const reader = new LineReader(text);
-  let columnCount = -1;
-  let blank: { line: number } | undefined;
-  start.push(0);
-  while (reader.next()) {
-    let column = 0;
-    while (reader.token()) {
-      const weight = checkFloat32(reader, `weight ${column + 1}`, 'attach', effect, log);
-      column++;
-      if (weight === 0) continue;
-      joints.push(column);
-      weights.push(weight);
-    }
-    if (column === 0) {
-      blank ??= { line: reader.line };
+  const reader = openText(file, bytes, log, { limits });
+  if (!reader) return log.finish<SkinParts>(undefined);
+  const rows = new RowReader(reader, log);
+  let columns = skeletonColumns;
+  let blankLine: number | undefined;
+  while (reader.next() && rows.hasRoom()) {
+    if (reader.isComment()) continue;
+    const columnCount = reader.countTokens();
+    if (columnCount === 0 && columns?.count !== 0) {
+      blankLine ??= reader.line;
       continue;
     }
-    if (blank) reportBlank(blank, log);
-    blank = undefined;
-    if (columnCount === -1) columnCount = column;
-    if (column !== columnCount) {
-      log.error({
-        code: 'attach/field-count',
-        ...reader.linePlace,
-        expected: `${columnCount} weights, as in the first row`,
-        found: `${column}`,
-        effect,
-      });
+    if (blankLine !== undefined) reportBlank(blankLine, log);
+    blankLine = undefined;
+    columns ??= { count: columnCount, reason: 'as in the first row' };
+    if (columnCount !== columns.count) {
+      reportColumns(reader, columnCount, columns, log);
+      if (rows.count === 0) break; // of another skeleton, as all further rows would say
     }
-    start.push(weights.length);
+    if (!rows.read()) break;
   }
-  if (columnCount === -1) {
+  if (rows.count === 0 && !log.failed) {
     log.error({ code: 'attach/empty', expected: 'a row a vertex', found: 'no row', effect });
   }
-  return log.finish({
-    file,
-    columnCount,
-    start: start.finish(),
-    joints: joints.finish(),
-    weights: weights.finish(),
-  });
+  return log.finish({ file, ...rows.finish() });
 }
 
-function reportBlank(place: { line: number }, log: DiagnosticLog): void {
-  const expected = 'a row of weights for every vertex';
-  log.error({ code: 'attach/count', ...place, expected, found: 'a blank line', effect });
-}
+/** Collects rows of weights. */
+class RowReader {
+  private readonly start = growUint32();
+  private readonly joints = growUint16();
+  private readonly weights = growFloat32();
+  private readonly reader: LineReader;
+  private readonly log: DiagnosticLog;
 
-/** Writes all columns of all joints but the first in the file, whose weight the format leaves out. */
-export function writeAttach(skin: Skin, skeleton: Skeleton): Uint8Array {
-  const row = new Float32Array(skeleton.jointCount);
-  const lines: string[] = [];
-  for (let point = 0; point + 1 < skin.start.length; point++) {
-    row.fill(0);
-    for (let i = skin.start[point]!; i < skin.start[point + 1]!; i++) {
-      const joint = skin.paletteJoint[skin.entries[i]!]!;
-      const source = skeleton.sourceIndex[joint]!;
-      row[source] = row[source]! + skin.weights[i]!;
-    }
-    lines.push(Array.from(row.subarray(1), writeFloat32).join(' '));
+  constructor(reader: LineReader, log: DiagnosticLog) {
+    this.reader = reader;
+    this.log = log;
+    this.start.push(0);
   }
-  return encodeLines(lines);
+
+  get count(): number {
+    return this.start.length - 1;
+  }
+
+  finish(): Omit<SkinParts, 'file'> {
+    const { start, joints, weights } = this;
+    return { start: start.finish(), joints: joints.finish(), weights: weights.finish() };
+  }
+
+  /** False, with an error, where one more row would be too many. */
+  hasRoom(): boolean {
+    const { pointCount } = this.reader.limits;
+    return this.count < pointCount || this.exceeds(`at most ${pointCount} rows`);
+  }
+
+  /** Reads the current line; false, with an error, where it has more columns than joints can be. */
+  read(): boolean {
+    const { jointCount, weight: largest } = this.reader.limits;
+    for (let column = 1; this.reader.token(); column++) {
+      if (column >= jointCount) return this.exceeds(`at most ${jointCount - 1} weights in a row`);
+      const field = { what: `weight ${column}`, area: 'attach', effect, largest } as const;
+      const weight = checkFloat32(this.reader, field, this.log);
+      if (weight === 0) continue;
+      this.joints.push(column);
+      this.weights.push(weight);
+    }
+    this.start.push(this.weights.length);
+    return true;
+  }
+
+  private exceeds(expected: string): false {
+    this.log.error({
+      code: 'attach/limit',
+      ...this.reader.linePlace,
+      expected,
+      found: 'more',
+      effect,
+    });
+    return false;
+  }
+}
+
+function reportBlank(line: number, log: DiagnosticLog): void {
+  const expected = 'a row of weights for every vertex';
+  log.error({ code: 'attach/count', line, expected, found: 'a blank line', effect });
+}
+
+function reportColumns(
+  reader: LineReader,
+  found: number,
+  { count, reason }: ExpectedColumns,
+  log: DiagnosticLog,
+): void {
+  log.error({
+    code: 'attach/field-count',
+    ...reader.linePlace,
+    expected: `${count} weights (${reason})`,
+    found: `${found}`,
+    effect,
+  });
 }

@@ -1,16 +1,22 @@
 import type { Character } from '../../core/character.ts';
-import type { CharacterParts } from '../../core/character-parts.ts';
-import { type Diagnostic, DiagnosticLog, type Parsed } from '../../core/diagnostics.ts';
+import type { CharacterParts, SkeletonParts } from '../../core/character-parts.ts';
+import type { Diagnostic, Parsed } from '../../core/diagnostics.ts';
+import type { Limits } from '../../core/limits.ts';
 import { noJoint } from '../../core/skin.ts';
 import { formatExtensions } from '../extensions.ts';
 import { baseName, extensionOf } from '../file-entry.ts';
-import type { FileEntry, FileGroup, Format, OutputFile } from '../format.ts';
+import type { FileEntry, FileGroup, Format, OutputFile, Written } from '../format.ts';
 import { groupByStem } from '../group-by-stem.ts';
 import { readObj } from '../obj/read-obj.ts';
 import { writeObj } from '../obj/write-obj.ts';
 import { skelDialect } from '../skel-dialect.ts';
-import { type AttachParts, readAttach, writeAttach } from './attach.ts';
-import { readSkel, writeSkel } from './skel.ts';
+import { type ExpectedColumns, readAttach } from './attach.ts';
+import { attachLosses } from './attach-losses.ts';
+import { objLosses } from './losses.ts';
+import { readSkel } from './skel.ts';
+import { skelLosses } from './skel-losses.ts';
+import { writeAttach } from './write-attach.ts';
+import { writeSkel } from './write-skel.ts';
 
 const kinds = formatExtensions.mit;
 
@@ -30,27 +36,30 @@ function isMitFile(file: FileEntry): boolean {
   return kinds.some((kind) => kind === extension);
 }
 
-async function readGroup(group: FileGroup): Promise<Parsed<CharacterParts>> {
-  const skeleton = await readPart(group, '.skel', readSkel);
-  const mesh = await readPart(group, '.obj', readObj);
-  const weights = await readPart(group, '.attach', readAttach);
-  const diagnostics: Diagnostic[] = [
-    ...skeleton.diagnostics,
-    ...mesh.diagnostics,
-    ...weights.diagnostics,
-  ];
-  const jointCount = skeleton.value?.joints.length;
-  const skin = weights.value && checkColumns(weights.value, jointCount, diagnostics);
+async function readGroup(group: FileGroup, limits: Limits): Promise<Parsed<CharacterParts>> {
+  const skeleton = await readPart(group, '.skel', (file, bytes) => readSkel(file, bytes, limits));
+  const mesh = await readPart(group, '.obj', (file, bytes) => readObj(file, bytes, limits));
+  const columns = skeleton.value && columnsOf(skeleton.value);
+  const skin = await readPart(group, '.attach', (file, bytes) =>
+    readAttach(file, bytes, columns, limits),
+  );
+  const diagnostics = [skeleton, mesh, skin].flatMap((part) => part.diagnostics);
   const value: CharacterParts = {
     name: group.name,
     ...(skeleton.value ? { skeleton: skeleton.value } : {}),
     ...(mesh.value ? { mesh: mesh.value } : {}),
-    ...(skin ? { skin } : {}),
+    ...(skin.value ? { skin: skin.value } : {}),
     missing: kinds.filter((kind) => !fileOf(group, kind)),
   };
   if (value.skeleton || value.mesh) return { value, diagnostics };
-  if (weights.value) diagnostics.push(aloneDiagnostic(weights.value.file));
+  if (skin.value) diagnostics.push(aloneDiagnostic(skin.value.file));
   return { diagnostics };
+}
+
+/** A column for every joint but the first. */
+function columnsOf({ file, joints }: SkeletonParts): ExpectedColumns {
+  const reason = `${joints.length} joints in ${file}, less the root`;
+  return { count: joints.length - 1, reason };
 }
 
 function aloneDiagnostic(file: string): Diagnostic {
@@ -77,33 +86,25 @@ function fileOf(group: FileGroup, kind: string): FileEntry | undefined {
   return group.files.find(({ path }) => extensionOf(path) === kind);
 }
 
-/** A column for every joint but the first; a file of another skeleton shows here first. */
-function checkColumns(
-  weights: AttachParts,
-  jointCount: number | undefined,
-  diagnostics: Diagnostic[],
-): AttachParts | undefined {
-  if (jointCount === undefined || weights.columnCount === jointCount - 1) return weights;
-  const log = new DiagnosticLog(weights.file);
-  log.error({
-    code: 'attach/field-count',
-    line: 1,
-    expected: `${jointCount - 1} weights (${jointCount} joints, less the root)`,
-    found: `${weights.columnCount}`,
-    effect: 'the mesh is shown without its weights',
-  });
-  diagnostics.push(...log.diagnostics);
-  return undefined;
-}
-
-/** A file for each part that there is; a lone joint has no column of weights. */
-function writeCharacter({ name, skeleton, mesh, skin }: Character): readonly OutputFile[] {
+/** A file for each part that there is. */
+function writeCharacter({ name, skeleton, mesh, skin }: Character): Written {
   const files: OutputFile[] = [];
-  const hasWeights = skeleton.jointCount > 1 && !skin.paletteJoint.includes(noJoint);
-  if (skeleton.jointCount > 0) files.push({ path: `${name}.skel`, bytes: writeSkel(skeleton) });
-  if (mesh.pointCount > 0) {
-    files.push({ path: `${name}.obj`, bytes: writeObj(mesh) });
-    if (hasWeights) files.push({ path: `${name}.attach`, bytes: writeAttach(skin, skeleton) });
+  const losses: Diagnostic[] = [];
+  if (skeleton.jointCount > 0) {
+    const path = `${name}.skel`;
+    files.push({ path, bytes: writeSkel(skeleton) });
+    losses.push(...skelLosses(path, skeleton));
   }
-  return files;
+  if (mesh.pointCount > 0) {
+    const path = `${name}.obj`;
+    files.push({ path, bytes: writeObj(mesh) });
+    losses.push(...objLosses(path, mesh));
+  }
+  const followsJoints = !skin.paletteJoint.includes(noJoint);
+  if (skeleton.jointCount > 0 && mesh.pointCount > 0 && followsJoints) {
+    const path = `${name}.attach`;
+    files.push({ path, bytes: writeAttach(skin, skeleton) });
+    losses.push(...attachLosses(path, skin, skeleton));
+  }
+  return { files, losses };
 }

@@ -1,34 +1,43 @@
 import type { DofParts, JointParts, SkeletonParts } from '../../core/character-parts.ts';
-import { DiagnosticLog, type Parsed } from '../../core/diagnostics.ts';
-import { DofKind, noParent, type Skeleton } from '../../core/skeleton.ts';
-import { checkText } from '../text/check-text.ts';
+import { DiagnosticLog, type Parsed, type Place } from '../../core/diagnostics.ts';
+import { defaultLimits, type Limits } from '../../core/limits.ts';
+import { DofKind, noParent } from '../../core/skeleton.ts';
 import { checkFloat32 } from '../text/check-float32.ts';
-import { LineReader } from '../text/line-reader.ts';
-import { encodeLines, writeFloat64 } from '../text/write-number.ts';
+import type { LineReader } from '../text/line-reader.ts';
+import { openText } from '../text/open-text.ts';
 import { jointNames } from './joint-names.ts';
 
 const effect = 'the skeleton is not used';
 
 interface JointLine {
-  readonly line: number;
   readonly offset: readonly [number, number, number];
   readonly parent: number;
+  /** Of the parent's number. */
+  readonly place: Place;
 }
 
 /**
  * Reads a 6.837 `.skel` (handout, 3.2.1): a joint a line, `tx ty tz parent`, relative to the parent;
  * -1 is a root. Parents may follow their children; blank lines and `#` comments count for nothing.
+ * Whether parents are there, and lead to a root, the builder of all skeletons checks.
  */
-export function readSkel(file: string, bytes: Uint8Array): Parsed<SkeletonParts> {
+export function readSkel(
+  file: string,
+  bytes: Uint8Array,
+  limits: Limits = defaultLimits,
+): Parsed<SkeletonParts> {
   const log = new DiagnosticLog(file);
-  const text = checkText(bytes, log);
-  if (!text) return log.finish<SkeletonParts>(undefined);
+  const reader = openText(file, bytes, log, { limits });
+  if (!reader) return log.finish<SkeletonParts>(undefined);
   const lines: JointLine[] = [];
-  const reader = new LineReader(text);
-  while (reader.next()) {
+  while (reader.next() && lines.length <= limits.jointCount) {
     if (reader.countTokens() === 0) continue;
     const joint = readJoint(reader, log);
     if (joint) lines.push(joint);
+  }
+  if (lines.length > limits.jointCount) {
+    const expected = `at most ${limits.jointCount} joints`;
+    log.error({ code: 'skel/limit', ...lines.at(-1)!.place, expected, found: 'more', effect });
   }
   if (!log.failed) checkRoots(lines, log);
   const names = jointNames(lines.map(({ parent }) => parent));
@@ -50,11 +59,12 @@ function readJoint(reader: LineReader, log: DiagnosticLog): JointLine | undefine
   }
   const offset = ['x', 'y', 'z'].map((axis) => {
     reader.token();
-    return checkFloat32(reader, axis, 'skel', effect, log);
+    const largest = reader.limits.coordinate;
+    return checkFloat32(reader, { what: axis, area: 'skel', effect, largest }, log);
   });
   reader.token();
   const parent = reader.integer();
-  if (!(parent >= noParent)) {
+  if (!Number.isSafeInteger(parent) || parent < noParent) {
     log.error({
       code: 'skel/integer',
       ...reader.place,
@@ -63,7 +73,7 @@ function readJoint(reader: LineReader, log: DiagnosticLog): JointLine | undefine
       effect,
     });
   }
-  return { line: reader.line, offset: offset as [number, number, number], parent };
+  return { offset: offset as [number, number, number], parent, place: reader.place };
 }
 
 function checkRoots(lines: readonly JointLine[], log: DiagnosticLog): void {
@@ -71,16 +81,11 @@ function checkRoots(lines: readonly JointLine[], log: DiagnosticLog): void {
     log.error({ code: 'skel/empty', expected: 'at least one joint', found: 'none', effect });
     return;
   }
-  for (const { line, parent } of lines) {
-    if (parent < lines.length) continue;
-    const expected = `a parent from -1 to ${lines.length - 1}`;
-    log.error({ code: 'skel/parent', line, expected, found: `${parent}`, effect });
-  }
   const roots = lines.filter(({ parent }) => parent === noParent);
   if (roots.length > 1) {
     log.warn({
       code: 'skel/root',
-      line: roots[1]!.line,
+      ...roots[1]!.place,
       expected: 'one root (parent -1)',
       found: `${roots.length} roots`,
       effect: 'they are read as a forest',
@@ -88,7 +93,7 @@ function checkRoots(lines: readonly JointLine[], log: DiagnosticLog): void {
   } else if (roots.length === 1 && lines[0]!.parent !== noParent) {
     log.warn({
       code: 'skel/root',
-      line: roots[0]!.line,
+      ...roots[0]!.place,
       expected: 'the root to be the first joint',
       found: `joint ${lines.indexOf(roots[0]!)}`,
       effect: 'joint 0 still has no column of weights, as the format has it',
@@ -96,9 +101,9 @@ function checkRoots(lines: readonly JointLine[], log: DiagnosticLog): void {
   }
 }
 
-function jointOf({ line, offset, parent }: JointLine, name: string): JointParts {
+function jointOf({ offset, parent, place }: JointLine, name: string): JointParts {
   const dofs = parent === noParent ? [...slides, ...hinges] : hinges;
-  return { name, line, parent, restOffset: offset, dofs };
+  return { name, place, parent, restOffset: offset, dofs };
 }
 
 const axes = [
@@ -110,14 +115,3 @@ const axes = [
 /** R = Rx · Ry · Rz, as the course's program computes it: z turns first. */
 const hinges: readonly DofParts[] = axes.map((axis) => ({ kind: DofKind.hinge, axis }));
 const slides: readonly DofParts[] = axes.map((axis) => ({ kind: DofKind.slide, axis }));
-
-/** Writes joints in file order; names and rest rotations have no place in this format. */
-export function writeSkel(skeleton: Skeleton): Uint8Array {
-  const lines = Array.from(skeleton.jointOfSource, (joint) => {
-    const offset = skeleton.restOffsets.subarray(joint * 3, joint * 3 + 3);
-    const parent = skeleton.parents[joint]!;
-    const parentIndex = parent === noParent ? noParent : skeleton.sourceIndex[parent]!;
-    return [...Array.from(offset, writeFloat64), parentIndex].join(' ');
-  });
-  return encodeLines(lines);
-}

@@ -1,16 +1,12 @@
 import type { MeshParts } from '../../core/character-parts.ts';
 import { DiagnosticLog, type Parsed } from '../../core/diagnostics.ts';
 import { defaultLimits, type Limits } from '../../core/limits.ts';
-import { checkFloat32 } from '../text/check-float32.ts';
-import { checkText } from '../text/check-text.ts';
-import { growFloat32 } from '../text/growable.ts';
-import { LineReader } from '../text/line-reader.ts';
+import { openText } from '../text/open-text.ts';
 import { FaceReader } from './face-reader.ts';
+import { IgnoredKeywords } from './ignored-keywords.ts';
+import { type ObjStreams, TupleStream } from './tuple-stream.ts';
 
 const effect = 'the mesh is not used';
-
-/** Read over without a word: they group or shade faces, which changes nothing here. */
-const silent = new Set(['g', 'o', 's']);
 
 /**
  * Reads a Wavefront OBJ as found in the wild: `v` (with w or colour, unused), `vt`, `vn`, faces with
@@ -24,98 +20,73 @@ export function readObj(
   limits: Limits = defaultLimits,
 ): Parsed<MeshParts> {
   const log = new DiagnosticLog(file);
-  const text = checkText(bytes, log);
-  if (!text) return log.finish<MeshParts>(undefined);
-  const positions = growFloat32();
-  const uvs = growFloat32();
-  const normals = growFloat32();
-  const reader = new LineReader(text, true);
-  const faces = new FaceReader(reader, { positions, uvs, normals }, limits, log);
+  const reader = openText(file, bytes, log, { limits, continuations: true });
+  if (!reader) return log.finish<MeshParts>(undefined);
+  const streams: ObjStreams = {
+    positions: new TupleStream({
+      what: 'vertices',
+      names: ['x', 'y', 'z'],
+      most: limits.pointCount,
+      largest: limits.coordinate,
+    }),
+    uvs: new TupleStream({
+      what: 'texture coordinates',
+      names: ['u', 'v'],
+      fewest: 1, // there are one-dimensional ones
+      most: limits.triangleCount * 3,
+    }),
+    normals: new TupleStream({
+      what: 'normals',
+      names: ['x', 'y', 'z'],
+      most: limits.triangleCount * 3,
+    }),
+  };
+  const faces = new FaceReader(reader, streams, log);
   const submeshes: { material: string; firstTriangle: number }[] = [];
-  const noted = new Set<string>();
+  const ignored = new IgnoredKeywords(reader, log);
 
-  while (reader.next()) {
+  const parts = [streams.positions, streams.uvs, streams.normals, faces];
+  while (!parts.some(({ isFull }) => isFull) && reader.next()) {
     if (!reader.token()) continue;
     const keyword = reader.text();
     switch (keyword) {
       case 'v':
-        readValues(positions, ['x', 'y', 'z']);
+        streams.positions.read(reader, log);
         break;
       case 'vt':
-        readValues(uvs, ['u', 'v']);
+        streams.uvs.read(reader, log);
         break;
       case 'vn':
-        readValues(normals, ['x', 'y', 'z']);
+        streams.normals.read(reader, log);
         break;
       case 'f':
         faces.read();
         break;
       case 'usemtl':
+        // One after another without a face between leaves the last.
+        if (submeshes.at(-1)?.firstTriangle === faces.triangleCount) submeshes.pop();
         submeshes.push({ material: reader.rest(), firstTriangle: faces.triangleCount });
         break;
       default:
-        if (!silent.has(keyword)) noteIgnored(keyword);
+        ignored.note(keyword);
     }
-    if (positions.length > limits.pointCount * 3) break;
   }
-  checkCounts();
+  if (!log.failed) checkCounts(streams, faces, log);
+  faces.reportDegenerate();
   if (submeshes[0]?.firstTriangle !== 0) submeshes.unshift({ material: '', firstTriangle: 0 });
+  const [uvs, normals] = [streams.uvs.finish(), streams.normals.finish()];
   return log.finish({
     file,
-    positions: positions.finish(),
+    positions: streams.positions.finish(),
     ...faces.finish(),
-    ...(uvs.length > 0 ? { uvs: uvs.finish() } : {}),
-    ...(normals.length > 0 ? { normals: normals.finish() } : {}),
+    ...(uvs.length > 0 ? { uvs } : {}),
+    ...(normals.length > 0 ? { normals } : {}),
     submeshes,
   });
-
-  function readValues(target: typeof positions, names: readonly string[]): void {
-    for (const [index, name] of names.entries()) {
-      if (reader.token()) {
-        target.push(checkFloat32(reader, name, 'obj', effect, log));
-      } else if (name === 'v') {
-        target.push(0); // a one-dimensional texture coordinate
-      } else {
-        const expected = `${names.length} numbers`;
-        const found = `${index}`;
-        log.error({ code: 'obj/field-count', ...reader.linePlace, expected, found, effect });
-        target.push(NaN);
-      }
-    }
-  }
-
-  function noteIgnored(keyword: string): void {
-    if (noted.has(keyword)) return;
-    noted.add(keyword);
-    const library = keyword === 'mtllib';
-    log.warn({
-      code: library || elements.has(keyword) ? 'obj/ignored' : 'obj/unknown',
-      ...reader.place,
-      expected: 'vertices, texture coordinates, normals and faces',
-      found: library ? `mtllib ${reader.rest()}` : keyword,
-      effect: library ? 'materials are not read; the surface is plain' : 'such lines are left out',
-    });
-  }
-
-  function checkCounts(): void {
-    if (positions.length > limits.pointCount * 3) {
-      const expected = `at most ${limits.pointCount} vertices`;
-      log.error({ code: 'obj/limit', expected, found: 'more', effect });
-    } else if (positions.length === 0) {
-      log.error({ code: 'obj/empty', expected: 'at least one vertex', found: 'none', effect });
-    } else if (faces.triangleCount === 0 && !log.failed) {
-      log.error({ code: 'obj/empty', expected: 'at least one triangle', found: 'none', effect });
-    }
-    if (faces.degenerateCount > 0) {
-      log.warn({
-        code: 'obj/degenerate',
-        expected: 'triangles of three different vertices',
-        found: `${faces.degenerateCount} that are not`,
-        effect: 'they are left out',
-      });
-    }
-  }
 }
 
-/** Elements that OBJ has besides faces. */
-const elements = new Set(['l', 'p', 'curv', 'curv2', 'surf', 'mtllib', 'vp', 'cstype', 'deg']);
+function checkCounts(streams: ObjStreams, faces: FaceReader, log: DiagnosticLog): void {
+  const missing = streams.positions.count === 0 ? 'vertex' : 'triangle';
+  if (streams.positions.count > 0 && faces.triangleCount > 0) return;
+  log.error({ code: 'obj/empty', expected: `at least one ${missing}`, found: 'none', effect });
+}

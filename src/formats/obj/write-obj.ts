@@ -1,20 +1,27 @@
 import type { Mesh } from '../../core/mesh.ts';
+import { computeVertexNormals } from '../../core/vertex-normals.ts';
 import { encodeLines, writeFloat32 } from '../text/write-number.ts';
+import { materialText } from './material-text.ts';
 
 /**
- * Writes a mesh as OBJ, points in file order, with its texture coordinates and materials.
+ * Writes a mesh as OBJ, points in file order, with its texture coordinates and materials, and with
+ * its normals where they are not those that a reader makes from the faces.
  *
- * @param positions (at least pointCount × 3) the points, posed or not
+ * @param posed (at least pointCount × 3) the points in another pose, for which there are no normals
  */
-export function writeObj(mesh: Mesh, positions: Float32Array = mesh.positions): Uint8Array {
+export function writeObj(mesh: Mesh, posed?: Float32Array): Uint8Array {
+  const positions = posed ?? mesh.positions;
   const lines: string[] = [];
   for (let point = 0; point < mesh.pointCount; point++) {
     lines.push(`v ${tuple(positions, point, 3)}`);
   }
-  const corner = mesh.uvs ? writeUvs(mesh, mesh.uvs, lines) : (vertex: number) => point(vertex);
+  const uvOf = mesh.uvs && writeValues('vt', mesh.uvs, 2, lines);
+  const normalOf =
+    posed || hasComputedNormals(mesh) ? null : writeValues('vn', mesh.normals, 3, lines);
   for (const [run, { material, firstIndex, indexCount }] of mesh.submeshes.entries()) {
-    if (material !== '') lines.push(`usemtl ${material}`);
-    else if (run > 0) lines.push('usemtl'); // faces without material after faces with one
+    const name = materialText(material);
+    // Bare, for faces without material after faces with one.
+    if (name !== '' || run > 0) lines.push(`usemtl ${name}`.trimEnd());
     for (let i = firstIndex; i < firstIndex + indexCount; i += 3) {
       const [a, b, c] = [mesh.indices[i]!, mesh.indices[i + 1]!, mesh.indices[i + 2]!];
       lines.push(`f ${corner(a)} ${corner(b)} ${corner(c)}`);
@@ -22,24 +29,42 @@ export function writeObj(mesh: Mesh, positions: Float32Array = mesh.positions): 
   }
   return encodeLines(lines);
 
-  function point(vertex: number): string {
-    return String(mesh.pointOf[vertex]! + 1);
+  function corner(vertex: number): string {
+    const point = mesh.pointOf[vertex]! + 1;
+    const uv = uvOf ? `${uvOf[vertex]!}` : '';
+    if (normalOf) return `${point}/${uv}/${normalOf[vertex]!}`;
+    return uv === '' ? `${point}` : `${point}/${uv}`;
   }
 }
 
-/** Adds `vt` lines, equal ones once, and tells how a corner is then written. */
-function writeUvs(mesh: Mesh, uvs: Float32Array, lines: string[]): (vertex: number) => string {
+/** Adds a line for each value, equal ones once, and gives each vertex its number. */
+function writeValues(
+  keyword: string,
+  values: Float32Array,
+  size: number,
+  lines: string[],
+): number[] {
   const numbers = new Map<string, number>();
-  const uvOf = Array.from({ length: mesh.vertexCount }, (_, vertex) => {
-    const text = tuple(uvs, vertex, 2);
+  return Array.from({ length: values.length / size }, (_, vertex) => {
+    const text = tuple(values, vertex, size);
     let number = numbers.get(text);
     if (number === undefined) {
       numbers.set(text, (number = numbers.size + 1));
-      lines.push(`vt ${text}`);
+      lines.push(`${keyword} ${text}`);
     }
     return number;
   });
-  return (vertex) => `${mesh.pointOf[vertex]! + 1}/${uvOf[vertex]!}`;
+}
+
+function hasComputedNormals({ pointCount, pointOf, positions, indices, normals }: Mesh): boolean {
+  const points = positions.subarray(0, pointCount * 3);
+  const computed = new Float32Array(points.length);
+  const cornerPoints = indices.map((vertex) => pointOf[vertex]!);
+  computeVertexNormals(points, cornerPoints, computed);
+  return normals.every((value, i) => {
+    const vertex = Math.floor(i / 3);
+    return value === computed[pointOf[vertex]! * 3 + (i % 3)];
+  });
 }
 
 function tuple(values: Float32Array, index: number, size: number): string {

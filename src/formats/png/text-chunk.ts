@@ -1,3 +1,5 @@
+import { crc32 } from '../crc32.ts';
+
 /**
  * Text in a PNG, as an `iTXt` chunk (PNG specification, third edition, 11.3.3.4): UTF-8, not packed,
  * under a keyword. Pictures so keep a note of how they were made.
@@ -37,13 +39,16 @@ export function readPngText(bytes: Uint8Array, keyword: string): string | undefi
 }
 
 function textChunk(keyword: string, text: string): Uint8Array {
-  const data = [...textPrefix(keyword), ...encoder.encode(text)];
-  const chunk = new Uint8Array(data.length + chunkOverhead);
+  const prefix = textPrefix(keyword);
+  const content = encoder.encode(text);
+  const length = prefix.length + content.length;
+  const chunk = new Uint8Array(length + chunkOverhead);
   const view = new DataView(chunk.buffer);
-  view.setUint32(0, data.length);
+  view.setUint32(0, length);
   chunk.set(encoder.encode('iTXt'), 4);
-  chunk.set(data, 8);
-  view.setUint32(8 + data.length, crc32(chunk.subarray(4, 8 + data.length)));
+  chunk.set(prefix, 8);
+  chunk.set(content, 8 + prefix.length);
+  view.setUint32(8 + length, crc32(chunk.subarray(4, 8 + length)));
   return chunk;
 }
 
@@ -52,15 +57,5 @@ function textPrefix(keyword: string): number[] {
   return [...encoder.encode(keyword), 0, 0, 0, 0, 0];
 }
 
-/** The checksum of PNG chunks (its specification, annex D), bit by bit: notes are short. */
-function crc32(bytes: Uint8Array): number {
-  let crc = 0xffffffff;
-  for (const byte of bytes) {
-    crc ^= byte;
-    for (let bit = 0; bit < 8; bit++) crc = crc & 1 ? (crc >>> 1) ^ 0xedb88320 : crc >>> 1;
-  }
-  return (crc ^ 0xffffffff) >>> 0;
-}
-
 const encoder = new TextEncoder();
-const decoder = new TextDecoder();
+const decoder = new TextDecoder('utf-8', { ignoreBOM: true });

@@ -1,25 +1,37 @@
-import type { DiagnosticCode, DiagnosticLog } from '../../core/diagnostics.ts';
+import type { DiagnosticLog } from '../../core/diagnostics.ts';
 import type { LineReader } from './line-reader.ts';
+import { boundText } from './write-number.ts';
 
-const largest = 3.4028234663852886e38;
+const largestFloat32 = 3.4028234663852886e38;
 
-/**
- * The current token as a number within float32, or NaN and a diagnostic. `what` is the field's name.
- */
+/** What a reader says of its numbers. */
+export interface NumberField {
+  /** The field's name. */
+  readonly what: string;
+  readonly area: 'skel' | 'obj' | 'attach';
+  readonly effect: string;
+  /** The largest magnitude, where it is less than what a float32 holds. */
+  readonly largest?: number | undefined;
+}
+
+/** The current token as a number within its bounds, or NaN and a diagnostic. */
 export function checkFloat32(
   reader: LineReader,
-  what: string,
-  area: 'skel' | 'obj' | 'attach',
-  effect: string,
+  { what, area, effect, largest = largestFloat32 }: NumberField,
   log: DiagnosticLog,
 ): number {
   const value = reader.number();
   if (Math.abs(value) <= largest) return value;
-  const isNumber = !Number.isNaN(value);
-  const code: DiagnosticCode = `${area}/${isNumber ? 'range' : 'number'}`;
   const found = reader.text();
-  const hint = /^[+-]?\d+,\d+$/.test(found) ? ' with a decimal point' : '';
-  const expected = isNumber ? `${what} within ±3.4e38` : `a number for ${what}${hint}`;
-  log.error({ code, ...reader.place, expected, found, effect });
+  if (reader.isTooLong) {
+    fail('limit', `a number of at most ${reader.limits.tokenLength} characters for ${what}`);
+  } else if (Number.isNaN(value)) {
+    const hint = /^[+-]?\d+,\d+$/.test(found) ? ' with a decimal point' : '';
+    fail('number', `a number for ${what}${hint}`);
+  } else fail('range', `${what} within ±${boundText(largest)}`);
   return NaN;
+
+  function fail(kind: 'limit' | 'number' | 'range', expected: string): void {
+    log.error({ code: `${area}/${kind}`, ...reader.place, expected, found, effect });
+  }
 }

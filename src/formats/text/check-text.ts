@@ -1,39 +1,46 @@
-import type { DiagnosticLog } from '../../core/diagnostics.ts';
-
-const effect = 'the file is not used';
+import type { DiagnosticCode, DiagnosticLog } from '../../core/diagnostics.ts';
+import { extensionOf } from '../file-entry.ts';
+import { decodeText } from './decode-text.ts';
 
 /**
  * The bytes of a text file without a byte order mark, or nothing (and a diagnostic) where they are
- * no UTF-8 text: UTF-16, a picture that was renamed, a server's error page, an empty file.
+ * no text: UTF-16, a picture that was renamed, a server's error page, an empty file.
  */
-export function checkText(bytes: Uint8Array, log: DiagnosticLog): Uint8Array | undefined {
-  if (bytes.length === 0) {
-    log.error({ code: 'file/empty', expected: 'text', found: 'an empty file', effect });
+export function checkText(
+  file: string,
+  bytes: Uint8Array,
+  log: DiagnosticLog,
+): Uint8Array | undefined {
+  const fault = faultOf(bytes);
+  if (fault) {
+    const expected = fault.expected ?? `${extensionOf(file)} text`.trim();
+    log.error({ code: fault.code, expected, found: fault.found, effect: 'the file is not used' });
     return undefined;
   }
-  if ((bytes[0] === 0xff && bytes[1] === 0xfe) || (bytes[0] === 0xfe && bytes[1] === 0xff)) {
-    const found = 'a UTF-16 byte order mark';
-    log.error({ code: 'file/encoding', expected: 'UTF-8 text', found, effect });
-    return undefined;
-  }
-  const nul = bytes.indexOf(0);
-  if (nul >= 0) {
-    const found = `byte 0x00 @ byte ${nul}`;
-    log.error({ code: 'file/binary', expected: 'text', found, effect });
-    return undefined;
-  }
-  const text = hasByteOrderMark(bytes) ? bytes.subarray(3) : bytes;
-  if (/^\s*<(!doctype|html|head|\?xml)/i.test(decodeText(text.subarray(0, 256)))) {
-    log.error({ code: 'file/html', expected: 'the file itself', found: 'a web page', effect });
-    return undefined;
-  }
-  return text;
+  return hasByteOrderMark(bytes) ? bytes.subarray(3) : bytes;
 }
 
-const decoder = new TextDecoder();
+interface Fault {
+  readonly code: DiagnosticCode;
+  readonly found: string;
+  /** Where it is more than that the file be text. */
+  readonly expected?: string;
+}
 
-export function decodeText(bytes: Uint8Array): string {
-  return decoder.decode(bytes);
+function faultOf(bytes: Uint8Array): Fault | undefined {
+  if (bytes.length === 0) return { code: 'file/empty', found: 'an empty file' };
+  if ((bytes[0] === 0xff && bytes[1] === 0xfe) || (bytes[0] === 0xfe && bytes[1] === 0xff)) {
+    const found = 'a UTF-16 byte order mark';
+    return { code: 'file/encoding', found, expected: 'UTF-8 text' };
+  }
+  const nul = bytes.indexOf(0);
+  if (nul >= 0) return { code: 'file/binary', found: `byte 0x00 @ byte ${nul}` };
+  return isWebPage(bytes) ? { code: 'file/html', found: 'an HTML page' } : undefined;
+}
+
+function isWebPage(bytes: Uint8Array): boolean {
+  const start = decodeText(bytes.subarray(0, 256));
+  return /^\s*<(!doctype|!--|\?xml|html|head|body|title|script)/i.test(start);
 }
 
 function hasByteOrderMark(bytes: Uint8Array): boolean {

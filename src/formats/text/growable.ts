@@ -1,7 +1,7 @@
 /** Typed arrays that grow while a file is read and are cut to exact size at its end. */
 type Numbers = Float32Array | Float64Array | Uint32Array | Int32Array | Uint16Array;
 
-export class Growable<T extends Numbers> {
+class Growable<T extends Numbers> {
   length = 0;
   private storage: T;
   private readonly create: (length: number) => T;

@@ -1,17 +1,31 @@
-import { decodeText } from './check-text.ts';
+import type { DiagnosticLog } from '../../core/diagnostics.ts';
+import { defaultLimits, type Limits } from '../../core/limits.ts';
+import { decodeText } from './decode-text.ts';
 import { carriageReturn, endOfLineEnd, isBlank, lineFeed } from './line-ends.ts';
+import { reportEncoding, reportLength, reportOpenEnd } from './line-problems.ts';
 import { readInteger, readNumber } from './read-number.ts';
 
 const hash = 0x23;
 const backslash = 0x5c;
+const beyondAscii = 0x80;
+
+/** Longer words are shown cut; no keyword is as long. */
+const longestText = 256;
+
+export interface LineOptions {
+  /** Whether a backslash at a line's end joins the next line to it, comments aside. */
+  readonly continuations?: boolean;
+  readonly limits?: Limits;
+}
 
 /**
  * Walks over the lines of a text file and the tokens of a line, byte by byte and without strings.
  * Lines end with LF, CRLF, CR CR LF or a bare CR; `#` at the start of a token comments out the rest
- * of its line. With `continuations`, a backslash at a line's end joins the next line to it.
+ * of its line. Ends early, with an error, at a line past the limit.
  */
 export class LineReader {
   readonly bytes: Uint8Array;
+  readonly limits: Limits;
   /** One-based number of the current line, the first where several are joined. */
   line = 0;
   /** The current token's bytes, end exclusive. */
@@ -21,11 +35,17 @@ export class LineReader {
   private lineEnd = 0;
   private nextLine = 1;
   private nextStart = 0;
+  /** All bytes of the line, or-ed. */
+  private bits = 0;
+  private encodingReported = false;
+  private readonly log: DiagnosticLog;
   private readonly continuations: boolean;
 
-  constructor(bytes: Uint8Array, continuations = false) {
+  constructor(bytes: Uint8Array, log: DiagnosticLog, options: LineOptions = {}) {
     this.bytes = bytes;
-    this.continuations = continuations;
+    this.log = log;
+    this.continuations = options.continuations ?? false;
+    this.limits = options.limits ?? defaultLimits;
   }
 
   /** Goes on to the next line; false at the end of the file. */
@@ -33,15 +53,21 @@ export class LineReader {
     if (this.nextStart >= this.bytes.length) return false;
     this.line = this.nextLine;
     this.lineStart = this.nextStart;
-    let joined: boolean;
-    do {
-      this.findLineEnd();
-      joined =
-        this.continuations &&
-        this.bytes[this.lineEnd - 1] === backslash &&
-        this.nextStart < this.bytes.length;
-    } while (joined);
+    this.bits = 0;
+    this.findLineEnd();
+    const continues = this.continuations && !this.isComment();
+    while (continues && this.endsOpen() && this.nextStart < this.bytes.length) this.findLineEnd();
     this.tokenEnd = this.lineStart;
+    const bytes = this.bytes.subarray(this.lineStart, this.lineEnd);
+    if (bytes.length > this.limits.lineLength) {
+      reportLength(this.log, this.linePlace, bytes.length, this.limits.lineLength);
+      this.nextStart = this.bytes.length;
+      return false;
+    }
+    if (this.bits >= beyondAscii && !this.encodingReported) {
+      this.encodingReported = reportEncoding(this.log, this.linePlace, bytes);
+    }
+    if (continues && this.endsOpen()) reportOpenEnd(this.log, this.linePlace);
     return true;
   }
 
@@ -59,24 +85,38 @@ export class LineReader {
     return true;
   }
 
+  /** Whether the token has more characters than a number may have. */
+  get isTooLong(): boolean {
+    return this.tokenEnd - this.tokenStart > this.limits.tokenLength;
+  }
+
   /** The token as a number; NaN where it is none. */
   number(): number {
-    return readNumber(this.bytes, this.tokenStart, this.tokenEnd);
+    return readNumber(this.bytes, this.tokenStart, this.tokenEnd, this.limits.tokenLength);
   }
 
   /** The token as a whole number; NaN where it is none. */
   integer(): number {
-    return readInteger(this.bytes, this.tokenStart, this.tokenEnd);
+    return readInteger(this.bytes, this.tokenStart, this.tokenEnd, this.limits.tokenLength);
   }
 
-  /** The token as text. */
+  /** The token as text, cut where it is longer than any word. */
   text(): string {
-    return decodeText(this.bytes.subarray(this.tokenStart, this.tokenEnd));
+    const end = Math.min(this.tokenEnd, this.tokenStart + longestText);
+    return decodeText(this.bytes.subarray(this.tokenStart, end));
   }
 
   /** What follows the token on its line, trimmed, comments kept: names may hold blanks and `#`. */
   rest(): string {
-    return decodeText(this.bytes.subarray(this.tokenEnd, this.lineEnd)).trim();
+    const text = decodeText(this.bytes.subarray(this.tokenEnd, this.lineEnd));
+    return (this.continuations ? text.replace(/\\(\r\r\n|\r\n|\r|\n|$)/g, ' ') : text).trim();
+  }
+
+  /** Whether the line is all comment. */
+  isComment(): boolean {
+    let at = this.lineStart;
+    while (at < this.lineEnd && isBlank(this.bytes[at]!)) at++;
+    return at < this.lineEnd && this.bytes[at] === hash;
   }
 
   /** How many tokens the line has; goes back to before the first. */
@@ -110,10 +150,17 @@ export class LineReader {
     return next === undefined || next === lineFeed || next === carriageReturn;
   }
 
+  private endsOpen(): boolean {
+    return this.lineEnd > this.lineStart && this.bytes[this.lineEnd - 1] === backslash;
+  }
+
   private findLineEnd(): void {
     const { bytes } = this;
     let at = this.nextStart;
-    while (at < bytes.length && bytes[at] !== lineFeed && bytes[at] !== carriageReturn) at++;
+    while (at < bytes.length && bytes[at] !== lineFeed && bytes[at] !== carriageReturn) {
+      this.bits |= bytes[at]!;
+      at++;
+    }
     this.lineEnd = at;
     this.nextStart = endOfLineEnd(bytes, at);
     this.nextLine++;

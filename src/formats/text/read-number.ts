@@ -1,14 +1,21 @@
+import { defaultLimits } from '../../core/limits.ts';
+
 /**
  * The double nearest to a decimal number, `[+-] digits [. digits] [e [+-] digits]`, or NaN where the
- * bytes are anything else (`Infinity`, `0x10`, `1e` and `1.2.3` among them). Past the range of a
- * double it is ±Infinity.
+ * bytes are anything else (`Infinity`, `0x10`, `1e` and `1.2.3` among them) or more than `longest`.
+ * Past the range of a double it is ±Infinity.
  *
  * Correctly rounded without a string in nearly all cases: up to 15 significant digits and a power of
  * ten up to 22 are both exact doubles, so that one multiplication or division rounds once (Clinger
  * 1990, "How to read floating point numbers accurately"). The rest goes to `Number`.
  */
-export function readNumber(bytes: Uint8Array, start: number, end: number): number {
-  if (end - start > longestNumber) return NaN;
+export function readNumber(
+  bytes: Uint8Array,
+  start: number,
+  end: number,
+  longest = defaultLimits.tokenLength,
+): number {
+  if (end - start > longest) return NaN;
   let at = start;
   const negative = bytes[at] === minus;
   if (negative || bytes[at] === plus) at++;
@@ -56,8 +63,13 @@ export function readNumber(bytes: Uint8Array, start: number, end: number): numbe
 }
 
 /** The whole number that the bytes spell in decimal with an optional sign, or NaN. */
-export function readInteger(bytes: Uint8Array, start: number, end: number): number {
-  if (end - start > longestNumber) return NaN;
+export function readInteger(
+  bytes: Uint8Array,
+  start: number,
+  end: number,
+  longest = defaultLimits.tokenLength,
+): number {
+  if (end - start > longest) return NaN;
   let at = start;
   const negative = bytes[at] === minus;
   if (negative || bytes[at] === plus) at++;
@@ -71,7 +83,6 @@ export function readInteger(bytes: Uint8Array, start: number, end: number): numb
   return negative ? -value : value;
 }
 
-const longestNumber = 64;
 const plus = 0x2b;
 const minus = 0x2d;
 const point = 0x2e;

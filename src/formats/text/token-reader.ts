@@ -1,4 +1,4 @@
-import { decodeText } from './check-text.ts';
+import { decodeText } from './decode-text.ts';
 import { carriageReturn, endOfLineEnd, isBlank, lineFeed } from './line-ends.ts';
 import { readInteger, readNumber } from './read-number.ts';
 

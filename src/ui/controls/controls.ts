@@ -2,8 +2,10 @@ import GUI from 'lil-gui';
 // lil-gui's package does not export its style; injecting it would be an innerHTML write.
 import '../../../node_modules/lil-gui/dist/lil-gui.min.css';
 import type { Editor } from '../editor.ts';
+import { addLightsFolder } from './lights-folder.ts';
 import { addPictureFolder } from './picture-folder.ts';
 import { addPoseFolder } from './pose-folder.ts';
+import { addSliderRoles } from './slider-role.ts';
 import { addSkinFolder } from './skin-folder.ts';
 import { addViewFolder } from './view-folder.ts';
 
@@ -13,5 +15,7 @@ export function createControls(container: HTMLElement, editor: Editor): void {
   addPoseFolder(gui, editor);
   addSkinFolder(gui, editor);
   addViewFolder(gui, editor);
+  addLightsFolder(gui, editor);
   addPictureFolder(gui, editor);
+  addSliderRoles(gui);
 }

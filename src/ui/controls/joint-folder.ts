@@ -68,17 +68,23 @@ export class JointFolder {
     const reach = isAngle ? Math.PI : diagonal(character.bounds);
     const name = `${isAngle ? '' : 'Move '}${axisNames[axis]}`;
     const label = `${isAngle ? 'Turn' : 'Move'} ${this.name} ${axisNames[axis]}`;
+    const fullName = `${this.name} ${name}`;
+    const [least, most] = [qMin[index]!, qMax[index]!];
     return addValueRow(this.folder, {
       name,
-      fullName: `${this.name} ${name}`,
-      minimum: Math.max(qMin[index]!, -reach),
-      maximum: Math.min(qMax[index]!, reach),
+      fullName,
+      locked: least === most,
+      minimum: Math.max(least, -reach),
+      maximum: Math.min(most, reach),
       isAngle,
-      legal: [qMin[index]!, qMax[index]!],
+      legal: [least, most],
       read: () => selectedCharacter(store.document.value)?.q[index] ?? 0,
-      begin: () => store.begin(label),
+      begin: () => {
+        this.editor.session.activeDof.value = { name: fullName, index, isAngle };
+        return store.begin(label);
+      },
       preview: (gesture, value) => gesture.preview(setValue(id, index, value, label)),
-      reset: () => store.dispatch(setValue(id, index, qRest[index]!, `Reset ${this.name} ${name}`)),
+      reset: () => store.dispatch(setValue(id, index, qRest[index]!, `Reset ${fullName}`)),
     });
   }
 

@@ -4,6 +4,7 @@ import type { Character } from '../../core/character.ts';
 import { selectedCharacter } from '../../document/document.ts';
 import { chooseFiles } from '../choose-files.ts';
 import type { Editor } from '../editor.ts';
+import { stepJoint } from '../keymap.ts';
 import { JointFolder } from './joint-folder.ts';
 import { rotationOrder } from './rotation-order.ts';
 
@@ -16,12 +17,16 @@ export function addPoseFolder(gui: GUI, editor: Editor): void {
     open: () => chooseFiles(['.json'], (files) => void editor.openFiles(files)),
     save: () => editor.savePose(),
     mesh: () => editor.exportMesh(),
+    previous: () => stepJoint(editor, -1),
+    next: () => stepJoint(editor, 1),
   };
   folder.add(actions, 'reset').name('Reset all');
   folder.add(actions, 'mesh').name('Export posed OBJ');
   folder.add(actions, 'open').name('Open pose…');
   folder.add(actions, 'save').name('Save pose');
   folder.add(actions, 'copy').name('Copy pose');
+  folder.add(actions, 'previous').name('Previous joint');
+  folder.add(actions, 'next').name('Next joint');
   let joints: GUI | null = null;
   let folders: JointFolder[] = [];
   let shown: Character | null = null;

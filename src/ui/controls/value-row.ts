@@ -1,6 +1,7 @@
 import type { GUI } from 'lil-gui';
 import type { Gesture } from '../../document/store.ts';
 import { formatDegrees, parseTyped } from '../angle-text.ts';
+import { addSliderRole, type SliderRole, sliderTarget } from './slider-role.ts';
 
 /** A number shown as a slider with a field; what is typed may go past the slider's range. */
 export interface ValueRowOptions {
@@ -10,6 +11,8 @@ export interface ValueRowOptions {
   readonly minimum: number;
   readonly maximum: number;
   readonly isAngle: boolean;
+  /** Its limits leave it one value: it is shown, and can't be changed. */
+  readonly locked: boolean;
   /** What typing may reach. */
   readonly legal: readonly [number, number];
   read(): number;
@@ -30,6 +33,8 @@ export interface ValueRow {
  */
 export function addValueRow(folder: GUI, options: ValueRowOptions): ValueRow {
   let gesture: Gesture | null = null;
+  /** Whether keys, not the pointer, are at work on the slider. */
+  let keyed = false;
   const write = (value: number): void => {
     if (!gesture?.isOpen) gesture = options.begin();
     options.preview(gesture, value);
@@ -37,6 +42,7 @@ export function addValueRow(folder: GUI, options: ValueRowOptions): ValueRow {
   const finish = (): void => {
     gesture?.commit();
     gesture = null;
+    keyed = false;
   };
   const bound = {
     get value(): number {
@@ -48,7 +54,9 @@ export function addValueRow(folder: GUI, options: ValueRowOptions): ValueRow {
       write(value);
     },
   };
-  const { minimum, maximum } = options;
+  // A range without width has no slider; a locked row gets one that nothing moves.
+  const minimum = options.locked ? options.minimum - 1 : options.minimum;
+  const maximum = options.locked ? options.maximum + 1 : options.maximum;
   const controller = folder.add(bound, 'value', minimum, maximum).name(options.name).decimals(3);
   controller.onFinishChange(finish);
 
@@ -60,11 +68,14 @@ export function addValueRow(folder: GUI, options: ValueRowOptions): ValueRow {
   if (options.isAngle) row.querySelector('.lil-widget')!.append(degrees);
   field.setAttribute('aria-label', options.fullName);
   field.removeAttribute('aria-labelledby');
-  slider.tabIndex = 0;
-  slider.setAttribute('role', 'slider');
-  slider.setAttribute('aria-label', options.fullName);
-  slider.setAttribute('aria-valuemin', minimum.toFixed(3));
-  slider.setAttribute('aria-valuemax', maximum.toFixed(3));
+  const role: SliderRole = {
+    name: options.fullName,
+    minimum,
+    maximum,
+    value: () => options.read(),
+    text: () => (options.isAngle ? formatDegrees(options.read()) : options.read().toFixed(3)),
+  };
+  const refreshRole = addSliderRole(row, role);
 
   const setTyped = (value: number): void => {
     if (!Number.isFinite(value)) return;
@@ -81,7 +92,9 @@ export function addValueRow(folder: GUI, options: ValueRowOptions): ValueRow {
     true,
   );
   row.addEventListener('keydown', onKey, true);
-  slider.addEventListener('keyup', finish);
+  slider.addEventListener('keyup', () => {
+    if (keyed) finish();
+  });
   field.addEventListener('blur', finish);
   // The second press of a double click would begin another drag; it resets instead.
   row.addEventListener(
@@ -93,42 +106,36 @@ export function addValueRow(folder: GUI, options: ValueRowOptions): ValueRow {
     },
     true,
   );
+  if (options.locked) {
+    controller.disable();
+    slider.tabIndex = -1;
+    slider.setAttribute('aria-disabled', 'true');
+    row.title = `${options.fullName} is locked: its limits are equal`;
+  }
   refresh();
   return { refresh };
 
-  /** Arrows step by a degree (or a 360th of the range), ten with Shift; Home and End go to its ends. */
+  /** Arrows step in the field too; Home, End and the rest are the slider's alone. */
   function onKey(event: KeyboardEvent): void {
-    const onSlider = event.target === slider;
-    const step = ((maximum - minimum) / 360) * (event.shiftKey ? 10 : 1);
-    const targets: Record<string, number> = {
-      ArrowUp: options.read() + step,
-      ArrowDown: options.read() - step,
-      ...(onSlider && {
-        ArrowRight: options.read() + step,
-        ArrowLeft: options.read() - step,
-        PageUp: options.read() + 10 * step,
-        PageDown: options.read() - 10 * step,
-        Home: minimum,
-        End: maximum,
-      }),
-    };
-    const target = targets[event.key];
-    if (target === undefined || event.ctrlKey || event.metaKey || event.altKey) return;
+    const inField = event.target === field;
+    if (inField && event.key !== 'ArrowUp' && event.key !== 'ArrowDown') return;
+    const target = sliderTarget(event, role);
+    if (target === undefined) return;
     event.stopImmediatePropagation();
     event.preventDefault();
+    keyed = !inField;
     setTyped(target);
     field.value = options.read().toFixed(3);
   }
 
   function refresh(): void {
     controller.updateDisplay();
-    const value = options.read();
     // lil-gui leaves a field that has the focus alone, though an undo may have changed its number.
     const typed = parseTyped(field.value);
-    if (Number.isFinite(typed) && typed !== value) field.value = value.toFixed(3);
-    const shown = options.isAngle ? formatDegrees(value) : value.toFixed(3);
-    degrees.textContent = shown;
-    slider.setAttribute('aria-valuenow', value.toFixed(3));
-    slider.setAttribute('aria-valuetext', shown);
+    if (Number.isFinite(typed) && typed !== options.read()) {
+      field.value = options.read().toFixed(3);
+    }
+    degrees.textContent = role.text();
+    refreshRole();
   }
 }

@@ -36,6 +36,11 @@ function Tree({ editor, skeleton }: TreeProperties) {
     setCurrent(selected);
   }, [selected, skeleton]);
 
+  useEffect(() => {
+    if (selected === null) return;
+    list.current?.querySelector(`[data-joint="${selected}"]`)?.scrollIntoView({ block: 'nearest' });
+  }, [selected, folded]);
+
   const fold = (joint: number, closed: boolean): void =>
     setFolded((old) => {
       const next = new Set(old);

@@ -1,3 +1,5 @@
+import { selectedCharacter } from '../../document/document.ts';
+import { formatDegrees } from '../angle-text.ts';
 import type { Drawer, Editor } from '../editor.ts';
 
 /** Over the view: what is under way, why there is no picture, and the drawers' buttons. */
@@ -7,6 +9,7 @@ export function ViewOverlay({ editor }: { readonly editor: Editor }) {
       <DrawerButtons editor={editor} />
       <ProgressBox editor={editor} />
       <ViewMessage editor={editor} />
+      <ActiveDofText editor={editor} />
     </>
   );
 }
@@ -43,6 +46,19 @@ function ProgressBox({ editor }: { readonly editor: Editor }) {
         Cancel
       </button>
     </div>
+  );
+}
+
+/** The degree of freedom last touched, with its value, in a corner of the picture. */
+function ActiveDofText({ editor: { store, session } }: { readonly editor: Editor }) {
+  const dof = session.activeDof.value;
+  const value = selectedCharacter(store.document.value)?.q[dof?.index ?? -1];
+  if (!dof || value === undefined) return null;
+  return (
+    <output class="active-dof">
+      {dof.name} {value.toFixed(3)}
+      {dof.isAngle && ` (${formatDegrees(value)})`}
+    </output>
   );
 }
 

@@ -4,7 +4,7 @@ import type { Frame } from '../frame.ts';
 import { InstancedSolid } from '../instanced-solid.ts';
 import type { Pass } from '../pass.ts';
 import type { Programs } from '../programs.ts';
-import { boneInstances, jointInstances } from '../solid-instances.ts';
+import { boneInstances, jointInstances, type JointMarks } from '../solid-instances.ts';
 import { cylinder, sphere } from '../solid-shapes.ts';
 
 /** How much of a bone shows through an opaque skin. */
@@ -79,8 +79,8 @@ class SkeletonSolids {
 
 function concatenate(
   { characters, options }: Frame,
-  instancesOf: (view: CharacterView, selected: number | null) => Float32Array,
+  instancesOf: (view: CharacterView, marks: JointMarks) => Float32Array,
 ): Float32Array {
-  const { selectedJoint } = options;
-  return Float32Array.from(characters.flatMap((view) => [...instancesOf(view, selectedJoint)]));
+  const marks = { selected: options.selectedJoint, hovered: options.hoveredJoint };
+  return Float32Array.from(characters.flatMap((view) => [...instancesOf(view, marks)]));
 }

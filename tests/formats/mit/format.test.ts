@@ -44,12 +44,13 @@ describe('the format of 6.837', () => {
     [
       'more columns than joints',
       '1 0 0\n'.repeat(3),
-      'a.attach:1: expected 2 weights (3 joints, less the root), found "3" [attach/field-count]',
+      'a.attach:1: expected 2 weights (3 joints in a.skel, less the root), found "3" ' +
+        '[attach/field-count]',
     ],
     [
       'a row too few',
       '1 0\n0 1\n',
-      'a.attach: expected 3 rows of weights, one for each vertex of the mesh, found "2 rows" ' +
+      'a.attach: expected 3 rows of weights, one for each vertex of a.obj, found "2 rows" ' +
         '[character/count]',
     ],
   ])('shows mesh and skeleton where the weights have %s', async (_, weights, message) => {
@@ -59,10 +60,10 @@ describe('the format of 6.837', () => {
   });
 
   it('shows the mesh where the skeleton has an error', async () => {
-    const contents = { 'a.skel': '0 0 0 1\n0 0 0 0\n0 0 0 0', 'a.obj': obj, 'a.attach': attach };
+    const contents = { 'a.skel': '0 0 0 1\n0 0 0 0\n0 0 0 -1', 'a.obj': obj, 'a.attach': attach };
     const { sizes, messages } = await read(contents);
     expect(sizes).toMatchObject([{ joints: 0, points: 3 }]);
-    expect(messages[0]).toContain('a.skel:1: expected parents that lead to a root (-1)');
+    expect(messages.at(-1)).toContain('a.skel:1:7: expected parents that lead to a root (-1)');
   });
 
   it('tells the wrong columns before it says that a row is missing', async () => {

@@ -91,16 +91,16 @@ describe('the golden files with all their oddities', () => {
   it('are read with these words', async () => {
     const { diagnostics } = await readContents(contents);
     expect(shown(diagnostics)).toEqual([
-      'warning: oddities.skel:5: expected the root to be the first joint, found "joint 2" ' +
+      'warning: oddities.skel:5:16: expected the root to be the first joint, found "joint 2" ' +
         '[skel/root]; joint 0 still has no column of weights, as the format has it',
       'warning: oddities.obj:2:1: expected vertices, texture coordinates, normals and faces, ' +
         'found "mtllib ../oddities.mtl" [obj/ignored]; materials are not read; the surface is plain',
       'warning: oddities.attach: expected at least one weight for every vertex, ' +
-        'found "none for 1 (vertex 6)" [character/weight-zero]; they follow the root rigidly',
-      'warning: oddities.attach: expected weights of at least 0, found "negative ones for 1 ' +
-        '(vertex 5)" [character/weight-negative]; they are kept as they are',
-      'warning: oddities.attach: expected weights that sum to 1 for every vertex, found "1 that do ' +
-        'not; worst: vertex 8, 0.98" [character/weight-sum]; they are used as they are; ' +
+        'found "none for 1: vertex 6" [character/weight-zero]; they follow the root rigidly',
+      'warning: oddities.attach: expected weights of at least 0, found "negative ones for ' +
+        '1: vertex 5" [character/weight-negative]; they are kept as they are',
+      'warning: oddities.attach: expected weights that sum to 1 for every vertex, found "0.98 for 1" ' +
+        '[character/weight-sum]; they are used as they are, vertex 8 being the farthest off; ' +
         '"normalise weights" divides them by their sum',
     ]);
   });

@@ -16,8 +16,8 @@ describe('readSkel', () => {
     const { joints, messages } = read('1 2 3 -1\n.5 -1e-3 +4. 0\n');
     expect(messages).toEqual([]);
     expect(joints).toMatchObject([
-      { name: 'joint 00', line: 1, parent: -1, restOffset: [1, 2, 3] },
-      { name: 'joint 01', line: 2, parent: 0, restOffset: [0.5, -0.001, 4] },
+      { name: 'joint 00', place: { line: 1, column: 7 }, parent: -1, restOffset: [1, 2, 3] },
+      { name: 'joint 01', place: { line: 2, column: 14 }, parent: 0, restOffset: [0.5, -0.001, 4] },
     ]);
   });
 
@@ -43,11 +43,11 @@ describe('readSkel', () => {
   it('reads over comments and blank lines, and takes parents after their children', () => {
     const { joints, messages } = read('# two joints\n\n0 0 0 1 # child\n\n0 1 0 -1\n');
     expect(joints).toMatchObject([
-      { line: 3, parent: 1 },
-      { line: 5, parent: -1 },
+      { place: { line: 3 }, parent: 1 },
+      { place: { line: 5 }, parent: -1 },
     ]);
     expect(messages).toEqual([
-      'warning: a.skel:5: expected the root to be the first joint, found "joint 1" [skel/root]; ' +
+      'warning: a.skel:5:7: expected the root to be the first joint, found "joint 1" [skel/root]; ' +
         'joint 0 still has no column of weights, as the format has it',
     ]);
   });
@@ -56,7 +56,7 @@ describe('readSkel', () => {
     const { joints, messages } = read('0 0 0 -1\n0 0 0 -1');
     expect(joints).toHaveLength(2);
     expect(messages).toEqual([
-      'warning: a.skel:2: expected one root (parent -1), found "2 roots" [skel/root]; ' +
+      'warning: a.skel:2:7: expected one root (parent -1), found "2 roots" [skel/root]; ' +
         'they are read as a forest',
     ]);
   });
@@ -69,11 +69,10 @@ describe('readSkel', () => {
     ['0 0 0x10 -1', '1:5: expected a number for z, found "0x10" [skel/number]'],
     ['0 0,5 0 -1', '1:3: expected a number for y with a decimal point, found "0,5" [skel/number]'],
     ['0 0 1.2.3 -1', '1:5: expected a number for z, found "1.2.3" [skel/number]'],
-    ['0 1e39 0 -1', '1:3: expected y within ±3.4e38, found "1e39" [skel/range]'],
-    ['0 0 -1e400 -1', '1:5: expected z within ±3.4e38, found "-1e400" [skel/range]'],
+    ['0 1e39 0 -1', '1:3: expected y within ±1e18, found "1e39" [skel/range]'],
+    ['0 0 -1e400 -1', '1:5: expected z within ±1e18, found "-1e400" [skel/range]'],
     ['0 0 0 0.5', '1:7: expected -1 or the index of a joint, found "0.5" [skel/integer]'],
     ['0 0 0 -2', '1:7: expected -1 or the index of a joint, found "-2" [skel/integer]'],
-    ['0 0 0 -1\n0 0 0 2', '2: expected a parent from -1 to 1, found "2" [skel/parent]'],
   ])('refuses %j', (text, message) => {
     expect(read(text)).toEqual({
       joints: undefined,

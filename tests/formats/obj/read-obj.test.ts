@@ -102,8 +102,8 @@ describe('readObj', () => {
     const { mesh, messages } = read(`${points}f 1/9 2/9 3/9`);
     expect(mesh?.cornerUvs).toEqual(Int32Array.of(-1, -1, -1));
     expect(messages).toEqual([
-      'warning: a.obj:5:3: expected none, as the file has none, found "9" [obj/index]; ' +
-        'such corners go without texture coordinate or normal',
+      'warning: a.obj:5:3: expected no texture coordinate, as none came before, found "9" ' +
+        '[obj/index]; corners whose texture coordinate is not there go without',
     ]);
   });
 });

@@ -6,7 +6,7 @@ import { bytesOf, textOf } from '../../support/files.ts';
 
 function check(content: string | Uint8Array) {
   const log = new DiagnosticLog('a.obj');
-  const text = checkText(bytesOf(content), log);
+  const text = checkText('a.obj', bytesOf(content), log);
   return { text: text && textOf(text), messages: shown(log.diagnostics) };
 }
 
@@ -17,7 +17,7 @@ describe('checkText', () => {
   });
 
   it.each([
-    ['an empty file', '', 'expected text, found "an empty file" [file/empty]'],
+    ['an empty file', '', 'expected .obj text, found "an empty file" [file/empty]'],
     [
       'UTF-16, low byte first',
       Uint8Array.of(0xff, 0xfe, 0x76, 0),
@@ -31,14 +31,14 @@ describe('checkText', () => {
     [
       'a picture',
       Uint8Array.of(0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0, 0),
-      'expected text, found "byte 0x00 @ byte 8" [file/binary]',
+      'expected .obj text, found "byte 0x00 @ byte 8" [file/binary]',
     ],
     [
       "a server's error page",
       '\n<!doctype html><html>',
-      'expected the file itself, found "a web page" [file/html]',
+      'expected .obj text, found "an HTML page" [file/html]',
     ],
-    ['a web page', '<HTML lang="en">', 'expected the file itself, found "a web page" [file/html]'],
+    ['a web page', '<HTML lang="en">', 'expected .obj text, found "an HTML page" [file/html]'],
   ])('refuses %s', (_, content, message) => {
     expect(check(content)).toEqual({
       text: undefined,

@@ -1,12 +1,16 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import { DiagnosticLog } from '../../../src/core/diagnostics.ts';
+import { defaultLimits } from '../../../src/core/limits.ts';
 import { LineReader } from '../../../src/formats/text/line-reader.ts';
 import { characterOf } from '../../support/decimals.ts';
 import { bytesOf } from '../../support/files.ts';
 
 /** [line, column, text] of every token. */
+const log = new DiagnosticLog('a.obj');
+
 function tokensOf(text: string, continuations = false): [number, number, string][] {
-  const reader = new LineReader(bytesOf(text), continuations);
+  const reader = new LineReader(bytesOf(text), log, { continuations });
   const tokens: [number, number, string][] = [];
   while (reader.next()) {
     while (reader.token()) {
@@ -67,21 +71,68 @@ describe('LineReader', () => {
     ]);
   });
 
+  it('joins no line to one that is all comment', () => {
+    const tokens = tokensOf('  # in C:\\\na b # c\\\nd\ne', true);
+    expect(tokens.map(([line, , token]) => [line, token])).toEqual([
+      [2, 'a'],
+      [2, 'b'],
+      [4, 'e'],
+    ]);
+  });
+
+  it('gives names over joined lines without the marks between', () => {
+    const reader = new LineReader(bytesOf('usemtl dark \\\r\n  skin \\\\ x\\'), log, {
+      continuations: true,
+    });
+    reader.next();
+    reader.token();
+    expect(reader.rest()).toBe('dark    skin \\\\ x');
+  });
+
   it('copes with a continuation that nothing follows', () => {
     expect(tokensOf('a b\\', true).map(([, , token]) => token)).toEqual(['a', 'b']);
     expect(tokensOf('a \\\n', true).map(([, , token]) => token)).toEqual(['a']);
   });
 
   it('counts the tokens of a line and goes back to before the first', () => {
-    const reader = new LineReader(bytesOf(' a b c # d\nx'));
+    const reader = new LineReader(bytesOf(' a b c # d\nx'), log);
     reader.next();
     expect(reader.countTokens()).toBe(3);
     reader.token();
     expect([reader.text(), reader.rest()]).toEqual(['a', 'b c # d']);
   });
 
+  it('shows words shortened', () => {
+    const reader = new LineReader(bytesOf(`x${'y'.repeat(1000)} z`), log);
+    reader.next();
+    reader.token();
+    expect(reader.text()).toHaveLength(256);
+    expect(reader.rest()).toBe('z');
+  });
+
+  it('tells of the first line that is no UTF-8, once', () => {
+    const own = new DiagnosticLog('a.obj');
+    const bytes = [...bytesOf('a Ä\nb '), 0xc4, 0x0a, 0xff];
+    const reader = new LineReader(Uint8Array.from(bytes), own);
+    while (reader.next());
+    expect(own.diagnostics).toMatchObject([
+      { severity: 'warning', code: 'file/encoding', line: 2, column: 3, found: 'byte 0xC4' },
+    ]);
+  });
+
+  it.each([false, true])('ends at a line past the limit, joined or not: %j', (continuations) => {
+    const own = new DiagnosticLog('a.obj');
+    const limits = { ...defaultLimits, lineLength: 10 };
+    const text = `${'x'.repeat(10)}\n${continuations ? 'abcdef\\\nghij' : 'abcdefghijk'}\nz\n`;
+    const reader = new LineReader(bytesOf(text), own, { continuations, limits });
+    expect([reader.next(), reader.next(), reader.next()]).toEqual([true, false, false]);
+    expect(own.diagnostics).toMatchObject([
+      { severity: 'error', code: 'file/limit', line: 2, expected: 'a line of at most 10 bytes' },
+    ]);
+  });
+
   it('shows the line itself, shortened', () => {
-    const reader = new LineReader(bytesOf(`first\r\nsecond ${'x'.repeat(500)}\r\n`));
+    const reader = new LineReader(bytesOf(`first\r\nsecond ${'x'.repeat(500)}\r\n`), log);
     reader.next();
     expect(reader.linePlace).toEqual({ line: 1, source: 'first' });
     reader.next();
@@ -90,7 +141,7 @@ describe('LineReader', () => {
 
   // Looking ahead for the line feed from every one of them would take minutes.
   it('takes time in proportion to the file, even where it is all returns', () => {
-    const reader = new LineReader(new Uint8Array(300_000).fill(0x0d));
+    const reader = new LineReader(new Uint8Array(300_000).fill(0x0d), log);
     let count = 0;
     while (reader.next()) count++;
     expect(count).toBe(300_000);

@@ -68,6 +68,12 @@ describe('readNumber', () => {
     expect(read('1'.padStart(65, '0'))).toBeNaN();
     expect(read('1'.repeat(100_000))).toBeNaN();
   });
+
+  it('takes another limit', () => {
+    const bytes = bytesOf('12345');
+    expect([4, 5].map((longest) => readNumber(bytes, 0, 5, longest))).toEqual([NaN, 12345]);
+    expect([4, 5].map((longest) => readInteger(bytes, 0, 5, longest))).toEqual([NaN, 12345]);
+  });
 });
 
 describe('readInteger', () => {
@@ -107,6 +113,10 @@ describe('writing and reading again', () => {
     [16777216, '16777216'],
     [1 / 3, '0.33333334'],
     [3.4028234663852886e38, '3.4028235e+38'],
+    [1.4e-45, '1e-45'],
+    [-2.8e-45, '-3e-45'],
+    [1e-40, '1e-40'],
+    [1.17549421e-38, '1.1754942e-38'],
   ])('writes the float32 nearest to %d as %s', (value, text) => {
     expect(writeFloat32(Math.fround(value))).toBe(text);
   });

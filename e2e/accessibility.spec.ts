@@ -1,0 +1,41 @@
+import AxeBuilder from '@axe-core/playwright';
+import { expect, type Page } from '@playwright/test';
+import { drop, openApp, openJoint } from './support/app.ts';
+import { sharedPage, test } from './support/test.ts';
+
+// What a checker can see of WCAG 2.2 AA: names, roles, contrast, order of headings.
+const page = sharedPage((page) => openApp(page, 'model=tube'));
+
+async function violations(page: Page): Promise<string[]> {
+  const tags = ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-practice'];
+  const { violations, passes } = await new AxeBuilder({ page }).withTags(tags).analyze();
+  expect(passes.length, 'rules that applied').toBeGreaterThan(10);
+  return violations.flatMap(({ id, nodes }) =>
+    nodes.map(({ html, failureSummary = '' }) => `${id}: ${html}\n${failureSummary}`),
+  );
+}
+
+for (const colorScheme of ['light', 'dark'] as const) {
+  test(`the page, a joint open and a problem listed, in ${colorScheme} colours`, async () => {
+    await page().emulateMedia({ colorScheme });
+    await openJoint(page(), 'joint 01', 'X');
+    await drop(page(), [{ name: 'bad.skel', content: '0 0 zero -1\n' }]);
+    await expect(page().locator('.problems')).toBeVisible();
+    expect(await violations(page())).toEqual([]);
+  });
+}
+
+test('the sheet of keys', async () => {
+  await page().getByRole('button', { name: 'Keys' }).click();
+  await expect(page().getByRole('dialog')).toBeVisible();
+  expect(await violations(page())).toEqual([]);
+});
+
+test('the drawers of a narrow page', async () => {
+  await page().keyboard.press('Escape');
+  await page().setViewportSize({ width: 390, height: 800 });
+  for (const name of ['Characters', 'Controls']) {
+    await page().getByRole('button', { name, exact: true }).click();
+    expect(await violations(page())).toEqual([]);
+  }
+});

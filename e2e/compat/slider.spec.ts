@@ -1,0 +1,77 @@
+import { expect, type Locator } from '@playwright/test';
+import type { PoseJson } from '../../src/formats/pose-json.ts';
+import { boundingDiagonal, largestDifference, numbersAt } from '../../tests/support/compare.ts';
+import { drop, getPose, openApp, openJoint, setPose, vertices } from '../support/app.ts';
+import { model1Files, model1Poses, needModel1 } from '../support/shared.ts';
+import { sharedPage, test } from '../support/test.ts';
+import { posedModel1 } from './model1-oracle.ts';
+
+needModel1();
+
+// A joint that carries much, by its name on the page and its number in the file.
+const [joint, number] = ['Chest', '#1'];
+const bound = 2e-6;
+
+test.describe('a slider, on Model1', () => {
+  test.use({ viewport: { width: 860, height: 600 } });
+  const page = sharedPage(async (page) => {
+    await openApp(page);
+    await drop(page, model1Files());
+  });
+
+  test('dragged by the pointer, brings the vertices to the reference', async () => {
+    const { pose, vertices: expected } = model1Poses()[0]!;
+    const [angle, y, z] = pose.joints![number]!;
+    const withAngle = (x: number): PoseJson => ({
+      ...pose,
+      joints: { ...pose.joints, [number]: [x, y, z] },
+    });
+    const before = await setPose(page(), withAngle(0));
+    const undragged = await vertices(page(), 'gpu');
+    const { slider, field } = await openJoint(page(), joint, 'X');
+
+    await drag(slider, [0, 0.2, 1, angle]);
+    const dragged = await getPose(page());
+    const reached = dragged.joints![joint]![0];
+    // As near as a pixel comes.
+    expect(Math.abs(reached - angle)).toBeLessThan(0.1);
+    await expect(slider).toHaveAttribute('aria-valuetext', `${degrees(reached)}°`);
+    const oracle = posedModel1(withAngle(reached));
+    const diagonal = boundingDiagonal(
+      Array.from({ length: 13_336 }, (_, i) => numbersAt(oracle, i, 3)),
+    );
+    const draggedVertices = await vertices(page(), 'gpu');
+    expect(largestDifference(draggedVertices, oracle)).toBeLessThan(bound * diagonal);
+    // What the test can tell apart: a slider that does nothing is far from there.
+    expect(largestDifference(draggedVertices, undragged)).toBeGreaterThan(0.05);
+
+    await field.fill(String(angle));
+    await field.press('Enter');
+    expect(largestDifference(await vertices(page(), 'gpu'), expected)).toBeLessThan(bound);
+
+    // The typed value, then the drag, one step each.
+    await page().keyboard.press('Control+z');
+    expect(await getPose(page())).toEqual(dragged);
+    await page().keyboard.press('Control+z');
+    expect(await getPose(page())).toEqual(before);
+    await page().keyboard.press('Control+Shift+z');
+    expect(await getPose(page())).toEqual(dragged);
+    expect(await vertices(page(), 'gpu')).toEqual(draggedVertices);
+  });
+});
+
+/** Presses on the slider at the first value, moves over the others, and lets go at the last. */
+async function drag(slider: Locator, values: readonly number[]): Promise<void> {
+  const { x, y, width, height } = (await slider.boundingBox())!;
+  const { mouse } = slider.page();
+  const moveTo = (value: number): Promise<void> =>
+    mouse.move(x + (value / Math.PI + 1) * 0.5 * width, y + height / 2, { steps: 4 });
+  await moveTo(values[0]!);
+  await mouse.down();
+  for (const value of values.slice(1)) await moveTo(value);
+  await mouse.up();
+}
+
+function degrees(radians: number): number {
+  return Math.round((radians * 1800) / Math.PI) / 10;
+}

@@ -1,0 +1,102 @@
+import { expect, type Page } from '@playwright/test';
+import { capture, drop, openApp, openJoint, openView, verify } from './support/app.ts';
+import { madeCharacter } from './support/made-character.ts';
+import { sharedPage, test } from './support/test.ts';
+
+declare global {
+  interface Window {
+    context?: WEBGL_lose_context;
+  }
+}
+
+const page = sharedPage((page) => openView(page, 'model=tube'));
+
+async function lose(page: Page): Promise<void> {
+  await page.evaluate(() => {
+    const gl = document.querySelector<HTMLCanvasElement>('canvas.scene')!.getContext('webgl2')!;
+    // The extension is not to be had from a lost context.
+    window.context ??= gl.getExtension('WEBGL_lose_context')!;
+    window.context.loseContext();
+  });
+  await page.waitForTimeout(50); // the event comes in a task of its own
+}
+
+async function restore(page: Page): Promise<void> {
+  await page.evaluate(async () => {
+    const canvas = document.querySelector('canvas.scene')!;
+    const restored = new Promise((resolve) => {
+      canvas.addEventListener('webglcontextrestored', resolve, { once: true });
+    });
+    window.context!.restoreContext();
+    await restored;
+  });
+}
+
+test('a lost context comes back with the same pixels, and the pose', async () => {
+  const before = await capture(page());
+  const pose = await page().evaluate(() => window.sinew.pose());
+  await lose(page());
+  await restore(page());
+  expect(await capture(page())).toEqual(before);
+  expect(await page().evaluate(() => window.sinew.pose())).toEqual(pose);
+  expect(await verify(page())).toMatchObject({ identical: true });
+});
+
+test('lost while a character is read, the picture is the same as if it had not been', async () => {
+  await page().evaluate(() => window.sinew.open('human'));
+  const expected = await capture(page());
+  await page().evaluate(() => window.sinew.open('tube'));
+  const opening = page().evaluate(() => window.sinew.open('human'));
+  await lose(page());
+  await opening;
+  await restore(page());
+  expect(await capture(page())).toEqual(expected);
+});
+
+test('lost while it is captured, capturing says so, and works again after', async () => {
+  const before = await capture(page());
+  await lose(page());
+  const refused = await page().evaluate(() =>
+    window.sinew.capture().then(
+      () => 'captured',
+      () => 'refused',
+    ),
+  );
+  expect(refused).toBe('refused');
+  await restore(page());
+  expect(await capture(page())).toEqual(before);
+});
+
+test('a character that is dropped meanwhile is there when the context is', async () => {
+  await lose(page());
+  await drop(page(), madeCharacter(5, 2));
+  await restore(page());
+  expect(await verify(page())).toMatchObject({ identical: true });
+});
+
+test('lost in the middle of a drag, the page says so and the drag goes on', async ({ page }) => {
+  await openApp(page, 'model=tube');
+  const { slider } = await openJoint(page, 'joint 02', 'X');
+  const box = (await slider.boundingBox())!;
+  const middle = box.y + box.height / 2;
+  await page.mouse.move(box.x + box.width / 2, middle);
+  await page.mouse.down();
+  await page.mouse.move(box.x + box.width * 0.6, middle);
+  await lose(page);
+  await expect(page.locator('.message')).toContainText('lost');
+  await page.mouse.move(box.x + box.width * 0.7, middle);
+  await restore(page);
+  await expect(page.locator('.message')).toBeHidden();
+  await page.mouse.move(box.x + box.width * 0.8, middle);
+  await page.mouse.up();
+  const pose = await page.evaluate(() => window.sinew.pose());
+  const lost = await capture(page);
+  expect(pose.joints!['joint 02']![0]).toBeGreaterThan(0.5);
+  // The same pose on a page that never lost its context.
+  await page.reload();
+  await page.evaluate(() => window.sinew.ready);
+  await page.evaluate((pose) => window.sinew.pose(pose), pose);
+  await page.locator('.controls .lil-gui').first().waitFor();
+  await (await openJoint(page, 'joint 02', 'X')).slider.waitFor();
+  expect(await capture(page)).toEqual(lost);
+});

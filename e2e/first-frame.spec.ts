@@ -1,0 +1,68 @@
+import { gzipSync } from 'node:zlib';
+import { expect } from '@playwright/test';
+import { openApp } from './support/app.ts';
+import { test } from './support/test.ts';
+
+const kilobyte = 1000;
+
+test('the first picture needs at most 60 KB of gzipped scripts', async ({ page }) => {
+  const scripts = new Map<string, Promise<Buffer>>();
+  page.on('response', (response) => {
+    const type = response.headers()['content-type'] ?? '';
+    if (/javascript|wasm/.test(type)) scripts.set(response.url(), response.body());
+  });
+  await openApp(page);
+  const { mark, starts } = await page.evaluate(() => ({
+    mark: performance.getEntriesByName('first-frame')[0]!.startTime,
+    starts: performance
+      .getEntriesByType('resource')
+      .map(({ name, startTime }) => ({ name, startTime })),
+  }));
+  // What the page's clock does not list (a worker's own scripts) counts as asked for before.
+  const isLate = (url: string): boolean =>
+    starts.some(({ name, startTime }) => name === url && startTime > mark);
+  const sizes: [string, number][] = [];
+  for (const [url, body] of scripts) {
+    const size = gzipSync(await body, { level: 9 }).length;
+    sizes.push([`${url.slice(url.lastIndexOf('/') + 1)}${isLate(url) ? ' (later)' : ''}`, size]);
+  }
+  const early = sizes.filter(([name]) => !name.endsWith('(later)'));
+  const total = early.reduce((sum, [, size]) => sum + size, 0);
+  annotate('scripts, gzipped', sizes.map(([name, size]) => `${name} ${size}`).join(', '));
+  annotate('before the first picture', `${total} bytes`);
+  expect(early.length).toBeGreaterThan(0);
+  expect(total).toBeLessThanOrEqual(60 * kilobyte);
+  expect(sizes.length, 'the panels come later').toBeGreaterThan(early.length);
+});
+
+test('the first visit transfers at most 700 KB', async ({ page }) => {
+  const session = await page.context().newCDPSession(page);
+  await session.send('Network.enable');
+  let transferred = 0;
+  session.on(
+    'Network.loadingFinished',
+    ({ encodedDataLength }) => (transferred += encodedDataLength),
+  );
+  const statuses: number[] = [];
+  page.on('response', (response) => statuses.push(response.status()));
+  await openApp(page);
+  await page.waitForLoadState('networkidle');
+  annotate('first visit', `${transferred} bytes in ${statuses.length} responses`);
+  expect(statuses.length).toBeGreaterThan(5);
+  expect(statuses.filter((status) => status !== 200)).toEqual([]);
+  // The character alone is some hundreds: less would mean that not everything was counted.
+  expect(transferred).toBeGreaterThan(300 * kilobyte);
+  expect(transferred).toBeLessThanOrEqual(700 * kilobyte);
+});
+
+test('the page works from a sub-path, with every address below it', async ({ page, baseURL }) => {
+  const asked: string[] = [];
+  page.on('request', (request) => asked.push(request.url()));
+  await openApp(page);
+  expect(new URL(baseURL!).pathname.split('/').length).toBeGreaterThan(2);
+  expect(asked.filter((url) => !url.startsWith(baseURL!))).toEqual([]);
+});
+
+function annotate(type: string, description: string): void {
+  test.info().annotations.push({ type, description });
+}

@@ -1,0 +1,80 @@
+import { expect } from '@playwright/test';
+import { methods } from '../src/skinning/registry.ts';
+import { choose, drop, openView, setPose, verify } from './support/app.ts';
+import { catalogue } from './support/catalogue.ts';
+import { madeCharacter } from './support/made-character.ts';
+import { wildPose } from './support/poses.ts';
+import { skinRuns, watchSkinStage } from './support/skin-stage.ts';
+import { test } from './support/test.ts';
+
+// The shader and the strict kernel in TypeScript do the same operations in the same order: under
+// SwiftShader every bit of every position and normal is the same.
+const same = { identical: true, position: 0, vertex: 0, normal: 0 };
+
+for (const { id, files } of catalogue) {
+  test(`${id}: GPU and CPU agree bit for bit, from the uniform array`, async ({ page }) => {
+    await watchSkinStage(page);
+    await openView(page, `model=${id}`);
+    expect(files.length, 'files of a character').toBe(3);
+    for (const { label } of methods) {
+      await choose(page, 'Method', label);
+      expect(await verify(page), `${label}, as bundled`).toMatchObject(same);
+      const jointCount = await page.evaluate(() => window.sinew.characters[0]!.joints.length);
+      for (const pose of [{}, wildPose(jointCount, 1), wildPose(jointCount, 2)]) {
+        await setPose(page, pose);
+        expect(await verify(page), `${label}, ${JSON.stringify(pose)}`).toMatchObject(same);
+      }
+    }
+    const runs = await skinRuns(page);
+    // As opened, then each method at its poses.
+    expect(runs.length).toBeGreaterThanOrEqual(4 * methods.length);
+    for (const { blocks, textures } of runs) {
+      expect(blocks).toEqual([{ name: 'Palette', size: 16_384 }]);
+      expect(textures).toEqual([]);
+    }
+  });
+}
+
+test('the textures that stand in for attributes and uniform array agree as well', async ({
+  page,
+}) => {
+  await watchSkinStage(page);
+  await openView(page, 'textures=palette,influences');
+  for (const { label } of methods) {
+    await choose(page, 'Method', label);
+    expect(await verify(page), label).toMatchObject(same);
+  }
+  for (const { blocks, textures } of await skinRuns(page)) {
+    expect(blocks).toEqual([]);
+    expect(textures.toSorted()).toEqual(['influenceTexture', 'paletteTexture']);
+  }
+});
+
+// What does not fit takes the other ways: larger blocks, then textures. They agree as well, and show
+// that the check above can tell them apart.
+const layouts = [
+  { joints: 341, influences: 8, blocks: [16_384], textures: [] },
+  { joints: 342, influences: 16, blocks: [65_536], textures: [] },
+  { joints: 1365, influences: 12, blocks: [65_536], textures: [] },
+  { joints: 1366, influences: 4, blocks: [], textures: ['paletteTexture'] },
+  { joints: 40, influences: 17, blocks: [16_384], textures: ['influenceTexture'] },
+  { joints: 2000, influences: 30, blocks: [], textures: ['influenceTexture', 'paletteTexture'] },
+];
+test('every layout of palette and influences agrees bit for bit', async ({ page }) => {
+  await watchSkinStage(page);
+  await openView(page, 'model=tube');
+  for (const { joints, influences, blocks, textures } of layouts) {
+    await drop(page, madeCharacter(joints, influences));
+    await setPose(page, wildPose(joints, 3));
+    const layout = `${joints} joints, ${influences} influences`;
+    const found = await verify(page);
+    expect(found, layout).toMatchObject(same);
+    const run = (await skinRuns(page)).at(-1)!;
+    expect(run.vertexCount).toBe(60);
+    expect(
+      run.blocks.map(({ size }) => size),
+      layout,
+    ).toEqual(blocks);
+    expect(run.textures.toSorted(), layout).toEqual(textures);
+  }
+});

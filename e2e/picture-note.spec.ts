@@ -1,0 +1,56 @@
+import { readFileSync } from 'node:fs';
+import { expect, type Page } from '@playwright/test';
+import { PNG } from 'pngjs';
+import { bytesOf, drop, openApp, setPose } from './support/app.ts';
+import { madeCharacter } from './support/made-character.ts';
+import { test } from './support/test.ts';
+
+async function savedPicture(page: Page): Promise<Buffer> {
+  await page.locator('canvas').focus();
+  const [download] = await Promise.all([page.waitForEvent('download'), page.keyboard.press('j')]);
+  return readFileSync(await download.path());
+}
+
+test('a PNG remembers its character and pose, and dropping it opens them', async ({ page }) => {
+  await openApp(page, 'model=tube');
+  const pose = await setPose(page, { joints: { '#2': [0.1, 0.2, 0.3] }, root: [0, 0.5, 0] });
+  const png = await savedPicture(page);
+  await page.evaluate(() => window.sinew.open('hand'));
+  await drop(page, [{ name: 'renamed.png', content: png }]);
+  await expect(page.locator('.status')).toContainText('tube');
+  expect(await page.evaluate(() => window.sinew.pose())).toEqual(pose);
+});
+
+test('of one’s own files it keeps the name alone, and poses them again', async ({ page }) => {
+  await openApp(page, 'model=tube');
+  await drop(page, madeCharacter(5, 2));
+  const pose = await setPose(page, { joints: { '#1': [0.5, 0, 0] } });
+  const png = await savedPicture(page);
+  await page.getByRole('button', { name: 'Reset all' }).click();
+  await drop(page, [{ name: 'again.png', content: png }]);
+  expect(await page.evaluate(() => window.sinew.pose())).toEqual(pose);
+});
+
+test('any other picture is told, and nothing changes', async ({ page }) => {
+  await openApp(page, 'model=tube');
+  const content = PNG.sync.write(new PNG({ width: 2, height: 2 }));
+  await drop(page, [{ name: 'holiday.png', content }]);
+  await expect(page.locator('.problems')).toContainText('a PNG that Sinew saved');
+  await expect(page.locator('.status')).toContainText('tube');
+});
+
+test('pictures have the size that is asked for, with or without background', async ({ page }) => {
+  await openApp(page, 'model=tube');
+  for (const background of [true, false]) {
+    const blob = await page.evaluateHandle(
+      (background) => window.sinew.capture({ width: 701, height: 333, background }),
+      background,
+    );
+    const { width, height, data } = PNG.sync.read(await bytesOf(blob));
+    expect([width, height]).toEqual([701, 333]);
+    expect(data[3], 'alpha in the corner').toBe(background ? 255 : 0);
+    const opaque = data.filter((value, i) => i % 4 === 3 && value === 255).length;
+    expect(opaque / (width * height), 'the character, or all').toBeGreaterThan(0.05);
+    if (!background) expect(opaque / (width * height)).toBeLessThan(0.5);
+  }
+});

@@ -1,0 +1,93 @@
+import { readFileSync } from 'node:fs';
+import { expect, type Download, type Page } from '@playwright/test';
+import { PNG } from 'pngjs';
+import { bytesOf, capture, choose, controlRow, openApp, openView } from './support/app.ts';
+import { test } from './support/test.ts';
+
+// A small view: its pixels are compared one by one.
+test.use({ viewport: { width: 860, height: 480 } });
+
+// The view's pixels come to the test by another way than the file's: the browser's own picture of
+// the page, cut to the canvas. Every byte must be the same.
+for (const { name, open } of [
+  { name: 'the view alone', open: openView },
+  { name: 'the view between its panels', open: openApp },
+]) {
+  test(`a picture saved with "j" has exactly the pixels of ${name}`, async ({ page }) => {
+    await open(page);
+    // Something that no first visit shows, so that a picture of another moment would differ.
+    for (const key of ['s', 's', 'ArrowLeft', 'ArrowUp']) await page.keyboard.press(key);
+    const [download] = await Promise.all([page.waitForEvent('download'), page.keyboard.press('j')]);
+    expect(download.suggestedFilename()).toBe('human.png');
+    expectPixels(await decode(download), await shownPixels(page));
+  });
+}
+
+test('the button saves in the format chosen', async ({ page }) => {
+  await openApp(page);
+  await page.locator('.lil-title').getByText('Picture', { exact: true }).click();
+  const save = controlRow(page, 'Save (j)').locator('button');
+  const png = await decode(await downloadBy(page, () => save.click()));
+  expectPixels(png, await shownPixels(page));
+  await choose(page, 'Format', 'JPEG');
+  const jpeg = await downloadBy(page, () => save.click());
+  expect(jpeg.suggestedFilename()).toBe('human.jpg');
+  await expectJpeg(page, readFileSync(await jpeg.path()), png);
+});
+
+test('scripts capture the same, as PNG and as JPEG', async ({ page }) => {
+  await openView(page);
+  const png = PNG.sync.read(await capture(page));
+  expect(png).toMatchObject({ width: 640, height: 480 });
+  expectPixels(png, await shownPixels(page));
+  await expectJpeg(page, await capture(page, 'jpeg'), png);
+});
+
+async function downloadBy(page: Page, act: () => Promise<void>): Promise<Download> {
+  const [download] = await Promise.all([page.waitForEvent('download'), act()]);
+  return download;
+}
+
+async function decode(download: Download): Promise<PNG> {
+  return PNG.sync.read(readFileSync(await download.path()));
+}
+
+/** What the browser shows in the place of the canvas. */
+async function shownPixels(page: Page): Promise<PNG> {
+  const canvas = page.locator('canvas');
+  const box = (await canvas.boundingBox())!;
+  const shown = PNG.sync.read(await page.screenshot({ clip: box, scale: 'device' }));
+  expect(shown).toMatchObject({ width: box.width, height: box.height });
+  return shown;
+}
+
+function expectPixels(saved: PNG, shown: PNG): void {
+  const { width, height } = shown;
+  expect({ width: saved.width, height: saved.height }).toEqual({ width, height });
+  const differing = saved.data.reduce((sum, byte, i) => sum + Number(byte !== shown.data[i]), 0);
+  expect(differing, 'bytes that differ').toBe(0);
+  expect(new Set(saved.data).size, 'values of bytes, since both may be empty').toBeGreaterThan(50);
+}
+
+/** The same picture, but for what JPEG loses. The browser decodes it. */
+async function expectJpeg(page: Page, bytes: Buffer, png: PNG): Promise<void> {
+  expect(bytes.subarray(0, 3).toString('hex')).toBe('ffd8ff');
+  const decoded = await decodeJpeg(page, bytes);
+  expect(decoded).toMatchObject({ width: png.width, height: png.height });
+  const sum = png.data.reduce((total, byte, i) => total + Math.abs(byte - decoded.data[i]!), 0);
+  expect(sum / png.data.length, 'mean difference of a byte').toBeLessThan(2);
+}
+
+async function decodeJpeg(page: Page, bytes: Buffer) {
+  const picture = await page.evaluateHandle(async (base64) => {
+    const file = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+    const bitmap = await createImageBitmap(new Blob([file], { type: 'image/jpeg' }));
+    const { width, height } = bitmap;
+    const context = new OffscreenCanvas(width, height).getContext('2d')!;
+    context.drawImage(bitmap, 0, 0);
+    const { data } = context.getImageData(0, 0, width, height);
+    return { width, height, blob: new Blob([data]) };
+  }, bytes.toString('base64'));
+  const size = await picture.evaluate(({ width, height }) => ({ width, height }));
+  return { ...size, data: await bytesOf(await picture.evaluateHandle(({ blob }) => blob)) };
+}

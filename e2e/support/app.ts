@@ -1,0 +1,128 @@
+import { expect, type JSHandle, type Locator, type Page } from '@playwright/test';
+import type { SkinDevice } from '../../src/document/session.ts';
+import type { PoseJson } from '../../src/formats/pose-json.ts';
+import type { PictureFormat } from '../../src/view/picture.ts';
+import type { Verification } from '../../src/view/verify.ts';
+import './test.ts';
+
+/** The view alone, 640 × 480, once its first picture is drawn; controls are there, out of sight. */
+export async function openView(page: Page, query = ''): Promise<void> {
+  await page.setViewportSize({ width: 860, height: 480 });
+  await open(page, `./?test&${query}`);
+}
+
+/** The page as people see it, once its panels are there. */
+export async function openApp(page: Page, query = ''): Promise<void> {
+  await open(page, query === '' ? './' : `./?${query}`);
+  await expect(page.locator('.status')).toBeVisible();
+  await expect(page.locator('.controls .lil-gui').first()).toBeVisible();
+  await expectFittingCanvas(page);
+}
+
+/** The canvas follows the space that panels leave to it a frame later. */
+export async function expectFittingCanvas(page: Page): Promise<void> {
+  await page.waitForFunction(() => {
+    const { width, height, clientWidth, clientHeight } = document.querySelector('canvas')!;
+    return width === clientWidth && height === clientHeight;
+  });
+}
+
+async function open(page: Page, address: string): Promise<void> {
+  await page.goto(address);
+  await page.evaluate(() => window.sinew.ready);
+}
+
+export interface NamedFile {
+  readonly name: string;
+  readonly content: string | Uint8Array;
+}
+
+/** Drops files on the view as a person would, and waits until they have been read. */
+export async function drop(page: Page, files: readonly NamedFile[]): Promise<void> {
+  const encoded = files.map(({ name, content }) => ({
+    name,
+    base64: Buffer.from(content).toString('base64'),
+  }));
+  await page.evaluate(async (encoded) => {
+    const transfer = new DataTransfer();
+    for (const { name, base64 } of encoded) {
+      const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+      transfer.items.add(new File([bytes], name));
+    }
+    const before = window.sinew.problems;
+    const view = document.querySelector('canvas')!;
+    const happen = (type: string): boolean =>
+      view.dispatchEvent(
+        new DragEvent(type, { dataTransfer: transfer, bubbles: true, cancelable: true }),
+      );
+    happen('dragenter');
+    // The browser opens what the page leaves to it, and the page is gone.
+    if (happen('dragover') || happen('drop')) throw new Error('the drop is left to the browser');
+    // Every opening gives a new list.
+    while (window.sinew.problems === before) await new Promise((resolve) => setTimeout(resolve, 5));
+  }, encoded);
+}
+
+export function setPose(page: Page, pose: PoseJson): Promise<PoseJson> {
+  return page.evaluate((pose) => window.sinew.pose(pose), pose);
+}
+
+export function getPose(page: Page): Promise<PoseJson> {
+  return page.evaluate(() => window.sinew.pose());
+}
+
+/** Posed positions, file order and units. */
+export async function vertices(page: Page, device: SkinDevice): Promise<Float32Array> {
+  const blob = await page.evaluateHandle(
+    (device) => new Blob([window.sinew.vertices(device) as Float32Array<ArrayBuffer>]),
+    device,
+  );
+  const bytes = await bytesOf(blob);
+  return new Float32Array(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length));
+}
+
+export async function verify(page: Page): Promise<Verification> {
+  const verification = await page.evaluate(() => window.sinew.verify());
+  if (!verification) throw new Error('there is a character to verify');
+  return verification;
+}
+
+/** The file that a capture of the view gives. */
+export async function capture(page: Page, format: PictureFormat = 'png'): Promise<Buffer> {
+  return bytesOf(await page.evaluateHandle((format) => window.sinew.capture({ format }), format));
+}
+
+/** A blob of the page's, by way of base64, which is many times faster than an array of numbers. */
+export async function bytesOf(blob: JSHandle<Blob>): Promise<Buffer> {
+  const url = await blob.evaluate(
+    (blob) =>
+      new Promise<string>((resolve) => {
+        const reader = new FileReader();
+        reader.onload = () => resolve(reader.result as string);
+        reader.readAsDataURL(blob);
+      }),
+  );
+  return Buffer.from(url.slice(url.indexOf(',') + 1), 'base64');
+}
+
+/** The row of the controls, or of a folder of theirs, with this name. */
+export function controlRow(within: Page | Locator, name: string): Locator {
+  return within.locator(`.lil-controller:has(.lil-name:text-is("${name}"))`);
+}
+
+/** Chooses in a row of the controls, be they in sight or not. */
+export async function choose(page: Page, row: string, option: string): Promise<void> {
+  const select = controlRow(page, row).locator('select');
+  await select.selectOption({ label: option }, { force: true });
+}
+
+/** Opens the folder of a joint and gives the row of one of its numbers, in view. */
+export async function openJoint(page: Page, joint: string, name: string) {
+  const field = page.locator(`input[aria-label="${joint} ${name}"]`);
+  if (!(await field.isVisible())) {
+    await page.locator('.controls .lil-title').getByText(joint, { exact: true }).click();
+  }
+  await field.scrollIntoViewIfNeeded();
+  const slider = page.getByRole('slider', { name: `${joint} ${name}`, exact: true });
+  return { field, slider, row: controlRow(page, name).filter({ has: field }) };
+}

@@ -1,0 +1,28 @@
+import type { Locator, Page } from '@playwright/test';
+import { controlRow } from './app.ts';
+
+/** A folder of the controls; lights and camera have rows of the same names. */
+function folder(page: Page, title: string): Locator {
+  return page.locator(`.controls .lil-gui:has(> .lil-title:text-is("${title}"))`);
+}
+
+/** The camera, as the View folder shows it: degrees, and scene units. */
+export async function cameraOf(page: Page) {
+  const value = async (row: string): Promise<number> =>
+    Number(await controlRow(folder(page, 'View'), row).locator('input').inputValue());
+  return {
+    azimuth: await value('Azimuth °'),
+    elevation: await value('Elevation °'),
+    distance: await value('Distance'),
+  };
+}
+
+/** What is drawn, as the View folder shows it. */
+export async function drawnOf(page: Page): Promise<string[]> {
+  const drawn: string[] = [];
+  for (const row of ['Skin', 'Skeleton', 'Axes']) {
+    if (await controlRow(folder(page, 'View'), row).getByRole('checkbox').isChecked())
+      drawn.push(row);
+  }
+  return drawn;
+}

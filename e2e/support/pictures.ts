@@ -1,0 +1,59 @@
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import path from 'node:path';
+import { expect, test } from '@playwright/test';
+import pixelmatch from 'pixelmatch';
+import { PNG } from 'pngjs';
+
+const folder = path.resolve(import.meta.dirname, '../expected');
+/** UPDATE_PICTURES=1 writes what is drawn in the place of what is expected; look at each. */
+const isUpdating = Boolean(process.env['UPDATE_PICTURES']);
+
+/** Of a pixel's colour, and of all pixels: what is drawn in another place. */
+const [colorThreshold, pixelShare] = [0.1, 0.001];
+/** Of a byte: what is lit a little otherwise everywhere. One renderer draws all pictures. */
+const meanThreshold = 0.2;
+/** An empty picture has fewer: floor and background alone have some hundreds. */
+const fewestColors = 500;
+
+/** Compares a picture with `expected/NAME.png`; where they differ both stay in the test's folder. */
+export function expectPicture(name: string, bytes: Buffer): void {
+  const actual = PNG.sync.read(bytes);
+  expect(colorCount(actual), 'colours, since the view may be empty').toBeGreaterThan(fewestColors);
+  const file = path.join(folder, `${name}.png`);
+  if (isUpdating) {
+    mkdirSync(folder, { recursive: true });
+    writeFileSync(file, bytes);
+    return;
+  }
+  const keep = (kind: string, content: Buffer): Promise<void> => {
+    const kept = test.info().outputPath(`${name}-${kind}.png`);
+    writeFileSync(kept, content);
+    return test.info().attach(kind, { path: kept });
+  };
+  if (!existsSync(file)) {
+    void keep('actual', bytes);
+    throw new Error(`e2e/expected/${name}.png is not there; UPDATE_PICTURES=1 writes it`);
+  }
+  const expected = PNG.sync.read(readFileSync(file));
+  const { width, height } = expected;
+  expect({ width: actual.width, height: actual.height }).toEqual({ width, height });
+  const difference = new PNG({ width, height });
+  const count = pixelmatch(actual.data, expected.data, difference.data, width, height, {
+    threshold: colorThreshold,
+  });
+  const change = meanDifference(actual.data, expected.data);
+  if (count <= pixelShare * width * height && change <= meanThreshold) return;
+  void keep('actual', bytes);
+  void keep('difference', PNG.sync.write(difference));
+  throw new Error(
+    `${count} pixels differ from e2e/expected/${name}.png, and bytes by ${change.toFixed(3)} in the mean`,
+  );
+}
+
+function meanDifference(a: Buffer, b: Buffer): number {
+  return a.reduce((sum, byte, i) => sum + Math.abs(byte - b[i]!), 0) / a.length;
+}
+
+function colorCount({ data }: PNG): number {
+  return new Set(new Uint32Array(data.buffer, data.byteOffset, data.length / 4)).size;
+}

@@ -1,0 +1,58 @@
+import { existsSync, readFileSync } from 'node:fs';
+import path from 'node:path';
+import type { PoseJson } from '../../src/formats/pose-json.ts';
+import type { NamedFile } from './app.ts';
+import { test } from './test.ts';
+
+/** Real files and expected results that lie beside the project, where they do; never within it. */
+const shared = path.resolve(import.meta.dirname, '../../../shared');
+
+const reference = 'reference/skinning/Model1';
+const kinds = ['.skel', '.obj', '.attach'];
+
+export interface ReferencePose {
+  readonly pose: PoseJson;
+  /** (vertices × 3) by linear blending. */
+  readonly vertices: Float32Array;
+}
+
+/** Skips the tests of a file, and says why, where Model1 and its references are not there. */
+export function needModel1(): void {
+  const paths = [reference, ...kinds.map((kind) => `data/mit-6837/Model1${kind}`)];
+  const absent = paths.find((each) => !existsSync(path.join(shared, each)));
+  test.skip(absent !== undefined, `../shared/${absent ?? ''} is not there`);
+}
+
+/** Model1 of 6.837: `.skel`, `.obj`, `.attach`. */
+export function model1Files(): NamedFile[] {
+  return kinds.map((kind) => ({
+    name: `Model1${kind}`,
+    content: readFileSync(path.join(shared, `data/mit-6837/Model1${kind}`)),
+  }));
+}
+
+export function model1Poses(): ReferencePose[] {
+  const { poses } = JSON.parse(bytes('poses.json').toString()) as {
+    poses: {
+      angles_xyz: [number, number, number][];
+      root_translation: [number, number, number];
+      files: { lbs: string };
+    }[];
+  };
+  return poses.map(({ angles_xyz, root_translation, files }) => ({
+    pose: {
+      joints: Object.fromEntries(angles_xyz.map((angles, joint) => [`#${joint}`, angles])),
+      root: root_translation,
+    },
+    vertices: floats(bytes(files.lbs)),
+  }));
+}
+
+function bytes(name: string): Buffer {
+  return readFileSync(path.join(shared, reference, name));
+}
+
+/** Little-endian float32, whatever this machine has. */
+function floats(buffer: Buffer): Float32Array {
+  return Float32Array.from({ length: buffer.length / 4 }, (_, i) => buffer.readFloatLE(i * 4));
+}

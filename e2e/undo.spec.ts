@@ -1,0 +1,69 @@
+import { expect } from '@playwright/test';
+import { rigid } from '../src/skinning/rigid.ts';
+import { choose, controlRow, drop, getPose, openApp, setPose, vertices } from './support/app.ts';
+import { madeCharacter } from './support/made-character.ts';
+import { sharedPage, test } from './support/test.ts';
+
+// Every edit is one step, with its name on the button.
+test.use({ viewport: { width: 860, height: 600 } });
+const page = sharedPage(openApp);
+
+const undo = () => page().getByRole('button', { name: 'Undo' });
+const redo = () => page().getByRole('button', { name: 'Redo' });
+const name = () => page().evaluate(() => window.sinew.characters[0]!.name);
+
+test('opening another character, bundled or dropped', async () => {
+  await expect(undo()).toBeDisabled();
+  await expect(redo()).toBeDisabled();
+  const pose = await setPose(page(), { joints: { Head: [0.25, 0.5, 0] } });
+  const shape = await vertices(page(), 'gpu');
+  await page().getByRole('button', { name: 'Twisting tube' }).click();
+  await expect.poll(name).toBe('tube');
+  await drop(page(), madeCharacter(5, 2));
+  expect(await name()).toBe('made');
+  await expect(undo()).toHaveAttribute('title', /Open made/);
+  await undo().click();
+  expect(await name()).toBe('tube');
+  await undo().click();
+  expect(await name()).toBe('human');
+  expect(await getPose(page())).toEqual(pose);
+  expect(await vertices(page(), 'gpu')).toEqual(shape);
+  await redo().click();
+  await redo().click();
+  expect(await name()).toBe('made');
+  await expect(redo()).toBeDisabled();
+  await undo().click();
+  await undo().click();
+});
+
+test('poses set, reset in part and as a whole', async () => {
+  const first = await setPose(page(), { joints: { Head: [0.1, 0, 0], Chest: [0, 0.2, 0] } });
+  await controlRow(page(), 'Reset all').locator('button').click();
+  expect(await getPose(page())).toEqual({ joints: {} });
+  await expect(undo()).toHaveAttribute('title', /Reset the pose/);
+  await undo().click();
+  expect(await getPose(page())).toEqual(first);
+  await setPose(page(), { joints: { Head: [0.3, 0, 0] } });
+  await expect(redo(), 'an edit forgets what was undone').toBeDisabled();
+});
+
+test('the method and the use of weights', async () => {
+  const shape = await vertices(page(), 'gpu');
+  await choose(page(), 'Method', rigid.label);
+  await expect(page().locator('.status')).toContainText(rigid.label);
+  expect(await vertices(page(), 'gpu')).not.toEqual(shape);
+  await controlRow(page(), 'Normalise weights').getByRole('checkbox').check();
+  await undo().click();
+  await expect(controlRow(page(), 'Normalise weights').getByRole('checkbox')).not.toBeChecked();
+  await undo().click();
+  await expect(page().locator('.status')).not.toContainText(rigid.label);
+  expect(await vertices(page(), 'gpu')).toEqual(shape);
+});
+
+test('what is looked at is not undone: camera, shading, what is drawn', async () => {
+  const title = await undo().getAttribute('title');
+  await page().locator('canvas').focus();
+  for (const key of ['ArrowLeft', 'a', 'a']) await page().keyboard.press(key);
+  await choose(page(), 'Shading', 'Faceted');
+  expect(await undo().getAttribute('title')).toBe(title);
+});

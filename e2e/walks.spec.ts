@@ -1,0 +1,118 @@
+import { readFileSync } from 'node:fs';
+import { expect, type Page } from '@playwright/test';
+import { PNG } from 'pngjs';
+import { capture, openApp } from './support/app.ts';
+import { test } from './support/test.ts';
+
+// Open, pose and capture, each with one kind of hand.
+
+async function focused(page: Page): Promise<string> {
+  return page.evaluate(() => {
+    const { activeElement: element } = document;
+    return element?.getAttribute('aria-label') ?? element?.textContent ?? '';
+  });
+}
+
+async function press(page: Page, keys: readonly string[]): Promise<void> {
+  for (const key of keys) await page.keyboard.press(key);
+}
+
+/** Goes on with Tab until the focus is where it should be. */
+async function tabTo(page: Page, name: RegExp): Promise<void> {
+  for (let i = 0; i < 60; i++) {
+    if (name.test(await focused(page))) return;
+    await page.keyboard.press('Tab');
+  }
+  throw new Error(`Tab does not come to ${name.source}`);
+}
+
+test('with the keyboard alone', async ({ page }) => {
+  await openApp(page);
+  await tabTo(page, /^Twisting tube$/);
+  await page.keyboard.press('Enter');
+  await expect(page.locator('.status')).toContainText('tube');
+  await tabTo(page, /^Search joints$/);
+  await page.keyboard.type('02');
+  await page.keyboard.press('Tab');
+  expect(await focused(page)).toContain('joint 02');
+  await page.keyboard.press('Enter');
+  await expect.poll(() => focused(page)).toBe('joint 02 X');
+  const before = await page.evaluate(() => window.sinew.pose().joints!['joint 02']![0]);
+  await press(page, ['ArrowRight', 'ArrowRight', 'Shift+ArrowRight']);
+  const after = await page.evaluate(() => window.sinew.pose().joints!['joint 02']![0]);
+  expect(after - before).toBeCloseTo((12 * Math.PI) / 180, 6);
+  await expect(page.locator('.active-dof')).toContainText('joint 02 X');
+  await page.keyboard.press('Control+z');
+  const undone = await page.evaluate(() => window.sinew.pose().joints!['joint 02']![0]);
+  expect(undone).toBeLessThan(after);
+  // Back to the view: it takes the focus, arrows orbit, j saves.
+  await page.keyboard.press('Shift+Tab');
+  await page.locator('canvas').focus();
+  const still = await capture(page);
+  await press(page, ['ArrowLeft', 'ArrowUp']);
+  expect(await capture(page)).not.toEqual(still);
+  const [download] = await Promise.all([page.waitForEvent('download'), page.keyboard.press('j')]);
+  const { width } = PNG.sync.read(readFileSync(await download.path()));
+  expect(width).toBeGreaterThan(100);
+});
+
+test.describe('with fingers alone', () => {
+  test.use({ viewport: { width: 390, height: 800 }, hasTouch: true, isMobile: true });
+
+  test('one orbits, two pan and pinch, taps do the rest', async ({ page }) => {
+    await page.goto('./');
+    await page.evaluate(() => window.sinew.ready);
+    const client = await page.context().newCDPSession(page);
+    const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', points: [number, number][]) =>
+      client.send('Input.dispatchTouchEvent', {
+        type,
+        touchPoints: points.map(([x, y], id) => ({ x, y, id })),
+      });
+    const changes = async (gesture: () => Promise<unknown>): Promise<void> => {
+      const before = await capture(page);
+      await gesture();
+      expect(await capture(page)).not.toEqual(before);
+    };
+    const controls = page.getByRole('button', { name: 'Controls', exact: true });
+    await controls.waitFor();
+
+    await changes(async () => {
+      await touch('touchStart', [[200, 400]]);
+      await touch('touchMove', [[260, 420]]);
+      await touch('touchEnd', []);
+    });
+    await changes(async () => {
+      await touch('touchStart', [
+        [150, 400],
+        [250, 400],
+      ]);
+      await touch('touchMove', [
+        [110, 430],
+        [290, 430],
+      ]);
+      await touch('touchEnd', []);
+    });
+
+    await page.getByRole('button', { name: 'Characters', exact: true }).tap();
+    await page.getByRole('button', { name: 'Twisting tube' }).tap();
+    await expect(page.locator('.status')).toContainText('tube');
+    await page.getByRole('button', { name: 'Characters', exact: true }).tap();
+    await controls.tap();
+    await page.locator('.joints .lil-title').getByText('joint 02', { exact: true }).tap();
+    await changes(async () => {
+      const slider = page.getByRole('slider', { name: 'joint 02 X' });
+      const box = (await slider.boundingBox())!;
+      const y = box.y + box.height / 2;
+      await touch('touchStart', [[box.x + box.width * 0.5, y]]);
+      await touch('touchMove', [[box.x + box.width * 0.6, y]]);
+      await touch('touchMove', [[box.x + box.width * 0.9, y]]);
+      await touch('touchEnd', []);
+    });
+    await page.locator('.lil-title').getByText('Picture', { exact: true }).tap();
+    const [download] = await Promise.all([
+      page.waitForEvent('download'),
+      page.getByRole('button', { name: 'Save (j)' }).tap(),
+    ]);
+    expect(download.suggestedFilename()).toBe('tube.png');
+  });
+});

@@ -1,0 +1,108 @@
+import { expect } from '@playwright/test';
+import { choose, controlRow, expectFittingCanvas, openApp, setPose } from './support/app.ts';
+import { catalogue } from './support/catalogue.ts';
+import { cameraOf, drawnOf } from './support/controls.ts';
+import { sharedPage, test } from './support/test.ts';
+
+test.use({ viewport: { width: 860, height: 600 } });
+const page = sharedPage(() => Promise.resolve());
+
+const menu = () => page().getByRole('combobox', { name: 'Workspace' });
+const shading = () => controlRow(page(), 'Shading').locator('select');
+const notice = () => page().locator('.notice');
+
+// What the course's program shows at its start.
+async function expectCourse() {
+  await expect(menu()).toHaveValue('6.837');
+  await expect(shading().locator('option:checked')).toHaveText('Faceted');
+  expect(await cameraOf(page())).toEqual({ azimuth: 0, elevation: 0, distance: 1.67 });
+  expect(await drawnOf(page())).toEqual(['Skin']);
+}
+
+async function expectStudio() {
+  await expect(menu()).toHaveValue('studio');
+  await expect(shading().locator('option:checked')).toHaveText('Smooth');
+  expect(await cameraOf(page())).toMatchObject({ azimuth: 36, elevation: 9 });
+  expect(await drawnOf(page())).toEqual(['Skin']);
+}
+
+test('a first visit opens the studio, the menu goes to the course and back', async () => {
+  await openApp(page());
+  await expectStudio();
+  const labels = await menu().locator('option').allTextContents();
+  expect(labels).toEqual(['Studio', 'MIT 6.837']);
+  const pose = await setPose(page(), { joints: { Head: [0.5, 0, 0] } });
+  await menu().selectOption('MIT 6.837');
+  await expectCourse();
+  await page().locator('canvas').focus();
+  await page().keyboard.press('s');
+  await choose(page(), 'Shading', 'Smooth');
+  await menu().selectOption('Studio');
+  await expectStudio();
+  expect(await page().evaluate(() => window.sinew.pose()), 'the pose is not its business').toEqual(
+    pose,
+  );
+});
+
+test('the address opens a workspace', async () => {
+  await openApp(page(), 'workspace=6.837');
+  await expectCourse();
+});
+
+for (const { id, label } of catalogue) {
+  test(`the address opens a bundled character: ${id}`, async () => {
+    await openApp(page(), `model=${id}`);
+    expect(await page().evaluate(() => window.sinew.problems)).toEqual([]);
+    const pressed = page().getByRole('button', { pressed: true });
+    await expect(pressed).toHaveText(label);
+    await expect(pressed).toHaveAttribute('title', /\w/);
+  });
+}
+
+test('the picker opens each bundled character', async () => {
+  await openApp(page(), 'model=tube');
+  for (const { id, label } of catalogue) {
+    await page().getByRole('button', { name: label, exact: true }).click();
+    await expect(notice()).toHaveText(`${label} opened`);
+    const [shown] = await page().evaluate(() => window.sinew.characters);
+    expect(shown).toMatchObject({ name: id, selected: true });
+  }
+});
+
+test('names that are not there give a word on it, and the first in their place', async () => {
+  await openApp(page(), 'model=nobody&workspace=nowhere');
+  await expect(notice()).toHaveText('There is no workspace "nowhere"; There is no model "nobody"');
+  await expectStudio();
+  const [shown] = await page().evaluate(() => window.sinew.characters);
+  expect(shown).toMatchObject({ name: catalogue[0]!.id });
+});
+
+test('without the catalogue the page still opens files', async ({ browser }) => {
+  // A page of its own: the browser logs an answer like this one as an error.
+  const alone = await browser.newPage();
+  const thrown: string[] = [];
+  alone.on('pageerror', ({ message }) => thrown.push(message));
+  await alone.route('**/catalogue.json', (route) => route.fulfill({ status: 404 }));
+  await openApp(alone);
+  await expect(alone.locator('.notice')).toContainText('the server says 404');
+  await expect(alone.getByRole('button', { name: 'Open files…' })).toBeEnabled();
+  expect(await alone.evaluate(() => window.sinew.characters)).toEqual([]);
+  expect(thrown).toEqual([]);
+  await alone.close();
+});
+
+test('a narrow page has its panels as drawers, and a picture of its full width', async () => {
+  await page().setViewportSize({ width: 400, height: 700 });
+  await page().goto('./?model=tube');
+  await page().evaluate(() => window.sinew.ready);
+  const heading = page().getByRole('heading', { name: 'Characters' });
+  await expect(heading).not.toBeInViewport();
+  await expectFittingCanvas(page());
+  expect(
+    await page()
+      .locator('canvas')
+      .evaluate(({ clientWidth }) => clientWidth),
+  ).toBe(400);
+  await page().getByRole('button', { name: 'Characters', exact: true }).click();
+  await expect(heading).toBeInViewport();
+});

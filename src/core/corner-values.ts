@@ -1,0 +1,71 @@
+import type { MeshParts } from './character-parts.ts';
+import { firstEqualFloats } from './equal-tuples.ts';
+import { flushSubnormal } from './float32.ts';
+import { computeVertexNormals } from './vertex-normals.ts';
+
+/** Texture coordinates or normals, and which of them a corner has: equal values by one index. */
+export interface CornerValues {
+  /** (n × size) */
+  readonly values: Float32Array;
+  /** (cornerCount) */
+  readonly ofCorner: Int32Array;
+  /** (pointCount) for points that are no corner. */
+  readonly ofPoint: Int32Array;
+}
+
+/** A corner without texture coordinate has (0, 0). */
+export function cornerUvs(parts: MeshParts): CornerValues | undefined {
+  const { positions, uvs, cornerUvs: corners } = parts;
+  if (!uvs || !corners) return undefined;
+  const values = new Float32Array(uvs.length + 2);
+  values.set(uvs.map(flushSubnormal));
+  const first = firstEqualFloats(values, 2);
+  const none = first[uvs.length / 2]!;
+  return {
+    values,
+    ofCorner: corners.map((uv) => (uv < 0 ? none : first[uv]!)),
+    ofPoint: new Int32Array(positions.length / 3).fill(none),
+  };
+}
+
+/**
+ * The file's normals made unit; where a corner has none, or one without length, its point's, which
+ * is computed from the faces.
+ */
+export function cornerNormals(parts: MeshParts, positions: Float32Array): CornerValues {
+  const { cornerPoints, normals, cornerNormals: corners } = parts;
+  const computed = new Float32Array(positions.length);
+  computeVertexNormals(positions, cornerPoints, computed);
+  const points = Int32Array.from({ length: positions.length / 3 }, (_, point) => point);
+  if (!normals || !corners) {
+    return { values: computed, ofCorner: Int32Array.from(cornerPoints), ofPoint: points };
+  }
+  const givenCount = normals.length / 3;
+  const values = new Float32Array(normals.length + computed.length);
+  values.set(computed, normals.length);
+  const hasLength = Array.from({ length: givenCount }, (_, index) =>
+    copyUnit(normals, values, index),
+  );
+  const first = firstEqualFloats(values, 3);
+  const ofPoint = points.map((point) => first[givenCount + point]!);
+  return {
+    values,
+    ofCorner: corners.map((normal, corner) =>
+      normal >= 0 && hasLength[normal] ? first[normal]! : ofPoint[cornerPoints[corner]!]!,
+    ),
+    ofPoint,
+  };
+}
+
+/** Copies a normal made unit, bit by bit if it is already; false where it has no length. */
+function copyUnit(from: Float32Array, to: Float32Array, index: number): boolean {
+  const normal = from.subarray(index * 3, index * 3 + 3);
+  const length = Math.hypot(normal[0]!, normal[1]!, normal[2]!);
+  if (!(length > 1e-12)) return false;
+  const scale = Math.abs(length - 1) < 1e-6 ? 1 : 1 / length;
+  to.set(
+    normal.map((value) => flushSubnormal(value * scale)),
+    index * 3,
+  );
+  return true;
+}

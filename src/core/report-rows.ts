@@ -1,0 +1,52 @@
+import type { DiagnosticLog } from './diagnostics.ts';
+import type { Skin } from './skin.ts';
+
+/** Packed weights, and the points whose rows are worth a word. */
+export interface SkinRows {
+  readonly skin: Pick<Skin, 'start' | 'entries' | 'weights'>;
+  readonly zeroRows: readonly number[];
+  readonly negativeRows: readonly number[];
+  readonly unevenRows: readonly { readonly point: number; readonly sum: number }[];
+}
+
+/** Says what is odd about the weights; none of it keeps them from being used. */
+export function reportRows(rows: SkinRows, log: DiagnosticLog): void {
+  const { zeroRows, negativeRows, unevenRows } = rows;
+  if (zeroRows.length > 0) {
+    log.warn({
+      code: 'character/weight-zero',
+      expected: 'at least one weight for every vertex',
+      found: `none for ${listed(zeroRows)}`,
+      effect: 'they follow the root rigidly',
+    });
+  }
+  if (negativeRows.length > 0) {
+    log.warn({
+      code: 'character/weight-negative',
+      expected: 'weights of at least 0',
+      found: `negative ones for ${listed(negativeRows)}`,
+      effect: 'they are kept as they are',
+    });
+  }
+  if (unevenRows.length > 0) {
+    const byRisingSum = unevenRows.toSorted((a, b) => a.sum - b.sum);
+    const [least, most] = [byRisingSum[0]!, byRisingSum.at(-1)!];
+    const worst = 1 - least.sum > most.sum - 1 ? least : most;
+    const range = [...new Set([least, most].map(({ sum }) => Number(sum.toPrecision(6))))];
+    log.warn({
+      code: 'character/weight-sum',
+      expected: 'weights that sum to 1 for every vertex',
+      found: `${range.join(' to ')} for ${unevenRows.length}`,
+      effect:
+        `they are used as they are, vertex ${worst.point + 1} being the farthest off; ` +
+        '"normalise weights" divides them by their sum',
+    });
+  }
+}
+
+/** How many, and the first few, one-based as OBJ counts them; short, since messages are cut. */
+function listed(points: readonly number[]): string {
+  const shown = points.slice(0, 3).map((point) => point + 1);
+  const more = points.length > shown.length ? ', …' : '';
+  return `${points.length}: vertex ${shown.join(', ')}${more}`;
+}

@@ -1,0 +1,33 @@
+import { type Diagnostic, type DiagnosticCode, DiagnosticLog } from '../../core/diagnostics.ts';
+import type { Mesh } from '../../core/mesh.ts';
+import { materialText } from '../obj/material-text.ts';
+
+/** Something that a file can't hold, how much of it there is, and what stands in its place. */
+export interface Loss {
+  readonly what: string;
+  readonly count: number;
+  readonly effect: string;
+}
+
+/** A warning for each of which there is any. */
+export function reportLosses(
+  file: string,
+  code: DiagnosticCode,
+  losses: readonly Loss[],
+): readonly Diagnostic[] {
+  const log = new DiagnosticLog(file);
+  for (const { what, count, effect } of losses) {
+    if (count === 0) continue;
+    log.warn({ code, expected: 'what the format holds', found: `${what}: ${count}`, effect });
+  }
+  return log.diagnostics;
+}
+
+/** What of a mesh has no place in an `.obj`. */
+export function objLosses(file: string, { submeshes }: Mesh): readonly Diagnostic[] {
+  const changed = submeshes.filter(({ material }) => materialText(material) !== material);
+  const effect = 'they are written without line ends, and without blanks and \\ at their ends';
+  return reportLosses(file, 'obj/lost', [
+    { what: 'names of materials', count: changed.length, effect },
+  ]);
+}

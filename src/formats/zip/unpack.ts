@@ -1,0 +1,38 @@
+import { Inflate } from 'fflate';
+import { crc32 } from '../crc32.ts';
+import type { ZipEntry } from './directory.ts';
+
+const stored = 0;
+const deflated = 8;
+
+/** A piece unfolds to at most a thousand times its size, so that a lie is found out soon. */
+const pieceSize = 16 * 1024;
+
+/** The file's bytes, never more than its entry says; or what is wrong with it. */
+export function unpack(entry: ZipEntry): Uint8Array | string {
+  const { name, isEncrypted, method, packed, size, checksum } = entry;
+  if (isEncrypted) return `"${name}" under a password`;
+  if (method !== stored && method !== deflated) return `"${name}" packed by method ${method}`;
+  const bytes = method === stored ? packed : inflate(packed, size);
+  if (bytes?.length !== size || crc32(bytes) !== checksum) return `"${name}" broken`;
+  return bytes;
+}
+
+/** Nothing where it is not deflated, ends early, or unfolds to more than `size`. */
+function inflate(packed: Uint8Array, size: number): Uint8Array | undefined {
+  const bytes = new Uint8Array(size);
+  let length = 0;
+  const inflater = new Inflate((piece) => {
+    if (piece.length > size - length) throw new Error('more than its entry says');
+    bytes.set(piece, length);
+    length += piece.length;
+  });
+  try {
+    for (let at = 0; at < packed.length; at += pieceSize) {
+      inflater.push(packed.subarray(at, at + pieceSize), at + pieceSize >= packed.length);
+    }
+  } catch {
+    return undefined;
+  }
+  return length === size ? bytes : undefined;
+}

@@ -1,0 +1,53 @@
+import type { Character } from '../../../../src/core/character.ts';
+import type { Limits } from '../../../../src/core/limits.ts';
+import type { FileContents } from '../../../support/files.ts';
+
+/** A row of the table: files, what is said of them, and what is left. */
+export interface BadInput {
+  /** The number of the case and what it is: "A13 parent past the end". */
+  readonly title: string;
+  readonly files: FileContents;
+  /** Smaller ones than Sinew's own, where a case would be large. */
+  readonly limits?: Partial<Limits>;
+  /** Every message, `severity: FILE:LINE:COL: expected …, found "…" [code]`. */
+  readonly messages: readonly string[];
+  readonly left: Left | null;
+  readonly check?: (character: Character) => void;
+}
+
+/** What can be shown of the files. */
+export interface Left {
+  readonly joints: number;
+  readonly vertices: number;
+  readonly triangles: number;
+  /** Whether the mesh follows the joints. */
+  readonly bound: boolean;
+}
+
+const skel = '0 0 0 -1\n0 1 0 0\n0 1 0 1\n';
+export const square = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n';
+const obj = `${square}f 1 2 3\nf 1 3 4\n`;
+const attach = '1 0\n0.25 0.75\n0 1\n1 0\n';
+
+/** A sound character: three joints in a row, a square, two columns of weights. */
+export const whole: FileContents = { 'a.skel': skel, 'a.obj': obj, 'a.attach': attach };
+
+export const all: Left = { joints: 3, vertices: 4, triangles: 2, bound: true };
+export const meshOnly: Left = { ...all, joints: 0, bound: false };
+export const unbound: Left = { ...all, bound: false };
+export const skeletonOnly: Left = { joints: 3, vertices: 0, triangles: 0, bound: false };
+
+/** The sound character with another `.skel`. */
+export function withSkel(content: string | Uint8Array): FileContents {
+  return { ...whole, 'a.skel': content };
+}
+
+/** The sound skeleton with another `.obj`, without weights. */
+export function withObj(content: string | Uint8Array): FileContents {
+  return { 'a.skel': skel, 'a.obj': content };
+}
+
+/** The sound character with another `.attach`. */
+export function withAttach(content: string | Uint8Array): FileContents {
+  return { ...whole, 'a.attach': content };
+}

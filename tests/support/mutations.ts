@@ -1,0 +1,88 @@
+import fc from 'fast-check';
+import { bytesOf } from './files.ts';
+
+type Mutation = (bytes: Uint8Array) => Uint8Array;
+
+/** The bytes after one to five changes of every kind: bits, pieces, lines, numbers, an early end. */
+export function mutated(
+  bytes: Uint8Array,
+  oddNumbers: readonly string[],
+): fc.Arbitrary<Uint8Array> {
+  const mutation = fc.oneof(
+    { weight: 2, arbitrary: flipped },
+    { weight: 2, arbitrary: spliced },
+    { weight: 2, arbitrary: copied },
+    { weight: 3, arbitrary: linesMoved },
+    { weight: 4, arbitrary: numberReplaced(oddNumbers) },
+    { weight: 1, arbitrary: cut },
+  );
+  return fc
+    .array(mutation, { minLength: 1, maxLength: 5 })
+    .map((mutations) => mutations.reduce((changed, mutate) => mutate(changed), bytes));
+}
+
+const flipped = fc.tuple(fc.nat(), fc.nat(7)).map(
+  ([at, bit]): Mutation =>
+    (bytes) =>
+      bytes.map((byte, i) => (i === at % bytes.length ? byte ^ (1 << bit) : byte)),
+);
+
+const spliced = fc.tuple(fc.nat(), fc.nat(8), fc.uint8Array({ maxLength: 8 })).map(
+  ([at, removed, put]): Mutation =>
+    (bytes) =>
+      splice(bytes, at, removed, put),
+);
+
+/** A piece from somewhere, put in or written over what is somewhere else. */
+const copied = fc
+  .tuple(fc.nat(), fc.nat(60), fc.nat(), fc.boolean())
+  .map(([from, length, to, over]): Mutation => (bytes) => {
+    const start = from % (bytes.length + 1);
+    const piece = bytes.slice(start, start + length);
+    return splice(bytes, to, over ? piece.length : 0, piece);
+  });
+
+/** A line taken out, put elsewhere, or put there again and again. */
+const linesMoved = fc
+  .tuple(fc.nat(), fc.nat(), fc.nat(20), fc.boolean())
+  .map(([from, to, times, keep]): Mutation => (bytes) => {
+    const lines = textOfBytes(bytes).split('\n');
+    const line = lines[from % lines.length]!;
+    if (!keep) lines.splice(from % lines.length, 1);
+    lines.splice(to % (lines.length + 1), 0, ...new Array<string>(times).fill(line));
+    return bytesOfText(lines.join('\n'));
+  });
+
+function numberReplaced(oddNumbers: readonly string[]): fc.Arbitrary<Mutation> {
+  return fc
+    .tuple(fc.nat(), fc.constantFrom(...oddNumbers))
+    .map(([which, put]): Mutation => (bytes) => {
+      const text = textOfBytes(bytes);
+      const numbers = [...text.matchAll(/[-+\d.eE]+/g)];
+      if (numbers.length === 0) return bytes;
+      const { index, 0: number } = numbers[which % numbers.length]!;
+      const head = bytesOfText(text.slice(0, index));
+      const tail = bytesOfText(text.slice(index + number.length));
+      return Uint8Array.of(...head, ...bytesOf(put), ...tail);
+    });
+}
+
+const cut = fc.nat().map(
+  (at): Mutation =>
+    (bytes) =>
+      bytes.slice(0, at % (bytes.length + 1)),
+);
+
+function splice(bytes: Uint8Array, at: number, removed: number, put: Uint8Array): Uint8Array {
+  const start = at % (bytes.length + 1);
+  return Uint8Array.of(...bytes.slice(0, start), ...put, ...bytes.slice(start + removed));
+}
+
+/** A character a byte, so that bytes which are no text come through. */
+function textOfBytes(bytes: Uint8Array): string {
+  return Array.from(bytes, (byte) => String.fromCharCode(byte)).join('');
+}
+
+function bytesOfText(text: string): Uint8Array {
+  return Uint8Array.from(text, (character) => character.charCodeAt(0));
+}

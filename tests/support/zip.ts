@@ -1,0 +1,36 @@
+import { zipSync } from 'fflate';
+import { bytesOf, type FileContents } from './files.ts';
+
+/** A zip archive of these files, packed. */
+export function zipOf(contents: FileContents): Uint8Array {
+  const entries = Object.entries(contents).map(
+    ([name, content]) => [name, bytesOf(content)] as const,
+  );
+  return zipSync(Object.fromEntries(entries), { level: 9, mtime: new Date(2020, 0) });
+}
+
+/** Fields of an entry of the directory: offset and size in bytes. */
+const fields = {
+  flags: [8, 2],
+  method: [10, 2],
+  checksum: [16, 4],
+  packedSize: [20, 4],
+  size: [24, 4],
+  offset: [42, 4],
+} as const;
+
+/** The archive with other values in its directory's first entry. */
+export function patched(
+  zip: Uint8Array,
+  values: Readonly<Partial<Record<keyof typeof fields, number>>>,
+): Uint8Array {
+  const out = zip.slice();
+  const view = new DataView(out.buffer);
+  const entry = view.getUint32(out.length - 22 + 16, true);
+  for (const [name, value] of Object.entries(values)) {
+    const [at, size] = fields[name as keyof typeof fields];
+    if (size === 2) view.setUint16(entry + at, value, true);
+    else view.setUint32(entry + at, value, true);
+  }
+  return out;
+}
