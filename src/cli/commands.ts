@@ -1,5 +1,7 @@
+import { convert } from './convert.ts';
 import { info } from './info.ts';
 import { pose } from './pose.ts';
+import { sample } from './sample.ts';
 
 /** A seam: a new command is one file and one line here. */
 export interface Command {
@@ -9,4 +11,4 @@ export interface Command {
   run(words: readonly string[]): Promise<number>;
 }
 
-export const commands: readonly Command[] = [info, pose];
+export const commands: readonly Command[] = [info, pose, convert, sample];

@@ -2,9 +2,11 @@ import { parseArgs } from 'node:util';
 import type { Character } from '../core/character.ts';
 import { printable } from '../core/diagnostics.ts';
 import { worldMatrices } from '../core/forward-kinematics.ts';
-import { noParent } from '../core/skeleton.ts';
+import { axisDofs } from '../core/pose.ts';
+import { DofKind, noParent, type Skeleton } from '../core/skeleton.ts';
 import { largestInfluenceCount } from '../core/skin.ts';
 import { readCharacters } from '../formats/read-characters.ts';
+import { writeFloat32 } from '../formats/text/write-number.ts';
 import type { Command } from './commands.ts';
 import { printDiagnostics, readFiles } from './files.ts';
 import { parseWords } from './parse-words.ts';
@@ -39,7 +41,8 @@ const longestName = 200;
 
 type Description = ReturnType<typeof describe>;
 
-function describe({ name, skeleton, mesh, skin, bounds, missing }: Character) {
+function describe(character: Character) {
+  const { name, skeleton, mesh, skin, bounds, missing } = character;
   const worldFromJoint = worldMatrices(skeleton, skeleton.qRest);
   return {
     name,
@@ -47,6 +50,13 @@ function describe({ name, skeleton, mesh, skin, bounds, missing }: Character) {
     vertices: mesh.pointCount,
     triangles: mesh.indices.length / 3,
     largestInfluenceCount: largestInfluenceCount(skin),
+    materials: character.materials,
+    morphs: character.morphs.map((morph) => {
+      return { name: morph.name, vertices: morph.parts.points.length };
+    }),
+    clips: character.clips.map(({ name: clip, start, end, channels }) => {
+      return { name: clip, start, end, channels: channels.length };
+    }),
     bounds: { min: [...bounds.min], max: [...bounds.max] },
     joints: Array.from(skeleton.jointOfSource, (joint, index) => {
       const parent = skeleton.parents[joint]!;
@@ -55,11 +65,30 @@ function describe({ name, skeleton, mesh, skin, bounds, missing }: Character) {
         name: skeleton.names[joint]!,
         parent: parent === noParent ? noParent : skeleton.sourceIndex[parent]!,
         offset: [...skeleton.restOffsets.subarray(joint * 3, joint * 3 + 3)],
+        ...describeDofs(skeleton, joint),
         /** Column-major, at the file's pose. */
         worldFromJoint: [...worldFromJoint.subarray(joint * 16, joint * 16 + 16)],
       };
     }),
   };
+}
+
+/** x, y, z of a joint's hinges, whatever their order; null is unlimited. */
+function describeDofs(skeleton: Skeleton, joint: number) {
+  const pose: (number | null)[] = [null, null, null];
+  const limits: ([number | null, number | null] | null)[] = [null, null, null];
+  const finite = (value: number): number | null => (Number.isFinite(value) ? value : null);
+  for (const { kind, axis, index } of axisDofs(skeleton, joint)) {
+    if (kind !== DofKind.hinge) continue;
+    pose[axis] = skeleton.qRest[index]!;
+    const range = [finite(skeleton.qMin[index]!), finite(skeleton.qMax[index]!)] as const;
+    limits[axis] = range[0] === null && range[1] === null ? null : [...range];
+  }
+  const box = Array.from(skeleton.displayBoxes?.subarray(joint * 6, joint * 6 + 6) ?? [], (value) =>
+    Number(writeFloat32(value)),
+  );
+  const corners = { min: box.slice(0, 3), max: box.slice(3) };
+  return { pose, limits, ...(box.length > 0 ? { box: corners } : {}) };
 }
 
 function summary(character: Description): string {
@@ -69,7 +98,15 @@ function summary(character: Description): string {
     `${printable(name, longestName)}: ${joints.length} joints, ${vertices} vertices, ${triangles} triangles, ` +
       `at most ${influences} influences${missing}`,
     ...joints.map(
-      (joint) => `  #${joint.index} ${printable(joint.name, longestName)} (parent ${joint.parent})`,
+      ({ index, name: own, parent }) =>
+        `  #${index} ${printable(own, longestName)} (parent ${parent})`,
+    ),
+    ...character.morphs.map(
+      (morph) => `  morph ${printable(morph.name, longestName)}: ${morph.vertices} vertices`,
+    ),
+    ...character.clips.map(
+      (clip) =>
+        `  clip ${printable(clip.name, longestName)}: ${clip.channels} channels, ${clip.start} to ${clip.end} s`,
     ),
   ].join('\n');
 }

@@ -5,11 +5,13 @@ import { buildSkeleton, emptySkeleton } from './build-skeleton.ts';
 import { buildSkin, buildStaticSkin } from './build-skin.ts';
 import type { CharacterParts, MeshParts, SkinParts } from './character-parts.ts';
 import type { Character } from './character.ts';
+import { compileClip } from './clip.ts';
 import { reportCoincidentJoints } from './coincident-joints.ts';
 import { type Diagnostic, DiagnosticLog, type Parsed } from './diagnostics.ts';
 import { worldMatrices } from './forward-kinematics.ts';
 import { defaultLimits, type Limits } from './limits.ts';
 import { emptyMesh, type Mesh } from './mesh.ts';
+import { buildMorph } from './morph.ts';
 import type { Skeleton } from './skeleton.ts';
 import type { Skin } from './skin.ts';
 
@@ -61,6 +63,9 @@ function assemble(
     skeleton,
     mesh,
     skin,
+    morphs: (parts.morphs ?? []).map((morph) => buildMorph(morph, mesh)),
+    clips: (parts.clips ?? []).map((clip) => compileClip(clip, skeleton)),
+    materials: parts.mesh?.materials ?? [],
     bones: deriveBones(skeleton, skin, mesh),
     bounds: restBounds(skeleton, mesh),
     missing: parts.missing,

@@ -151,5 +151,14 @@ function pack(joints: readonly JointParts[], order: readonly number[]): Skeleton
     qRest,
     qMin,
     qMax,
+    displayBoxes: packBoxes(sorted),
   };
+}
+
+/** Where some joints have a box and others not, those have one of no size. */
+function packBoxes(joints: readonly JointParts[]): Float32Array | null {
+  if (joints.every(({ displayBox }) => displayBox === undefined)) return null;
+  const boxes = new Float32Array(joints.length * 6);
+  joints.forEach(({ displayBox }, joint) => boxes.set(displayBox ?? [], joint * 6));
+  return boxes;
 }

@@ -27,6 +27,7 @@ export function buildSkin(
     ...rows.skin,
     paletteJoint: Uint16Array.from({ length: skeleton.jointCount }, (_, joint) => joint),
     jointFromBind: bindMatrices(parts, skeleton),
+    ...(parts.bindFromJoint ? { bindFromJoint: inOrder(parts.bindFromJoint, skeleton) } : {}),
   };
 }
 
@@ -88,18 +89,21 @@ function packRows(parts: SkinParts, skeleton: Skeleton): SkinRows {
 
 /** The file's inverse bind matrices, or the inverses of the rest pose's world matrices. */
 function bindMatrices(parts: SkinParts, skeleton: Skeleton): Float64Array {
+  if (parts.jointFromBind) return inOrder(parts.jointFromBind, skeleton);
   const jointFromBind = new Float64Array(skeleton.jointCount * 16);
-  if (parts.jointFromBind) {
-    skeleton.sourceIndex.forEach((source, joint) => {
-      const matrix = parts.jointFromBind!.subarray(source * 16, source * 16 + 16);
-      jointFromBind.set(matrix, joint * 16);
-    });
-    return jointFromBind;
-  }
   const bindFromJoint = worldMatrices(skeleton, skeleton.qRest);
   for (let joint = 0; joint < skeleton.jointCount; joint++) {
     const range = [joint * 16, joint * 16 + 16] as const;
     mat4.invert(jointFromBind.subarray(...range), bindFromJoint.subarray(...range));
   }
   return jointFromBind;
+}
+
+/** Matrices in file order, as the skeleton's joints stand. */
+function inOrder(matrices: Float64Array, { sourceIndex }: Skeleton): Float64Array {
+  const sorted = new Float64Array(sourceIndex.length * 16);
+  sourceIndex.forEach((source, joint) => {
+    sorted.set(matrices.subarray(source * 16, source * 16 + 16), joint * 16);
+  });
+  return sorted;
 }

@@ -10,6 +10,8 @@ export interface CharacterParts {
   readonly skeleton?: SkeletonParts;
   readonly mesh?: MeshParts;
   readonly skin?: SkinParts;
+  readonly morphs?: readonly MorphParts[];
+  readonly clips?: readonly ClipParts[];
   /** Kinds of file that the format has and that were not there, for the user: ".attach". */
   readonly missing: readonly string[];
 }
@@ -34,6 +36,8 @@ export interface JointParts {
   readonly restRotation?: readonly [number, number, number, number];
   /** In order of application: the first is outermost. */
   readonly dofs: readonly DofParts[];
+  /** Corners of the box that stands for the joint: min x y z, max x y z, joint frame. */
+  readonly displayBox?: readonly number[];
 }
 
 export interface DofParts {
@@ -59,6 +63,7 @@ export interface MeshParts {
   /** (n × 3), with `cornerNormals` (triangleCount × 3) into it; -1 where a corner has none. */
   readonly normals?: Float32Array;
   readonly cornerNormals?: Int32Array;
+  readonly materials?: readonly MaterialParts[];
   /** Runs of triangles of one material, in order; the whole mesh where absent. */
   readonly submeshes?: readonly { readonly material: string; readonly firstTriangle: number }[];
 }
@@ -74,4 +79,62 @@ export interface SkinParts {
   readonly weights: Float32Array;
   /** (jointCount × 16) file order, column-major; the inverse of the rest pose where absent. */
   readonly jointFromBind?: Float64Array;
+  /** (jointCount × 16) their inverses, where it is these that the file has: for writers. */
+  readonly bindFromJoint?: Float64Array;
+}
+
+export interface MaterialParts {
+  readonly name: string;
+  /** Name of an image file, as the file has it. */
+  readonly texture?: string;
+}
+
+/** A shape that is added, by a weight, to the mesh at rest: offsets of some of its points. */
+export interface MorphParts {
+  readonly file: string;
+  readonly name: string;
+  /** (n) */
+  readonly points: Uint32Array;
+  /** (n × 3) target − base, model units. */
+  readonly offsets: Float32Array;
+  /** (m), and (m × 3) offsets of their normals; empty where the file has none. */
+  readonly normalPoints: Uint32Array;
+  readonly normalOffsets: Float32Array;
+}
+
+/** An animation: curves for some of the degrees of freedom. */
+export interface ClipParts {
+  readonly file: string;
+  readonly name: string;
+  /** Seconds; the range that is played, whatever the keys' times. */
+  readonly start: number;
+  readonly end: number;
+  readonly channels: readonly ChannelParts[];
+}
+
+/** What a curve does outside its keys. */
+export type Extrapolation = 'constant' | 'linear' | 'cycle' | 'cycle_offset' | 'bounce';
+
+/** The slope at a key: by rule, or as it is. */
+export type Tangent = 'flat' | 'linear' | 'smooth' | number;
+
+export interface ChannelParts {
+  /** What it moves, or null where the skeleton has no such thing. */
+  readonly target: {
+    /** File index. */
+    readonly joint: number;
+    readonly kind: DofKind;
+    readonly axis: 0 | 1 | 2;
+  } | null;
+  readonly before: Extrapolation;
+  readonly after: Extrapolation;
+  readonly keys: readonly KeyParts[];
+}
+
+export interface KeyParts {
+  /** Seconds. */
+  readonly time: number;
+  readonly value: number;
+  readonly tangentIn: Tangent;
+  readonly tangentOut: Tangent;
 }

@@ -1,6 +1,9 @@
 import type { Bone } from './bones.ts';
 import type { Bounds } from './bounds.ts';
+import type { MaterialParts } from './character-parts.ts';
+import type { Clip } from './clip.ts';
 import type { Mesh } from './mesh.ts';
+import type { Morph } from './morph.ts';
 import type { Skeleton } from './skeleton.ts';
 import type { Skin } from './skin.ts';
 
@@ -13,6 +16,11 @@ export interface Character {
   readonly skeleton: Skeleton;
   readonly mesh: Mesh;
   readonly skin: Skin;
+  /** Shapes that are added to the mesh before it is skinned. */
+  readonly morphs: readonly Morph[];
+  readonly clips: readonly Clip[];
+  /** By the name that submeshes have. */
+  readonly materials: readonly MaterialParts[];
   readonly bones: readonly Bone[];
   /** Of mesh and joints at the file's pose, character space. */
   readonly bounds: Bounds;

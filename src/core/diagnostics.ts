@@ -6,18 +6,25 @@ export type Severity = 'error' | 'warning';
 
 export type DiagnosticCode = `${DiagnosticArea}/${DiagnosticKind}`;
 
-type DiagnosticArea = 'file' | 'skel' | 'obj' | 'attach' | 'pose' | 'character';
+type DiagnosticArea =
+  'file' | 'skel' | 'obj' | 'attach' | 'skin' | 'morph' | 'anim' | 'rig' | 'pose' | 'character';
 
 type DiagnosticKind =
   | 'archive' // a zip that can't be unpacked, or lies within another
   | 'binary' // text expected, other bytes found
+  | 'box' // corners in the wrong order
+  | 'case' // a word in other letters than the format's
   | 'coincident' // joints that all stand on one point
   | 'continuation' // a line to be continued by one that is not there
   | 'count' // two numbers of things that must agree
   | 'cycle' // joints that are their own ancestors
+  | 'degrees' // angles that look like degrees
+  | 'depth' // nested deeper than Sinew takes
+  | 'duplicate' // given twice
   | 'degenerate' // triangles without area
   | 'empty' // nothing of what the file is for
   | 'encoding' // not UTF-8
+  | 'end' // the file ends within something
   | 'face' // a face that is none
   | 'field-count' // too few or too many values on a line
   | 'html' // a web page in place of the file
@@ -26,18 +33,29 @@ type DiagnosticKind =
   | 'integer' // a whole number expected
   | 'json' // not JSON, or not of the shape
   | 'limit' // larger than Sinew takes
+  | 'limits' // of a joint, in the wrong order
   | 'lost' // has no place in the format that is written
+  | 'matrix' // not of the shape
+  | 'mirrored' // turns a right hand into a left one
   | 'missing' // a part of the character is not there
   | 'more' // further diagnostics left out
+  | 'name' // none, or one that others have
+  | 'normal' // none, or without a length
   | 'number' // a number expected
+  | 'order' // times that do not rise
   | 'pairing' // files joined by guess
   | 'parent' // a parent that is no joint
   | 'range' // a number past what can be computed with, or past a joint's limits
   | 'root' // no root, several, or not the first
+  | 'section' // a part of the file that is not there
+  | 'singular' // without an inverse
+  | 'token' // another word expected
+  | 'trailing' // after the end of what the file is for
   | 'truncated' // fewer bytes than the file has
   | 'unknown' // nothing here reads it
   | 'unknown-joint' // a joint name that no joint has, or that several have
   | 'unwritable' // a place where no file can be put
+  | 'uv' // texture coordinates that do not fit
   | 'weight-negative'
   | 'weight-sum'
   | 'weight-zero';

@@ -10,6 +10,8 @@ export interface Limits {
   readonly pointCount: number;
   readonly triangleCount: number;
   readonly cornersPerFace: number;
+  /** How deep joints and blocks of a text file may nest. */
+  readonly depth: number;
   /** Magnitude of a coordinate or offset: its square, which lengths need, is still a float32. */
   readonly coordinate: number;
   /** Magnitude of a weight: with any coordinate, blended matrices and their cofactors stay finite. */
@@ -24,6 +26,7 @@ export const defaultLimits: Limits = {
   pointCount: 4_000_000,
   triangleCount: 8_000_000,
   cornersPerFace: 10_000,
+  depth: 1024,
   coordinate: 1e18,
   weight: 1e6,
 };

@@ -47,6 +47,8 @@ export interface Skeleton {
   readonly qMin: Float64Array;
   /** (qCount) */
   readonly qMax: Float64Array;
+  /** (jointCount × 6) min x y z, max x y z of the box that stands for a joint, joint frame. */
+  readonly displayBoxes: Float32Array | null;
 }
 
 export const noParent = -1;

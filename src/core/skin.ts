@@ -10,6 +10,8 @@ export interface Skin {
   readonly paletteJoint: Uint16Array;
   /** (entryCount × 16) column-major, float64: character space at bind → joint frame. */
   readonly jointFromBind: Float64Array;
+  /** (entryCount × 16) its inverses as the file has them, where it has these: for writers. */
+  readonly bindFromJoint?: Float64Array;
   /** (pointCount + 1) where each point's influences start. */
   readonly start: Uint32Array;
   /** (start[pointCount]) palette entry of each influence. */

@@ -4,10 +4,16 @@
  */
 export const formatExtensions = {
   mit: ['.skel', '.obj', '.attach'],
+  cse169: ['.skel', '.skin', '.morph', '.anim', '.rig'],
 } as const;
 
-/** Endings that are worth reading. */
-export const readableExtensions: readonly string[] = [
-  ...Object.values(formatExtensions).flat(),
-  '.zip',
+/** Endings of the images that materials may name. */
+export const textureExtensions: readonly string[] = ['.bmp', '.png', '.jpg', '.jpeg'];
+
+/** Endings of the files that make characters, each once. */
+export const characterExtensions: readonly string[] = [
+  ...new Set<string>([...Object.values(formatExtensions).flat(), '.zip']),
 ];
+
+/** Endings that are worth reading. */
+export const readableExtensions: readonly string[] = [...characterExtensions, ...textureExtensions];

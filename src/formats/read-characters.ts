@@ -1,8 +1,9 @@
 import { buildCharacter } from '../core/build-character.ts';
 import type { Character } from '../core/character.ts';
 import type { Diagnostic } from '../core/diagnostics.ts';
+import { missingTextures, texturesOf } from './attach-textures.ts';
 import { defaultLimits, type Limits } from '../core/limits.ts';
-import { readableExtensions } from './extensions.ts';
+import { characterExtensions } from './extensions.ts';
 import { baseName, extensionOf } from './file-entry.ts';
 import type { FileEntry, FileGroup, Format } from './format.ts';
 import { isJunk } from './junk.ts';
@@ -41,9 +42,11 @@ export async function readCharacters(
     for (const group of format.claim(unclaimed)) {
       unclaimed = unclaimed.filter((file) => !group.files.includes(file));
       const character = await readGroup(format, group, limits, diagnostics);
-      if (character) characters.push({ character, files: group.files });
+      if (character) characters.push(withTextures(character, group.files, files));
     }
   }
+  const dressed = new Set(characters.flatMap(({ files: own }) => own));
+  unclaimed = unclaimed.filter((file) => !dressed.has(file));
   if (unclaimed.length > 0) diagnostics.push(unknownFiles(unclaimed));
   return { characters, diagnostics };
 }
@@ -60,6 +63,22 @@ async function readGroup(
   const built = buildCharacter(parsed.value, limits);
   diagnostics.push(...built.diagnostics);
   return built.value;
+}
+
+/** With the images that its materials name, and those that are not there among what is missing. */
+function withTextures(
+  character: Character,
+  own: readonly FileEntry[],
+  files: readonly FileEntry[],
+): ReadCharacter {
+  const missing = missingTextures(character, files);
+  return {
+    character:
+      missing.length > 0
+        ? { ...character, missing: [...character.missing, ...missing] }
+        : character,
+    files: [...own, ...texturesOf(character, files)],
+  };
 }
 
 /** The same files; asking one for its bytes reports progress, and fewer bytes than it should have. */
@@ -103,7 +122,7 @@ function unknownFiles(files: readonly FileEntry[]): Diagnostic {
     severity: 'warning',
     code: 'file/unknown',
     file: `${names[0]!}${others}`,
-    expected: `files that Sinew reads (${readableExtensions.join(', ')})`,
+    expected: `files that Sinew reads (${characterExtensions.join(', ')})`,
     found: [...extensions].join(', '),
     effect: names.length > 1 ? 'they are not used' : 'the file is not used',
   };

@@ -7,6 +7,7 @@ import { unwritable } from '../../src/cli/files.ts';
 import { UsageError } from '../../src/cli/usage-error.ts';
 import { readObj } from '../../src/formats/obj/read-obj.ts';
 import { methods } from '../../src/skinning/registry.ts';
+import { leg, legAnim, legSkel, legSkin } from '../support/cse169-files.ts';
 import type { FileContents } from '../support/files.ts';
 import { zipOf } from '../support/zip.ts';
 import { folderWith } from './run-sinew.ts';
@@ -134,6 +135,24 @@ describe('pose', () => {
 });
 
 describe('info', () => {
+  it('gives pose and limits as x, y, z, boxes, materials, morphs and clips', async () => {
+    const contents = leg as Record<string, string>;
+    expect(await run('info', contents, ...Object.keys(contents), '--json').code).toBe(0);
+    const { characters } = JSON.parse(out[0]!) as { characters: Record<string, unknown>[] };
+    expect(characters[0]).toMatchObject({
+      materials: [{ name: 'skin', texture: 'leg.bmp' }],
+      morphs: [{ name: 'leg1', vertices: 2 }],
+      clips: [{ name: 'leg_walk', start: 0, end: 2, channels: 12 }],
+      missing: ['.bmp'],
+    });
+    const [hip] = characters[0]!['joints'] as unknown[];
+    expect(hip).toMatchObject({
+      pose: [0.5, 0, 0.25],
+      limits: [[-1, 2], [0, 0], null],
+      box: { min: [-0.1, -0.5, -0.1], max: [0.1, 0, 0.1] },
+    });
+  });
+
   it('names the joints and counts the rest', async () => {
     expect(await run('info', files, ...names).code).toBe(0);
     expect(out).toEqual([
@@ -183,5 +202,57 @@ describe('info', () => {
     expect(errors.join('')).not.toMatch(/[\p{Cc}\p{Cf}]/u);
     expect(out.join('').replaceAll('\n', '')).not.toMatch(/[\p{Cc}\p{Cf}]/u);
     expect(out[0]).toMatch(/^a\uFFFD: 3 joints/);
+  });
+});
+
+describe('sample', () => {
+  it('prints the values of a channel, counted from 0, before and after its keys too', async () => {
+    const words = ['a.anim', '--channel', '1', '--times', '-1,0,1.5', '--json'];
+    expect(await run('sample', { 'a.anim': legAnim }, ...words).code).toBe(0);
+    const { channel, times, values } = JSON.parse(out[0]!) as Record<string, unknown>;
+    expect([channel, times]).toEqual([1, [-1, 0, 1.5]]);
+    expect(values).toHaveLength(3);
+    expect((values as number[]).slice(0, 2)).toEqual([0, 0.5]);
+  });
+
+  it.each([
+    [['--channel', '0', '--times', '1'], 'expected one .anim'],
+    [['a.anim', '--times', '1'], 'expected --channel'],
+    [['a.anim', '--channel', '0'], 'expected --times'],
+    [['a.anim', '--channel', '99', '--times', '1'], 'from 0 to 11'],
+  ])('is used wrongly as %j', async (words, message) => {
+    const { code } = run('sample', { 'a.anim': legAnim }, ...words);
+    await expect(code).rejects.toThrow(message);
+  });
+});
+
+describe('convert', () => {
+  it("writes the other course's files and the matching pose, and says what is lost", async () => {
+    const contents = {
+      'a.skel': legSkel,
+      'a.skin': legSkin,
+      'p.json': '{"joints":{"knee":[1,0,9]}}',
+    };
+    const words = ['a.skel', 'a.skin', '--to', 'mit', '--out', 'new', '--pose', 'p.json'];
+    const { folder, code } = run('convert', contents, ...words);
+    expect(await code).toBe(0);
+    expect(out).toEqual(['a.skel', 'a.obj', 'a.attach', 'p.json'].map((name) => join('new', name)));
+    expect(errors.join('\n')).toContain('z of "knee" from -2 to 2, found "9"');
+    expect(errors.join('\n')).toContain('a root without weight is put before it');
+    const pose = JSON.parse(readFileSync(join(folder, 'new/p.json'), 'utf8')) as { joints: object };
+    expect(Object.keys(pose.joints)).toContain('joint 02');
+  });
+
+  it.each([
+    [['--to', 'mit', '--out', 'o'], 'expected files'],
+    [['a.skel', '--to', 'pmd', '--out', 'o'], 'expected --to'],
+    [['a.skel', '--to', 'mit'], 'expected --out'],
+  ])('is used wrongly as %j', async (words, message) => {
+    await expect(run('convert', files, ...words).code).rejects.toThrow(message);
+  });
+
+  it('ends with 1 where a file is bad', async () => {
+    const words = ['a.skel', '--to', 'mit', '--out', 'o'];
+    expect(await run('convert', { 'a.skel': 'balljoint a {' }, ...words).code).toBe(1);
   });
 });

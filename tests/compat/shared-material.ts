@@ -22,7 +22,7 @@ export function describeWithShared(
   }
 }
 
-function sharedBytes(path: string): Uint8Array {
+export function sharedBytes(path: string): Uint8Array {
   return new Uint8Array(readFileSync(resolve(shared, path)));
 }
 
@@ -41,4 +41,9 @@ export function sharedFloats(path: string): Float32Array {
 export function modelFiles(model: string): FileContents {
   const paths = ['.skel', '.obj', '.attach'].map((ending) => `data/mit-6837/${model}${ending}`);
   return Object.fromEntries(paths.map((path) => [basename(path), sharedBytes(path)]));
+}
+
+/** Files of a folder's, by their own names. */
+export function sharedFiles(folder: string, ...names: readonly string[]): FileContents {
+  return Object.fromEntries(names.map((name) => [name, sharedBytes(`${folder}/${name}`)]));
 }

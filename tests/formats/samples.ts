@@ -1,3 +1,4 @@
+import { leg, legMorph, legRig, legSkel, legSkin } from '../support/cse169-files.ts';
 import { courseSkel } from '../support/course-skeleton.ts';
 import type { FileContents } from '../support/files.ts';
 import { golden, oddities } from '../support/golden.ts';
@@ -13,6 +14,14 @@ export interface FormatSamples {
 }
 
 const square = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nusemtl a\nf 1 2 3\nusemtl\nf 1 3 4\n';
+
+const oddNumbers = [
+  ...['-1', '0', '1', '2', '7', '-2', '4095', '65536', '4294967297', '99999999999999999999'],
+  ...['1e6', '-1e6', '1.000001e6', '1e18', '-1e18', '1.1e18', '1e38', '1e39', '1e400'],
+  ...['1e-7', '1e-6', '1e-40', '-1e-45', '-0', '0.0', '+1', '1.', '.5', '1e', '1e+', '.', '--1'],
+  ...['nan', 'NaN', 'inf', '-Infinity', '0x10', '1,5', '1_0', '1/1', '1//1', '\u0661', '1\0'],
+  '9'.repeat(65),
+];
 
 const mit: FormatSamples = {
   characters: {
@@ -30,13 +39,33 @@ const mit: FormatSamples = {
     ...['0', '1', '2', '3', '-1', '-2', '0.5', '1e-3', '1e39', '1e400', 'nan', '1e', '.', '-'],
     ...['1/1', '1//1', '1/2/3', '1/', '/', '//', '1/2/3/4', '__proto__', '<img>', '骨', '\u202e'],
   ],
-  oddNumbers: [
-    ...['-1', '0', '1', '2', '7', '-2', '4095', '65536', '4294967297', '99999999999999999999'],
-    ...['1e6', '-1e6', '1.000001e6', '1e18', '-1e18', '1.1e18', '1e38', '1e39', '1e400'],
-    ...['1e-7', '1e-6', '1e-40', '-1e-45', '-0', '0.0', '+1', '1.', '.5', '1e', '1e+', '.', '--1'],
-    ...['nan', 'NaN', 'inf', '-Infinity', '0x10', '1,5', '1_0', '1/1', '1//1', '\u0661', '1\0'],
-    '9'.repeat(65),
-  ],
+  oddNumbers,
 };
 
-export const formatSamples: Readonly<Record<string, FormatSamples | undefined>> = { mit };
+const cse169: FormatSamples = {
+  characters: {
+    'a skeleton, skin, morph and clip': leg,
+    'a rig that names its files': {
+      'leg.rig': legRig,
+      'leg.skel': legSkel,
+      'leg.skin': legSkin,
+      'bent.morph': legMorph,
+    },
+    'a skeleton alone, with odd line ends': {
+      'a.skel': 'balljoint  {\r\r\n  pose 0 9 0\r}\rballjoint a{ boxmin 1 1 1 }\r\nballjoint a { }',
+    },
+    'a skin alone, without skinweights': {
+      'a.skin': 'positions 3 { 0 0 0 1 0 0 0 1 0 } triangles 1 { 0 1 2 } material {}',
+    },
+  },
+  tokens: [
+    ...['balljoint', 'offset', 'boxmin', 'boxmax', 'rotxlimit', 'pose', '{', '}', '{', '}', '//'],
+    ...['positions', 'normals', 'texcoords', 'skinweights', 'material', 'texture', 'triangles'],
+    ...['bindings', 'matrix', 'animation', 'range', 'numchannels', 'channel', 'extrapolate'],
+    ...['keys', 'flat', 'smooth', 'cycle_offset', 'bounce', 'rig', 'skeleton', 'skin', 'morphs'],
+    ...['0', '1', '2', '3', '-1', '0.5', '1e39', 'nan', '1.#QNAN', '/*', '*/', '#', '__proto__'],
+  ],
+  oddNumbers,
+};
+
+export const formatSamples: Readonly<Record<string, FormatSamples | undefined>> = { mit, cse169 };

@@ -9,7 +9,7 @@ import type { FileEntry, FileGroup, Format, OutputFile, Written } from '../forma
 import { groupByStem } from '../group-by-stem.ts';
 import { readObj } from '../obj/read-obj.ts';
 import { writeObj } from '../obj/write-obj.ts';
-import { decodeText } from '../text/decode-text.ts';
+import { skelDialect } from '../skel-dialect.ts';
 import { type ExpectedColumns, readAttach } from './attach.ts';
 import { attachLosses } from './attach-losses.ts';
 import { objLosses } from './losses.ts';
@@ -30,10 +30,9 @@ export const mitFormat: Format = {
   write: writeCharacter,
 };
 
-/** The other course's `.skel` says `balljoint`; this one has nothing but numbers and comments. */
 function isMitFile(file: FileEntry): boolean {
   const extension = extensionOf(file.path);
-  if (extension === '.skel') return !/balljoint/i.test(decodeText(file.head));
+  if (extension === '.skel') return skelDialect(file) === 'mit';
   return kinds.some((kind) => kind === extension);
 }
 

@@ -1,13 +1,10 @@
 import type { DiagnosticLog } from '../../core/diagnostics.ts';
 import { defaultLimits, type Limits } from '../../core/limits.ts';
 import { decodeText } from './decode-text.ts';
+import { carriageReturn, endOfLineEnd, isBlank, lineFeed } from './line-ends.ts';
 import { reportEncoding, reportLength, reportOpenEnd } from './line-problems.ts';
 import { readInteger, readNumber } from './read-number.ts';
 
-const tab = 0x09;
-const lineFeed = 0x0a;
-const carriageReturn = 0x0d;
-const space = 0x20;
 const hash = 0x23;
 const backslash = 0x5c;
 const beyondAscii = 0x80;
@@ -168,17 +165,4 @@ export class LineReader {
     this.nextStart = endOfLineEnd(bytes, at);
     this.nextLine++;
   }
-}
-
-/** LF, CRLF and CR CR LF are one end each; returns without a line feed are one end apiece. */
-function endOfLineEnd(bytes: Uint8Array, start: number): number {
-  if (bytes[start] !== carriageReturn) return start + 1;
-  if (bytes[start + 1] === lineFeed) return start + 2;
-  return bytes[start + 1] === carriageReturn && bytes[start + 2] === lineFeed
-    ? start + 3
-    : start + 1;
-}
-
-function isBlank(byte: number): boolean {
-  return byte === space || (byte >= tab && byte <= carriageReturn);
 }

@@ -77,11 +77,12 @@ describe('the format of 6.837', () => {
       'a.obj': obj,
       'readme.txt': '',
     });
-    expect(sizes).toMatchObject([{ name: 'a', joints: 0 }]);
-    expect(messages).toEqual([
-      'warning: b.skel and 1 more: expected files that Sinew reads (.skel, .obj, .attach, .zip), ' +
-        'found ".skel, .txt" [file/unknown]; they are not used',
+    expect(sizes).toMatchObject([
+      { name: 'a', joints: 0 },
+      { name: 'b', joints: 1, missing: ['.skin'] },
     ]);
+    expect(messages).toHaveLength(1);
+    expect(messages[0]).toContain('warning: readme.txt: expected files that Sinew reads (.skel, ');
   });
 
   it('reads two characters at once', async () => {

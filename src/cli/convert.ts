@@ -1,0 +1,116 @@
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { parseArgs } from 'node:util';
+import type { Character } from '../core/character.ts';
+import { type Diagnostic, hasErrors } from '../core/diagnostics.ts';
+import { type Pose, restPose } from '../core/pose.ts';
+import { convertCharacter } from '../formats/convert.ts';
+import type { ConvertTarget } from '../formats/convert-parts.ts';
+import { writeCse169 } from '../formats/cse169/write-character.ts';
+import { baseName } from '../formats/file-entry.ts';
+import type { OutputFile, Written } from '../formats/format.ts';
+import { mitFormat } from '../formats/mit/format.ts';
+import { poseToJson, readPoseJson } from '../formats/pose-json.ts';
+import { readCharacters } from '../formats/read-characters.ts';
+import type { Command } from './commands.ts';
+import { printDiagnostics, readFiles, unreadable, unwritable, userPath } from './files.ts';
+import { parseWords } from './parse-words.ts';
+import { UsageError } from './usage-error.ts';
+
+/** By the id of the format. */
+const writers: Readonly<Record<ConvertTarget, (character: Character) => Written>> = {
+  mit: (character) => mitFormat.write(character),
+  cse169: (character) => writeCse169(character),
+};
+
+/** `convert FILES --to mit|cse169 --out DIR [--pose POSE.json]`: the other course's files. */
+export const convert: Command = {
+  name: 'convert',
+  usage: 'convert FILES --to mit|cse169 --out DIR [--pose POSE.json]',
+  async run(words) {
+    const options = parseOptions(words);
+    const { files, diagnostics: missing } = readFiles(options.files);
+    const { characters, diagnostics } = await readCharacters(files);
+    const found: Diagnostic[] = [...missing, ...diagnostics];
+    if (characters.length > 1) throw new UsageError('expected the files of one character');
+    const character = characters[0]?.character;
+    const pose = character && readPose(options.pose, character, found);
+    if (!character || !pose || hasErrors(found)) {
+      printDiagnostics(found);
+      return 1;
+    }
+    const converted = convertCharacter(character, options.to, pose);
+    const { files: written, losses } = writers[options.to](converted.character);
+    printDiagnostics([...found, ...converted.losses, ...losses]);
+    const poseFile = writtenPose(options.pose, converted.character, converted.pose);
+    return writeAll(options.out, [...written, ...poseFile]) ? 0 : 1;
+  },
+};
+
+function parseOptions(words: readonly string[]) {
+  const { values, positionals: files } = parseWords(() =>
+    parseArgs({
+      args: [...words],
+      options: {
+        to: { type: 'string' },
+        out: { type: 'string' },
+        pose: { type: 'string' },
+      },
+      allowPositionals: true,
+    }),
+  );
+  const { to, out, pose } = values;
+  if (files.length === 0) throw new UsageError('expected files, found none');
+  if (!isTarget(to)) throw new UsageError('expected --to mit or --to cse169');
+  if (out === undefined) throw new UsageError('expected --out with a folder');
+  return { files, to, out, pose };
+}
+
+function isTarget(id: string | undefined): id is ConvertTarget {
+  return id === 'mit' || id === 'cse169';
+}
+
+/** The pose that is given, in the angles of the files that are read; else theirs. */
+function readPose(
+  path: string | undefined,
+  { skeleton }: Character,
+  found: Diagnostic[],
+): Pose | undefined {
+  if (path === undefined) return restPose(skeleton);
+  try {
+    const { value, diagnostics } = readPoseJson(
+      path,
+      readFileSync(userPath(path), 'utf8'),
+      skeleton,
+    );
+    found.push(...diagnostics);
+    return value;
+  } catch (error) {
+    found.push(unreadable(path, error));
+    return undefined;
+  }
+}
+
+/** The matching pose: under the name of the one given; without one where it is not the file's own. */
+function writtenPose(path: string | undefined, character: Character, pose: Pose): OutputFile[] {
+  const json = poseToJson(character.skeleton, pose);
+  const isRest = Object.keys(json.joints ?? {}).length === 0 && !json.root;
+  if (path === undefined && isRest) return [];
+  const bytes = new TextEncoder().encode(`${JSON.stringify(json, null, 2)}\n`);
+  return [{ path: path === undefined ? `${character.name}.pose.json` : baseName(path), bytes }];
+}
+
+function writeAll(folder: string, files: readonly OutputFile[]): boolean {
+  try {
+    mkdirSync(userPath(folder), { recursive: true });
+    for (const { path, bytes } of files) {
+      const target = join(folder, baseName(path));
+      writeFileSync(userPath(target), bytes);
+      console.log(target);
+    }
+    return true;
+  } catch (error) {
+    printDiagnostics([unwritable(folder, error)]);
+    return false;
+  }
+}

@@ -1,0 +1,97 @@
+import type { ChannelParts, Extrapolation, Tangent } from './character-parts.ts';
+
+/**
+ * A curve over time through its keys: cubic Hermite spans, and a rule for the time outside of them.
+ * Formulas: CSE169 project 3; a span is a·u³ + b·u² + c·u + d with u from 0 to 1.
+ */
+export interface Channel {
+  readonly before: Extrapolation;
+  readonly after: Extrapolation;
+  /** (keyCount) seconds, rising. */
+  readonly times: Float64Array;
+  /** (keyCount) */
+  readonly values: Float64Array;
+  /** (keyCount) slope on either side of each key, value per second. */
+  readonly slopesIn: Float64Array;
+  readonly slopesOut: Float64Array;
+  /** (max(0, keyCount - 1) × 4) a b c d of each span. */
+  readonly cubics: Float64Array;
+}
+
+/** @param parts keys at rising times */
+export function compileChannel(parts: ChannelParts): Channel {
+  const { keys, before, after } = parts;
+  const times = Float64Array.from(keys, ({ time }) => time);
+  const values = Float64Array.from(keys, ({ value }) => value);
+  const slope = (from: number, to: number): number =>
+    from === to ? 0 : (values[to]! - values[from]!) / (times[to]! - times[from]!);
+  const last = keys.length - 1;
+  // At an end there is one neighbour only; both rules then mean the only span.
+  const slopeAt = (key: number, tangent: Tangent, linearFrom: number): number => {
+    if (tangent === 'flat') return 0;
+    if (tangent === 'smooth' && key > 0 && key < last) return slope(key - 1, key + 1);
+    if (typeof tangent === 'number') return tangent;
+    const first = Math.min(Math.max(linearFrom, 0), Math.max(last - 1, 0));
+    return slope(first, Math.min(first + 1, last));
+  };
+  const slopesIn = Float64Array.from(keys, ({ tangentIn }, key) =>
+    slopeAt(key, tangentIn, key - 1),
+  );
+  const slopesOut = Float64Array.from(keys, ({ tangentOut }, key) => slopeAt(key, tangentOut, key));
+  const cubics = new Float64Array(Math.max(0, last) * 4);
+  for (let span = 0; span < last; span++) {
+    const h = times[span + 1]! - times[span]!;
+    const [p0, p1] = [values[span]!, values[span + 1]!];
+    const [v0, v1] = [h * slopesOut[span]!, h * slopesIn[span + 1]!];
+    cubics.set([2 * p0 - 2 * p1 + v0 + v1, -3 * p0 + 3 * p1 - 2 * v0 - v1, v0, p0], span * 4);
+  }
+  return { before, after, times, values, slopesIn, slopesOut, cubics };
+}
+
+/** The curve's value at a time in seconds: 0 without keys, a constant with one. */
+export function evaluateChannel(channel: Channel, time: number): number {
+  const { times, values } = channel;
+  const last = times.length - 1;
+  if (last <= 0) return values[0] ?? 0;
+  if (time < times[0]!) return extrapolate(channel, channel.before, time, 0, channel.slopesIn);
+  if (time > times[last]!) {
+    return extrapolate(channel, channel.after, time, last, channel.slopesOut);
+  }
+  return insideValue(channel, time);
+}
+
+function extrapolate(
+  channel: Channel,
+  rule: Extrapolation,
+  time: number,
+  end: number,
+  slopes: Float64Array,
+): number {
+  const { times, values } = channel;
+  if (rule === 'constant') return values[end]!;
+  if (rule === 'linear') return values[end]! + slopes[end]! * (time - times[end]!);
+  const last = times.length - 1;
+  const start = times[0]!;
+  const period = times[last]! - start;
+  const cycle = Math.floor((time - start) / period); // negative before the keys
+  const into = Math.min(Math.max(time - start - cycle * period, 0), period);
+  if (rule === 'bounce' && cycle % 2 !== 0) return insideValue(channel, times[last]! - into);
+  const value = insideValue(channel, start + into);
+  return rule === 'cycle_offset' ? value + cycle * (values[last]! - values[0]!) : value;
+}
+
+/** The value at a time between the first key and the last, which both are exactly what they say. */
+function insideValue({ times, values, cubics }: Channel, time: number): number {
+  const last = times.length - 1;
+  if (time >= times[last]!) return values[last]!;
+  let span = 0;
+  let above = last;
+  while (above - span > 1) {
+    const middle = (span + above) >> 1;
+    if (times[middle]! <= time) span = middle;
+    else above = middle;
+  }
+  const u = Math.max(0, (time - times[span]!) / (times[span + 1]! - times[span]!));
+  const at = span * 4;
+  return ((cubics[at]! * u + cubics[at + 1]!) * u + cubics[at + 2]!) * u + cubics[at + 3]!;
+}

@@ -1,0 +1,62 @@
+import { type Channel, compileChannel, evaluateChannel } from './channel.ts';
+import type { ChannelParts, ClipParts } from './character-parts.ts';
+import { axisDofs } from './pose.ts';
+import type { Skeleton } from './skeleton.ts';
+
+/** An animation, compiled for one skeleton: curves for some of the values in q. It never changes. */
+export interface Clip {
+  readonly name: string;
+  /** As read, for writers. */
+  readonly parts: ClipParts;
+  /** Seconds; the range that is played. */
+  readonly start: number;
+  readonly end: number;
+  readonly channels: readonly Channel[];
+  /** (channelCount) its place in q; -1 where it moves nothing that the skeleton has. */
+  readonly targets: Int32Array;
+  /** (channelCount) limits of that value. */
+  readonly minimum: Float64Array;
+  readonly maximum: Float64Array;
+}
+
+/** Slopes and cubics are computed once, here; playing allocates nothing. */
+export function compileClip(parts: ClipParts, skeleton: Skeleton): Clip {
+  const targets = Int32Array.from(parts.channels, (channel) => targetOf(channel, skeleton));
+  const limit = (limits: Float64Array, unlimited: number): Float64Array =>
+    Float64Array.from(targets, (target) => limits[target] ?? unlimited);
+  return {
+    name: parts.name,
+    parts,
+    start: parts.start,
+    end: parts.end,
+    channels: parts.channels.map(compileChannel),
+    targets,
+    minimum: limit(skeleton.qMin, -Infinity),
+    maximum: limit(skeleton.qMax, Infinity),
+  };
+}
+
+function targetOf({ target }: ChannelParts, skeleton: Skeleton): number {
+  const joint = target ? skeleton.jointOfSource[target.joint] : undefined;
+  if (!target || joint === undefined) return -1;
+  const dof = axisDofs(skeleton, joint).find(
+    ({ kind, axis }) => kind === target.kind && axis === target.axis,
+  );
+  return dof?.index ?? -1;
+}
+
+/**
+ * Writes the clip's values at a time into q, within the joints' limits; other values of q stay.
+ *
+ * @param time seconds; outside of the keys each channel goes on by its own extrapolation
+ * @param q (qCount) of the skeleton that the clip was compiled for
+ */
+export function evaluateClip(clip: Clip, time: number, q: Float64Array): void {
+  const { channels, targets, minimum, maximum } = clip;
+  for (let i = 0; i < channels.length; i++) {
+    const target = targets[i]!;
+    if (target === -1) continue;
+    const value = evaluateChannel(channels[i]!, time);
+    q[target] = Math.min(Math.max(value, minimum[i]!), maximum[i]!);
+  }
+}

@@ -1,0 +1,59 @@
+import type { MorphParts } from './character-parts.ts';
+import type { Mesh } from './mesh.ts';
+
+/** A shape that is added, by a weight, to the mesh at rest: offsets of some render vertices. */
+export interface Morph {
+  readonly name: string;
+  /** As read, for writers. */
+  readonly parts: MorphParts;
+  /** (n) render vertices. */
+  readonly vertices: Uint32Array;
+  /** (n × 3) model units. */
+  readonly offsets: Float32Array;
+  /** (m) render vertices, and (m × 3) what is added to their unit normals. */
+  readonly normalVertices: Uint32Array;
+  readonly normalOffsets: Float32Array;
+}
+
+/** Spreads a morph of points over the render vertices that each point was split into. */
+export function buildMorph(parts: MorphParts, mesh: Mesh): Morph {
+  const splits = splitsOf(mesh);
+  const positions = spread(parts.points, parts.offsets, splits);
+  const normals = spread(parts.normalPoints, parts.normalOffsets, splits);
+  return {
+    name: parts.name,
+    parts,
+    vertices: positions.vertices,
+    offsets: positions.offsets,
+    normalVertices: normals.vertices,
+    normalOffsets: normals.offsets,
+  };
+}
+
+/** The further render vertices of points that have several. */
+function splitsOf({ pointOf, pointCount, vertexCount }: Mesh): Map<number, number[]> {
+  const splits = new Map<number, number[]>();
+  for (let vertex = pointCount; vertex < vertexCount; vertex++) {
+    const point = pointOf[vertex]!;
+    const others = splits.get(point);
+    if (others) others.push(vertex);
+    else splits.set(point, [vertex]);
+  }
+  return splits;
+}
+
+function spread(
+  points: Uint32Array,
+  offsets: Float32Array,
+  splits: ReadonlyMap<number, readonly number[]>,
+): { vertices: Uint32Array; offsets: Float32Array } {
+  const vertices: number[] = [];
+  const values: number[] = [];
+  points.forEach((point, index) => {
+    for (const vertex of [point, ...(splits.get(point) ?? [])]) {
+      vertices.push(vertex);
+      for (let i = 0; i < 3; i++) values.push(offsets[index * 3 + i]!);
+    }
+  });
+  return { vertices: Uint32Array.from(vertices), offsets: Float32Array.from(values) };
+}

@@ -1,0 +1,120 @@
+import type { CharacterParts, JointParts, MeshParts } from '../core/character-parts.ts';
+import type { Character } from '../core/character.ts';
+import { noParent } from '../core/skeleton.ts';
+import { noJoint } from '../core/skin.ts';
+import { ballHinges, rootSlides } from './cse169/joint-dofs.ts';
+import { uniqueNames } from './cse169/joint-names.ts';
+import { oneWord } from './cse169/write-skel.ts';
+import { bindMatrix } from './cse169/write-skin.ts';
+import { jointNames } from './mit/joint-names.ts';
+import type { Target } from './solve-pose.ts';
+
+export type ConvertTarget = 'mit' | 'cse169';
+
+/**
+ * Loose parts in the shape of the other format; a point of the new mesh is a render vertex of the old.
+ *
+ * @param restAngles (jointCount × 3) the file's pose, where the format has one
+ */
+export function convertParts(
+  { name, skeleton, mesh, skin, materials, missing }: Character,
+  to: ConvertTarget,
+  { insertRoot, bound }: Target,
+  restAngles: Float64Array | null,
+): CharacterParts {
+  const shift = insertRoot ? 1 : 0;
+  const parents = Array.from(skeleton.jointOfSource, (joint) => {
+    const parent = skeleton.parents[joint]!;
+    return parent === noParent
+      ? insertRoot
+        ? 0
+        : noParent
+      : skeleton.sourceIndex[parent]! + shift;
+  });
+  const allParents = insertRoot ? [noParent, ...parents] : parents;
+  // As the files will give them, so that a pose by name fits: words in the one, none in the other.
+  const fileNames = Array.from(skeleton.jointOfSource, (joint) => oneWord(skeleton.names[joint]!));
+  const names = to === 'mit' ? jointNames(allParents) : uniqueNames(fileNames);
+  const joints: JointParts[] = Array.from(skeleton.jointOfSource, (joint, source) => {
+    const parent = parents[source]!;
+    const dofs =
+      to === 'mit'
+        ? ballHinges([0, 0, 0], []).toReversed()
+        : ballHinges(tripleAt(restAngles!, joint), []);
+    return {
+      name: names[source + shift]!,
+      ...(to === 'mit' ? {} : { fileName: names[source]! }),
+      parent,
+      restOffset: to === 'mit' ? offsetAtBind(joint) : tripleAt(skeleton.restOffsets, joint),
+      dofs: parent === noParent ? [...rootSlides, ...dofs] : dofs,
+    };
+  });
+  if (insertRoot) {
+    const dofs = [...rootSlides, ...ballHinges([0, 0, 0], []).toReversed()];
+    joints.unshift({ name: names[0]!, parent: noParent, restOffset: [0, 0, 0], dofs });
+  }
+  return {
+    name,
+    skeleton: { file: `${name}.skel`, joints },
+    ...(mesh.pointCount > 0 ? { mesh: meshParts() } : {}),
+    ...(skin.paletteJoint.includes(noJoint) ? {} : { skin: skinParts() }),
+    missing,
+  };
+
+  function offsetAtBind(joint: number): [number, number, number] {
+    const parent = skeleton.parents[joint]!;
+    const place = tripleAt(bound, joint);
+    if (parent === noParent) return place;
+    const from = tripleAt(bound, parent);
+    return [place[0] - from[0], place[1] - from[1], place[2] - from[2]];
+  }
+
+  function meshParts(): MeshParts {
+    const corners = Int32Array.from(mesh.indices);
+    return {
+      file: `${name}.obj`,
+      positions: mesh.positions,
+      cornerPoints: mesh.indices,
+      normals: mesh.normals,
+      cornerNormals: corners,
+      ...(mesh.uvs ? { uvs: mesh.uvs, cornerUvs: corners } : {}),
+      materials,
+      submeshes: mesh.submeshes.map(({ material, firstIndex }) => {
+        return { material, firstTriangle: firstIndex / 3 };
+      }),
+    };
+  }
+
+  function skinParts() {
+    const start = new Uint32Array(mesh.vertexCount + 1);
+    const influences: number[] = [];
+    mesh.pointOf.forEach((point, vertex) => {
+      for (let i = skin.start[point]!; i < skin.start[point + 1]!; i++) influences.push(i);
+      start[vertex + 1] = influences.length;
+    });
+    const sourceOf = (i: number): number => {
+      return skeleton.sourceIndex[skin.paletteJoint[skin.entries[i]!]!]! + shift;
+    };
+    const binds = {
+      jointFromBind: new Float64Array(skeleton.jointCount * 16),
+      bindFromJoint: new Float64Array(skeleton.jointCount * 16),
+    };
+    skeleton.sourceIndex.forEach((source, joint) => {
+      const entry = skin.paletteJoint.indexOf(joint);
+      const inverse = skin.jointFromBind.subarray(entry * 16, entry * 16 + 16);
+      binds.jointFromBind.set(inverse, source * 16);
+      binds.bindFromJoint.set(bindMatrix(skin, entry), source * 16);
+    });
+    return {
+      file: `${name}.attach`,
+      start,
+      joints: Uint16Array.from(influences, sourceOf),
+      weights: Float32Array.from(influences, (i) => skin.weights[i]!),
+      ...(to === 'mit' ? {} : binds),
+    };
+  }
+}
+
+export function tripleAt(values: Float64Array, index: number): [number, number, number] {
+  return [values[index * 3]!, values[index * 3 + 1]!, values[index * 3 + 2]!];
+}

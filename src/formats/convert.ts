@@ -1,0 +1,164 @@
+import { mat4 } from 'gl-matrix';
+import { buildCharacter } from '../core/build-character.ts';
+import type { Character } from '../core/character.ts';
+import type { Diagnostic } from '../core/diagnostics.ts';
+import type { EulerProduct } from '../core/euler.ts';
+import { worldMatrices } from '../core/forward-kinematics.ts';
+import type { Pose } from '../core/pose.ts';
+import { DofKind, firstRoot, noParent, type Skeleton } from '../core/skeleton.ts';
+import { noJoint } from '../core/skin.ts';
+import { partsLost } from './convert-losses.ts';
+import { type ConvertTarget, convertParts, tripleAt } from './convert-parts.ts';
+import { bindMatrix } from './cse169/write-skin.ts';
+import { solvePose, type Target } from './solve-pose.ts';
+import { lost } from './lost.ts';
+
+export interface Converted {
+  readonly character: Character;
+  /** The same shape as the pose that was given, in the angles of the other course. */
+  readonly pose: Pose;
+  readonly losses: readonly Diagnostic[];
+}
+
+const products: Readonly<Record<ConvertTarget, EulerProduct>> = { mit: 'xyz', cse169: 'zyx' };
+
+/**
+ * The character as the other course's files can hold it, and the pose that looks the same there.
+ * Rotations are carried, not numbers: equal angles turn differently in the two, so that they are
+ * solved anew. A character that has the format's own shape is left as it is.
+ *
+ * To CSE169 the frames of the joints stay, and the file's own rest becomes the file's pose. 6.837 binds
+ * every joint unturned where the mesh stands: frames are taken from the binding there, and what the
+ * joints have turned since then is the pose.
+ */
+export function convertCharacter(character: Character, to: ConvertTarget, pose: Pose): Converted {
+  const { skeleton, skin, name } = character;
+  const losses: Diagnostic[] = [];
+  if (skeleton.jointCount === 0 || hasShape(character, to)) return { character, pose, losses };
+  const insertRoot = to === 'mit' && firstJointHasWeight(character);
+  const bound = bindPlaces(character);
+  const target: Target = {
+    product: products[to],
+    frames: to === 'mit' ? 'bind' : 'joint',
+    insertRoot,
+    bound,
+  };
+  const rest = to === 'mit' ? null : solvePose(skeleton, skin, skeleton.qRest, target);
+  const parts = convertParts(character, to, target, rest?.angles ?? null);
+  const built = buildCharacter(parts).value!;
+  const solved = solvePose(skeleton, skin, pose.q, target);
+  const q = poseOf(built.skeleton, skeleton, solved, insertRoot);
+  const error = residual(character, pose, built, q, insertRoot);
+  if (error > 1e-5) {
+    const found = `matrices that are off by up to ${Number(error.toPrecision(2))}`;
+    const effect = 'the pose is as near as the format can hold it';
+    losses.push(
+      lost(name, 'joints that only turn, bound where the skeleton has them', found, effect),
+    );
+  }
+  if (insertRoot) {
+    const effect = 'a root without weight is put before it, and the other joints count one up';
+    losses.push(
+      lost(name, 'a first joint without weights', skeleton.names[first(skeleton)]!, effect),
+    );
+  }
+  losses.push(...partsLost(character, to));
+  return { character: built, pose: { q }, losses };
+}
+
+function first(skeleton: Skeleton): number {
+  return skeleton.jointOfSource[0]!;
+}
+
+/** Whether the character is already what the format's own files give. */
+function hasShape({ skeleton, skin }: Character, to: ConvertTarget): boolean {
+  const order = to === 'mit' ? [0, 1, 2] : [2, 1, 0];
+  for (let joint = 0; joint < skeleton.jointCount; joint++) {
+    const from = skeleton.dofStart[joint]!;
+    const kinds = [...skeleton.dofKind.subarray(from, skeleton.dofStart[joint + 1])];
+    const slides = skeleton.parents[joint] === noParent ? [0, 1, 2] : [];
+    const axes = [...slides, ...order];
+    const fits =
+      kinds.length === axes.length &&
+      kinds.every((kind, i) => {
+        const wanted = i < slides.length ? DofKind.slide : DofKind.hinge;
+        return kind === wanted && skeleton.dofAxis[(from + i) * 3 + axes[i]!] === 1;
+      });
+    if (!fits || Math.abs(skeleton.restRotations[joint * 4 + 3]!) !== 1) return false;
+  }
+  if (to === 'cse169') return true;
+  return skin.bindFromJoint === undefined && skeleton.qRest.every((value) => value === 0);
+}
+
+function firstJointHasWeight({ skeleton, skin }: Character): boolean {
+  const joint = first(skeleton);
+  return skin.entries.some((entry, i) => {
+    return skin.paletteJoint[entry] === joint && skin.weights[i] !== 0;
+  });
+}
+
+/** (jointCount × 3) where each joint stands at bind; where the mesh has no weights, at rest. */
+function bindPlaces({ skeleton, skin }: Character): Float64Array {
+  const world = worldMatrices(skeleton, skeleton.qRest);
+  const places = new Float64Array(skeleton.jointCount * 3);
+  for (let joint = 0; joint < skeleton.jointCount; joint++) {
+    const entry = skin.paletteJoint.indexOf(joint);
+    const matrix = entry === -1 ? world.subarray(joint * 16) : bindMatrix(skin, entry);
+    places.set(matrix.subarray(12, 15), joint * 3);
+  }
+  return places;
+}
+
+/** The solved angles and the root's movement as values of the new skeleton. */
+function poseOf(
+  built: Skeleton,
+  skeleton: Skeleton,
+  solved: { readonly angles: Float64Array; readonly root: readonly number[] },
+  insertRoot: boolean,
+): Float64Array {
+  const q = built.qRest.slice();
+  for (let joint = 0; joint < skeleton.jointCount; joint++) {
+    const target = built.jointOfSource[skeleton.sourceIndex[joint]! + Number(insertRoot)]!;
+    setValues(target, DofKind.hinge, tripleAt(solved.angles, joint));
+  }
+  setValues(firstRoot(built), DofKind.slide, solved.root);
+  return q;
+
+  function setValues(joint: number, kind: number, values: readonly number[]): void {
+    for (let dof = built.dofStart[joint]!; dof < built.dofStart[joint + 1]!; dof++) {
+      if (built.dofKind[dof] !== kind) continue;
+      const axis = [0, 1, 2].find((i) => built.dofAxis[dof * 3 + i] === 1)!;
+      q[built.dofQ[dof]!] = values[axis]!;
+    }
+  }
+}
+
+/** The largest difference between the skinning matrices of both, relative to their size. */
+function residual(
+  old: Character,
+  pose: Pose,
+  built: Character,
+  q: Float64Array,
+  insertRoot: boolean,
+): number {
+  if (old.skin.paletteJoint.includes(noJoint)) return 0;
+  const [a, b] = [worldMatrices(old.skeleton, pose.q), worldMatrices(built.skeleton, q)];
+  const [first, second] = [new Float64Array(16), new Float64Array(16)];
+  let largest = 0;
+  old.skin.paletteJoint.forEach((joint, entry) => {
+    const target =
+      built.skeleton.jointOfSource[old.skeleton.sourceIndex[joint]! + Number(insertRoot)]!;
+    const product = (
+      out: Float64Array,
+      world: Float64Array,
+      at: number,
+      bind: Float64Array,
+      e: number,
+    ) =>
+      mat4.multiply(out, world.subarray(at * 16, at * 16 + 16), bind.subarray(e * 16, e * 16 + 16));
+    product(first, a, joint, old.skin.jointFromBind, entry);
+    product(second, b, target, built.skin.jointFromBind, target);
+    first.forEach((value, i) => (largest = Math.max(largest, Math.abs(value - second[i]!))));
+  });
+  return largest;
+}

@@ -1,0 +1,143 @@
+import type { MaterialParts, MeshParts, SkinParts } from '../../core/character-parts.ts';
+import type { DiagnosticLog } from '../../core/diagnostics.ts';
+import type { Bindings } from './bindings.ts';
+import type { Section } from './sections.ts';
+import type { SkinWeights } from './skin-weights.ts';
+
+export const effect = 'the mesh is not used';
+
+/** The sections of a `.skin`, as far as they were there. */
+export interface Sections {
+  positions?: Section;
+  normals?: Section;
+  texcoords?: Section;
+  skinweights?: SkinWeights;
+  triangles?: Uint32Array;
+  bindings?: Bindings;
+}
+
+/** What a `.skin` holds: a mesh, and where it has them, weights with the bindings of their joints. */
+export interface SkinFile {
+  readonly mesh: MeshParts;
+  readonly skin?: SkinParts;
+}
+
+/** Checks the sections against each other; an error in one of them leaves nothing of the file. */
+export function assembleSkin(
+  file: string,
+  log: DiagnosticLog,
+  sections: Sections,
+  materials: readonly MaterialParts[],
+): SkinFile | undefined {
+  const { positions, triangles, normals, texcoords } = sections;
+  checkPresent(log, 'positions', positions?.count);
+  checkPresent(log, 'triangles', triangles?.length);
+  if (!positions || !triangles || log.failed) return undefined;
+  const pointCount = positions.count;
+  checkTriangles(log, triangles, pointCount);
+  checkNormals(log, normals, pointCount);
+  const uvs = uvsThatFit(log, texcoords, pointCount);
+  const skin = weightsOf(file, log, sections, pointCount);
+  const corners = Int32Array.from(triangles);
+  const mesh: MeshParts = {
+    file,
+    positions: positions.values,
+    cornerPoints: triangles,
+    ...(normals ? { normals: normals.values, cornerNormals: corners } : {}),
+    ...(uvs ? { uvs: uvs.values, cornerUvs: corners } : {}),
+    materials,
+    submeshes: [{ material: materials.at(-1)?.name ?? '', firstTriangle: 0 }],
+  };
+  return { mesh, ...(skin ? { skin } : {}) };
+}
+
+function checkPresent(log: DiagnosticLog, name: string, count: number | undefined): void {
+  const expected = `a section "${name}"`;
+  if (count === undefined) log.error({ code: 'skin/section', expected, found: 'none', effect });
+  else if (count === 0) {
+    log.error({ code: 'skin/empty', expected: `at least one of "${name}"`, found: '0', effect });
+  }
+}
+
+function weightsOf(
+  file: string,
+  log: DiagnosticLog,
+  { skinweights, bindings }: Sections,
+  pointCount: number,
+): SkinParts | undefined {
+  if (!skinweights || !bindings) {
+    log.warn({
+      code: 'skin/section',
+      expected: '"skinweights" and "bindings"',
+      found: skinweights ? 'no bindings' : 'no skinweights',
+      effect: 'the mesh is shown undeformed',
+    });
+    return undefined;
+  }
+  const rowCount = skinweights.start.length - 1;
+  if (rowCount !== pointCount) {
+    const expected = `${pointCount} rows of skinweights, one for each position`;
+    log.error({ code: 'skin/count', expected, found: `${rowCount}`, effect });
+  }
+  const { joints, start } = skinweights;
+  const at = joints.findIndex((joint) => joint >= bindings.count);
+  if (at >= 0) {
+    const point = start.findIndex((first) => first > at) - 1;
+    log.error({
+      code: 'skin/index',
+      expected: `joints from 0 to ${bindings.count - 1}, for which there are bindings`,
+      found: `${joints[at]!}, vertex ${point}`,
+      effect,
+    });
+  }
+  const { jointFromBind, bindFromJoint } = bindings;
+  return { file, ...skinweights, jointFromBind, bindFromJoint };
+}
+
+function checkTriangles(log: DiagnosticLog, triangles: Uint32Array, pointCount: number): void {
+  const at = triangles.findIndex((point) => point >= pointCount);
+  if (at === -1) return;
+  log.error({
+    code: 'skin/index',
+    expected: `vertices from 0 to ${pointCount - 1}`,
+    found: `${triangles[at]!}, triangle ${Math.floor(at / 3)}`,
+    effect,
+  });
+}
+
+function checkNormals(log: DiagnosticLog, normals: Section | undefined, pointCount: number): void {
+  const computed = 'they are computed from the triangles';
+  if (!normals) {
+    log.warn({ code: 'skin/normal', expected: 'normals', found: 'none', effect: computed });
+    return;
+  }
+  if (normals.count !== pointCount) {
+    const expected = `${pointCount} normals, one for each position`;
+    const found = `${normals.count}`;
+    log.error({ code: 'skin/count', expected, found, effect });
+    return;
+  }
+  let withoutLength = 0;
+  for (let i = 0; i < normals.values.length; i += 3) {
+    const [x, y, z] = normals.values.subarray(i, i + 3);
+    if (!(Math.hypot(x!, y!, z!) > 1e-12)) withoutLength++;
+  }
+  if (withoutLength === 0) return;
+  const found = `${withoutLength} without`;
+  log.warn({ code: 'skin/normal', expected: 'normals with a length', found, effect: computed });
+}
+
+function uvsThatFit(
+  log: DiagnosticLog,
+  texcoords: Section | undefined,
+  pointCount: number,
+): Section | undefined {
+  if (!texcoords || texcoords.count === pointCount) return texcoords;
+  log.warn({
+    code: 'skin/uv',
+    expected: `${pointCount} texcoords, one for each position`,
+    found: `${texcoords.count}`,
+    effect: 'they are not used',
+  });
+  return undefined;
+}

@@ -1,0 +1,31 @@
+import type { DofParts } from '../../core/character-parts.ts';
+import { DofKind } from '../../core/skeleton.ts';
+
+export type Triple = readonly [number, number, number];
+
+const axes: readonly Triple[] = [
+  [1, 0, 0],
+  [0, 1, 0],
+  [0, 0, 1],
+];
+
+/** The root can be moved: three slides, in model units, added to its offset. */
+export const rootSlides: readonly DofParts[] = axes.map((axis) => ({ kind: DofKind.slide, axis }));
+
+/**
+ * A ball joint of CSE169: L = T(offset) · Rz · Ry · Rx, x turns first.
+ *
+ * @param pose angles about x, y, z, within the limits
+ * @param limits of x, y, z, where there are any
+ */
+export function ballHinges(
+  pose: Triple,
+  limits: readonly (readonly [number, number] | undefined)[],
+): DofParts[] {
+  return [2, 1, 0].map((axis) => ({
+    kind: DofKind.hinge,
+    axis: axes[axis]!,
+    rest: [pose[axis]!],
+    ...(limits[axis] ? { limits: limits[axis] } : {}),
+  }));
+}

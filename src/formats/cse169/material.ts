@@ -1,0 +1,30 @@
+import type { MaterialParts } from '../../core/character-parts.ts';
+import type { Scanner } from './scanner.ts';
+
+const isKeyword = (word: string): boolean => word === 'texture';
+
+/** Reads `NAME { texture FILE }`; the file is only ever looked for among those that came with it. */
+export function readMaterial(scanner: Scanner): MaterialParts | undefined {
+  const { reader } = scanner;
+  let name = '';
+  if (!scanner.openIfAny()) {
+    reader.next();
+    if (!reader.isWord) scanner.fail('token', 'a name');
+    else {
+      name = reader.text();
+      scanner.open();
+    }
+  }
+  let texture: string | undefined;
+  while (scanner.sound()) {
+    const word = scanner.keyword(isKeyword);
+    if (reader.isClose) return { name, ...(texture === undefined ? {} : { texture }) };
+    if (word === 'texture') {
+      reader.next();
+      if (reader.isWord) texture = reader.text();
+      else scanner.fail('token', 'the name of an image');
+    } else if (reader.isWord) scanner.skipUnknown(isKeyword);
+    else scanner.fail('token', '"}" for the material');
+  }
+  return undefined;
+}

@@ -1,0 +1,213 @@
+import type { DiagnosticCode, DiagnosticLog } from '../../core/diagnostics.ts';
+import { defaultLimits, type Limits } from '../../core/limits.ts';
+import { checkText } from '../text/check-text.ts';
+import { TokenReader } from '../text/token-reader.ts';
+
+type Area = 'skel' | 'skin' | 'morph' | 'anim' | 'rig';
+type Kind<Code = DiagnosticCode> = Code extends `skin/${infer K}` ? K : never;
+
+/** Magnitudes up to which all that follows stays within float32. */
+export const largest = { coordinate: 1e18, weight: 1e6, angle: 1e6, time: 1e9 } as const;
+
+/**
+ * What the five readers of CSE169 share: it goes on to the next token, says what it is not, and
+ * skips what no reader knows. After the first error there is nothing more to read.
+ */
+export class Scanner {
+  readonly reader: TokenReader;
+  readonly log: DiagnosticLog;
+  readonly limits: Limits;
+  private readonly area: Area;
+  private readonly effect: string;
+  private readonly warned = new Set<string>();
+
+  constructor(
+    text: Uint8Array,
+    log: DiagnosticLog,
+    about: { readonly area: Area; readonly effect: string },
+    limits: Limits = defaultLimits,
+  ) {
+    this.reader = new TokenReader(text);
+    this.log = log;
+    this.limits = limits;
+    this.area = about.area;
+    this.effect = about.effect;
+  }
+
+  /** Whether to read on: no error so far. */
+  sound(): boolean {
+    return !this.log.failed;
+  }
+
+  /** Goes on to the next token and gives it as a keyword: lower case, "" for anything but a word. */
+  keyword(known: (word: string) => boolean): string {
+    const { reader } = this;
+    reader.next();
+    if (!reader.isWord) return '';
+    const text = reader.text();
+    if (known(text)) return text;
+    const lower = text.toLowerCase();
+    if (!known(lower)) return text;
+    const effect = 'it is read as that';
+    this.warnOnce(`case ${lower}`, 'case', `"${lower}"`, text, effect);
+    return lower;
+  }
+
+  /** The next token as a number of at most this magnitude; NaN and an error where it is none. */
+  number(what: string, most: number = largest.coordinate): number {
+    const { reader } = this;
+    reader.next();
+    const value = reader.number();
+    if (Math.abs(value) <= most) return value;
+    if (Number.isNaN(value)) {
+      const hint = /^[+-]?\d+,\d+$/.test(reader.text()) ? ' with a decimal point' : '';
+      this.fail('number', `a number for ${what}${hint}`);
+    } else this.fail('range', `${what} within ±${most.toExponential().replace('+', '')}`);
+    return NaN;
+  }
+
+  triple(what: string, most?: number): [number, number, number] {
+    const x = this.number(`${what} x`, most);
+    const y = this.sound() ? this.number(`${what} y`, most) : NaN;
+    return [x, y, this.sound() ? this.number(`${what} z`, most) : NaN];
+  }
+
+  /** The next token as a whole number from 0 to `most`; NaN and an error where it is none. */
+  index(what: string, most: number): number {
+    const { reader } = this;
+    reader.next();
+    const value = reader.integer();
+    if (value >= 0 && value <= most) return value;
+    if (value > most) this.fail('index', `${what} from 0 to ${most}`);
+    else this.fail('integer', `a whole number for ${what}, 0 or more`);
+    return NaN;
+  }
+
+  /** The next token as a count of things of at least so many bytes each; the file must hold them. */
+  count(what: string, bytesEach: number, most: number): number {
+    const { reader } = this;
+    reader.next();
+    const value = reader.integer();
+    if (!(value >= 0)) this.fail('integer', `how many ${what}, a whole number`);
+    else if (value > most) this.fail('limit', `at most ${most} ${what}`);
+    else if (value * bytesEach > reader.bytesLeft + 1) {
+      const possible = Math.floor(reader.bytesLeft / bytesEach);
+      this.fail('count', `at most ${possible} ${what}, for the file has no room for more`);
+    } else return value;
+    return NaN;
+  }
+
+  /** The next token must be an opening brace. */
+  open(): boolean {
+    this.reader.next();
+    if (!this.reader.isOpen) this.fail('token', '"{"');
+    return this.sound();
+  }
+
+  /** Takes an opening brace where there is one: some files leave it out. */
+  openIfAny(): boolean {
+    const mark = this.reader.mark();
+    this.reader.next();
+    if (this.reader.isOpen) return true;
+    this.reader.back(mark);
+    return false;
+  }
+
+  /** The next token must be a closing brace; where none was opened it may be left out. */
+  close(of: string, opened = true): boolean {
+    const mark = this.reader.mark();
+    this.reader.next();
+    if (this.reader.isClose) return true;
+    if (opened) this.fail('token', `"}" for ${of}`);
+    else this.reader.back(mark);
+    return this.sound();
+  }
+
+  /**
+   * After a word that no reader knows: skips the numbers after it, or its block with all that is in it,
+   * and says so once a word.
+   */
+  skipUnknown(known: (word: string) => boolean): void {
+    const { reader } = this;
+    const word = reader.text();
+    const effect = 'it is skipped, with its numbers or its block';
+    this.warnOnce(`unknown ${word}`, 'unknown', 'a word of this format', word, effect);
+    let mark = reader.mark();
+    while (reader.next() && reader.looksNumeric) mark = reader.mark();
+    if (reader.isWord && !known(reader.text().toLowerCase())) reader.next(); // perhaps a block's name
+    if (reader.isOpen) this.skipBlock();
+    else reader.back(mark);
+  }
+
+  /** Skips to the brace that closes the one that was just read. */
+  skipBlock(): void {
+    const { reader } = this;
+    const line = reader.line;
+    for (let depth = 1; depth > 0;) {
+      if (!reader.next()) {
+        this.fail('end', `"}" for "{" of line ${line}`);
+        return;
+      }
+      if (reader.isOpen) depth++;
+      else if (reader.isClose) depth--;
+    }
+  }
+
+  /** Says what is after the end of a file's one block, and skips it. */
+  trailing(known: (word: string) => boolean, what: string): void {
+    const { reader } = this;
+    if (!reader.isWord) this.fail('token', what);
+    else {
+      this.warnOnce('trailing', 'trailing', what, reader.text(), 'it is skipped');
+      this.warned.add(`unknown ${reader.text()}`);
+      this.skipUnknown(known);
+    }
+  }
+
+  /** At the end of the file: a comment must not have swallowed the rest. */
+  checkEnd(): void {
+    if (this.reader.openComment !== undefined) this.fail('end', '"*/"');
+  }
+
+  /** An error at the current token. */
+  fail(kind: Kind, expected: string, found = this.found()): void {
+    if (!this.sound()) return;
+    const { area, effect } = this;
+    const ended =
+      this.reader.atEnd && (kind === 'token' || kind === 'number' || kind === 'integer');
+    const code: DiagnosticCode = `${area}/${ended ? 'end' : kind}`;
+    this.log.error({ code, ...this.reader.place, expected, found, effect });
+  }
+
+  /** A warning at the current token. */
+  warn(kind: Kind, expected: string, found: string, effect: string): void {
+    this.log.warn({ code: `${this.area}/${kind}`, ...this.reader.place, expected, found, effect });
+  }
+
+  /** A warning at the first of its kind. */
+  warnOnce(key: string, kind: Kind, expected: string, found: string, effect: string): void {
+    if (this.warned.has(key)) return;
+    this.warned.add(key);
+    this.warn(kind, expected, found, effect);
+  }
+
+  private found(): string {
+    const { reader } = this;
+    if (!reader.atEnd) return reader.text();
+    return reader.openComment === undefined
+      ? 'the end of the file'
+      : `a comment from line ${reader.openComment} without end`;
+  }
+}
+
+/** A scanner of a file's text, or nothing (and a diagnostic) where it is none. */
+export function scan(
+  file: string,
+  bytes: Uint8Array,
+  log: DiagnosticLog,
+  about: { readonly area: Area; readonly effect: string },
+  limits?: Limits,
+): Scanner | undefined {
+  const text = checkText(file, bytes, log);
+  return text && new Scanner(text, log, about, limits);
+}

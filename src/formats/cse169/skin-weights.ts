@@ -1,0 +1,56 @@
+import { growFloat32, growUint16, growUint32 } from '../text/growable.ts';
+import { largest, type Scanner } from './scanner.ts';
+import { closeRows, endsEarly } from './sections.ts';
+
+export interface SkinWeights {
+  /** (pointCount + 1) */
+  readonly start: Uint32Array;
+  readonly joints: Uint16Array;
+  readonly weights: Float32Array;
+}
+
+/**
+ * Reads `N { k joint weight … }`, a row a vertex with as many influences as it says. A joint named
+ * twice in a row has the sum of both weights.
+ */
+export function readSkinWeights(
+  scanner: Scanner,
+  mostRows: number,
+  mostJoints: number,
+): SkinWeights | undefined {
+  const count = scanner.count('rows of skinweights', 2, mostRows);
+  if (!scanner.sound()) return undefined;
+  const opened = scanner.openIfAny();
+  const start = growUint32();
+  const joints = growUint16();
+  const weights = growFloat32();
+  start.push(0);
+  for (let point = 0; point < count; point++) {
+    if (endsEarly(scanner, 'skinweights', count, point)) return undefined;
+    readRow(point);
+    if (!scanner.sound()) return undefined;
+    start.push(weights.length);
+  }
+  if (!closeRows(scanner, 'skinweights', count, opened)) return undefined;
+  return { start: start.finish(), joints: joints.finish(), weights: weights.finish() };
+
+  function readRow(point: number): void {
+    const influenceCount = scanner.count(`influences of vertex ${point}`, 4, mostJoints);
+    const row = new Map<number, number>();
+    for (let i = 0; i < influenceCount && scanner.sound(); i++) {
+      const joint = scanner.index(`a joint of vertex ${point}`, mostJoints - 1);
+      if (!scanner.sound()) return;
+      if (row.has(joint)) {
+        const expected = `each joint once for vertex ${point}`;
+        const effect = 'its weights are added up, here and in further rows';
+        scanner.warnOnce('twice', 'duplicate', expected, `joint ${joint} again`, effect);
+      }
+      const weight = scanner.number(`a weight of vertex ${point}`, largest.weight);
+      row.set(joint, (row.get(joint) ?? 0) + weight);
+    }
+    for (const [joint, weight] of row) {
+      joints.push(joint);
+      weights.push(weight);
+    }
+  }
+}

@@ -1,0 +1,31 @@
+import type { Limits } from '../../core/limits.ts';
+import { growUint32 } from '../text/growable.ts';
+import type { Scanner } from './scanner.ts';
+import { closeRows, endsEarly } from './sections.ts';
+
+/**
+ * Reads `M { a b c … }`, zero-based. Triangles with a corner twice are left out, and a warning counts
+ * them.
+ */
+export function readTriangles(scanner: Scanner, limits: Limits): Uint32Array | undefined {
+  const count = scanner.count('triangles', 6, limits.triangleCount);
+  if (!scanner.sound()) return undefined;
+  const opened = scanner.openIfAny();
+  const corners = growUint32();
+  let degenerate = 0;
+  for (let triangle = 0; triangle < count; triangle++) {
+    if (endsEarly(scanner, 'triangles', count, triangle)) return undefined;
+    const [a, b, c] = [0, 1, 2].map(() =>
+      scanner.sound() ? scanner.index(`a corner of triangle ${triangle}`, limits.pointCount) : NaN,
+    );
+    if (!scanner.sound()) return undefined;
+    if (a === b || b === c || c === a) degenerate++;
+    else for (const corner of [a!, b!, c!]) corners.push(corner);
+  }
+  if (!closeRows(scanner, 'triangles', count, opened)) return undefined;
+  if (degenerate > 0) {
+    const found = `${degenerate} with a corner twice`;
+    scanner.warn('degenerate', 'triangles of three corners', found, 'they are left out');
+  }
+  return corners.finish();
+}

@@ -1,0 +1,158 @@
+import { decodeText } from './decode-text.ts';
+import { carriageReturn, endOfLineEnd, isBlank, lineFeed } from './line-ends.ts';
+import { readInteger, readNumber } from './read-number.ts';
+
+const hash = 0x23;
+const star = 0x2a;
+const slash = 0x2f;
+const openBrace = 0x7b;
+const closeBrace = 0x7d;
+
+/** Longer words are cut where they are made text. */
+const longestText = 1024;
+
+/** Where a `TokenReader` stands, to come back to. */
+export interface TokenMark {
+  readonly line: number;
+  readonly lineStart: number;
+  readonly tokenStart: number;
+  readonly tokenEnd: number;
+}
+
+/**
+ * Walks over the tokens of a text whose lines mean nothing, byte by byte and without strings. A token
+ * is a brace, or a run of anything but white space and braces, so that `leg{` is two. Comments are
+ * skipped where a token could start: `//` and `#` to the end of the line, and from `/*` to its end.
+ */
+export class TokenReader {
+  readonly bytes: Uint8Array;
+  /** One-based line of the current token. */
+  line = 1;
+  /** The current token's bytes, end exclusive; empty at the end of the file. */
+  tokenStart = 0;
+  tokenEnd = 0;
+  /** The line of a comment that nothing ends. */
+  openComment: number | undefined;
+  private lineStart = 0;
+
+  constructor(bytes: Uint8Array) {
+    this.bytes = bytes;
+  }
+
+  /** Goes on to the next token; false at the end of the file. */
+  next(): boolean {
+    const { bytes } = this;
+    let at = this.skipBlanks(this.tokenEnd);
+    this.tokenStart = at;
+    if (at < bytes.length && !isBrace(bytes[at]!)) {
+      do at++;
+      while (at < bytes.length && !isBlank(bytes[at]!) && !isBrace(bytes[at]!));
+    } else if (at < bytes.length) at++;
+    this.tokenEnd = at;
+    return at > this.tokenStart;
+  }
+
+  get atEnd(): boolean {
+    return this.tokenStart === this.tokenEnd;
+  }
+
+  get isOpen(): boolean {
+    return this.bytes[this.tokenStart] === openBrace && !this.atEnd;
+  }
+
+  get isClose(): boolean {
+    return this.bytes[this.tokenStart] === closeBrace && !this.atEnd;
+  }
+
+  get isWord(): boolean {
+    return !this.atEnd && !isBrace(this.bytes[this.tokenStart]!);
+  }
+
+  /** Whether the token starts as numbers do, though it may be none. */
+  get looksNumeric(): boolean {
+    return !this.atEnd && /^[+-]?\.?\d/.test(this.text().slice(0, 4));
+  }
+
+  /** The token as a number; NaN where it is none. */
+  number(): number {
+    return readNumber(this.bytes, this.tokenStart, this.tokenEnd);
+  }
+
+  /** The token as a whole number; NaN where it is none. */
+  integer(): number {
+    return readInteger(this.bytes, this.tokenStart, this.tokenEnd);
+  }
+
+  /** The token as text. */
+  text(): string {
+    const end = Math.min(this.tokenEnd, this.tokenStart + longestText);
+    return decodeText(this.bytes.subarray(this.tokenStart, end));
+  }
+
+  /** How many bytes follow the token: no count in the file can be larger. */
+  get bytesLeft(): number {
+    return this.bytes.length - this.tokenEnd;
+  }
+
+  /** Line, column and the line's text, for a diagnostic about the current token. */
+  get place(): { line: number; column: number; source: string } {
+    const { bytes, line, lineStart } = this;
+    let end = lineStart;
+    while (end < bytes.length && end < lineStart + 160 && !isLineEnd(bytes[end]!)) end++;
+    const source = decodeText(bytes.subarray(lineStart, end));
+    return { line, column: this.tokenStart - lineStart + 1, source };
+  }
+
+  mark(): TokenMark {
+    const { line, lineStart, tokenStart, tokenEnd } = this;
+    return { line, lineStart, tokenStart, tokenEnd };
+  }
+
+  /** Goes back to where the mark was made. */
+  back({ line, lineStart, tokenStart, tokenEnd }: TokenMark): void {
+    this.line = line;
+    this.lineStart = lineStart;
+    this.tokenStart = tokenStart;
+    this.tokenEnd = tokenEnd;
+  }
+
+  private skipBlanks(start: number): number {
+    const { bytes } = this;
+    let at = start;
+    while (at < bytes.length) {
+      const byte = bytes[at]!;
+      if (isLineEnd(byte)) at = this.startLine(at);
+      else if (isBlank(byte)) at++;
+      else if (byte === hash || (byte === slash && bytes[at + 1] === slash)) {
+        while (at < bytes.length && !isLineEnd(bytes[at]!)) at++;
+      } else if (byte === slash && bytes[at + 1] === star) at = this.skipComment(at);
+      else break;
+    }
+    return at;
+  }
+
+  private skipComment(start: number): number {
+    const { bytes, line } = this;
+    let at = start + 2;
+    while (at < bytes.length) {
+      if (bytes[at] === star && bytes[at + 1] === slash) return at + 2;
+      at = isLineEnd(bytes[at]!) ? this.startLine(at) : at + 1;
+    }
+    this.openComment = line;
+    return at;
+  }
+
+  private startLine(lineEnd: number): number {
+    this.lineStart = endOfLineEnd(this.bytes, lineEnd);
+    this.line++;
+    return this.lineStart;
+  }
+}
+
+function isBrace(byte: number): boolean {
+  return byte === openBrace || byte === closeBrace;
+}
+
+function isLineEnd(byte: number): boolean {
+  return byte === lineFeed || byte === carriageReturn;
+}
