@@ -6,22 +6,15 @@ import { type Diagnostic, hasErrors } from '../core/diagnostics.ts';
 import { type Pose, restPose } from '../core/pose.ts';
 import { convertCharacter } from '../formats/convert.ts';
 import type { ConvertTarget } from '../formats/convert-parts.ts';
-import { writeCse169 } from '../formats/cse169/write-character.ts';
 import { baseName } from '../formats/file-entry.ts';
-import type { OutputFile, Written } from '../formats/format.ts';
-import { mitFormat } from '../formats/mit/format.ts';
+import type { OutputFile } from '../formats/format.ts';
 import { poseToJson, readPoseJson } from '../formats/pose-json.ts';
 import { readCharacters } from '../formats/read-characters.ts';
+import { loadWriter } from '../formats/registry.ts';
 import type { Command } from './commands.ts';
 import { printDiagnostics, readFiles, unreadable, unwritable, userPath } from './files.ts';
 import { parseWords } from './parse-words.ts';
 import { UsageError } from './usage-error.ts';
-
-/** By the id of the format. */
-const writers: Readonly<Record<ConvertTarget, (character: Character) => Written>> = {
-  mit: (character) => mitFormat.write(character),
-  cse169: (character) => writeCse169(character),
-};
 
 /** `convert FILES --to mit|cse169 --out DIR [--pose POSE.json]`: the other course's files. */
 export const convert: Command = {
@@ -40,7 +33,8 @@ export const convert: Command = {
       return 1;
     }
     const converted = convertCharacter(character, options.to, pose);
-    const { files: written, losses } = writers[options.to](converted.character);
+    const write = await loadWriter(options.to);
+    const { files: written, losses } = write(converted.character);
     printDiagnostics([...found, ...converted.losses, ...losses]);
     const poseFile = writtenPose(options.pose, converted.character, converted.pose);
     return writeAll(options.out, [...written, ...poseFile]) ? 0 : 1;

@@ -32,14 +32,12 @@ export interface Written {
   readonly losses: readonly Diagnostic[];
 }
 
-/** A seam: a new format is one folder or file that fills this in, and one line in the registry. */
-export interface Format {
-  readonly id: string;
-  readonly label: string;
-  /** Endings that the file dialog offers, with the dot. */
-  readonly extensions: readonly string[];
-  /** Groups those of the files that are this format's; the rest is left for others. */
-  claim(files: readonly FileEntry[]): readonly FileGroup[];
+/** Half of a seam: from a format's files to loose parts. */
+export interface FormatReader {
+  /** Puts the files of each character together. */
+  group(files: readonly FileEntry[]): readonly FileGroup[];
   read(group: FileGroup, limits: Limits): Promise<Parsed<CharacterParts>>;
-  write(character: Character): Written;
 }
+
+/** The other half: a file for each part that there is. */
+export type FormatWriter = (character: Character) => Written;

@@ -5,9 +5,9 @@ import { missingTextures, texturesOf } from './attach-textures.ts';
 import { defaultLimits, type Limits } from '../core/limits.ts';
 import { characterExtensions } from './extensions.ts';
 import { baseName, extensionOf } from './file-entry.ts';
-import type { FileEntry, FileGroup, Format } from './format.ts';
+import type { FileEntry, FileGroup, FormatReader } from './format.ts';
 import { isJunk } from './junk.ts';
-import { formats } from './registry.ts';
+import { formats, isOfFormat } from './registry.ts';
 import { expandArchives } from './zip/expand-archives.ts';
 
 export interface ReadCharacter {
@@ -37,27 +37,30 @@ export async function readCharacters(
     onProgress,
     diagnostics,
   );
-  let unclaimed = files;
-  for (const format of formats) {
-    for (const group of format.claim(unclaimed)) {
-      unclaimed = unclaimed.filter((file) => !group.files.includes(file));
-      const character = await readGroup(format, group, limits, diagnostics);
+  const used = new Set<FileEntry>();
+  for (const { id, loadReader } of formats) {
+    const own = files.filter((file) => isOfFormat(id, file));
+    if (own.length === 0) continue;
+    const reader = await loadReader();
+    for (const group of reader.group(own)) {
+      for (const file of group.files) used.add(file);
+      const character = await readGroup(reader, group, limits, diagnostics);
       if (character) characters.push(withTextures(character, group.files, files));
     }
   }
-  const dressed = new Set(characters.flatMap(({ files: own }) => own));
-  unclaimed = unclaimed.filter((file) => !dressed.has(file));
-  if (unclaimed.length > 0) diagnostics.push(unknownFiles(unclaimed));
+  for (const { files: own } of characters) for (const file of own) used.add(file); // textures too
+  const unused = files.filter((file) => !used.has(file));
+  if (unused.length > 0) diagnostics.push(unknownFiles(unused));
   return { characters, diagnostics };
 }
 
 async function readGroup(
-  format: Format,
+  reader: FormatReader,
   group: FileGroup,
   limits: Limits,
   diagnostics: Diagnostic[],
 ): Promise<Character | undefined> {
-  const parsed = await format.read(group, limits);
+  const parsed = await reader.read(group, limits);
   diagnostics.push(...group.diagnostics, ...parsed.diagnostics);
   if (!parsed.value) return undefined;
   const built = buildCharacter(parsed.value, limits);

@@ -1,6 +1,48 @@
-import type { Format } from './format.ts';
-import { cse169Format } from './cse169/format.ts';
-import { mitFormat } from './mit/format.ts';
+import { assert } from '../core/assert.ts';
+import { formatExtensions } from './extensions.ts';
+import { extensionOf } from './file-entry.ts';
+import type { FileEntry, FormatReader, FormatWriter } from './format.ts';
+import { skelDialect } from './skel-dialect.ts';
 
-/** Every format that Sinew reads; the first that claims a file owns it. */
-export const formats: readonly Format[] = [mitFormat, cse169Format];
+/**
+ * A seam: a format is a folder with a reader and a writer, and an entry here. Both are loaded at first
+ * use, so that a page has none whose files it never meets.
+ */
+export interface FormatEntry {
+  readonly id: FormatId;
+  readonly label: string;
+  readonly loadReader: () => Promise<FormatReader>;
+  readonly loadWriter?: () => Promise<FormatWriter>;
+}
+
+export type FormatId = keyof typeof formatExtensions;
+
+/** Every format that Sinew reads. */
+export const formats: readonly FormatEntry[] = [
+  {
+    id: 'mit',
+    label: 'MIT 6.837',
+    loadReader: async () => (await import('./mit/reader.ts')).mitReader,
+    loadWriter: async () => (await import('./mit/write-character.ts')).writeMit,
+  },
+  {
+    id: 'cse169',
+    label: 'UCSD CSE169',
+    loadReader: async () => (await import('./cse169/reader.ts')).cse169Reader,
+    loadWriter: async () => (await import('./cse169/write-character.ts')).writeCse169,
+  },
+];
+
+/** The writer of a format that has one. */
+export async function loadWriter(id: FormatId): Promise<FormatWriter> {
+  const load = formats.find((each) => each.id === id)?.loadWriter;
+  assert(load !== undefined, `a format that is written, found ${id}`);
+  return load();
+}
+
+/** Whether the file is of the format: by its ending, and where two share one by content. */
+export function isOfFormat(id: FormatId, file: FileEntry): boolean {
+  const extension = extensionOf(file.path);
+  if (extension === '.skel') return skelDialect(file) === id;
+  return formatExtensions[id].some((each) => each === extension);
+}

@@ -3,7 +3,7 @@ import type { Character } from '../../src/core/character.ts';
 import { largestInfluenceCount } from '../../src/core/skin.ts';
 import { worldMatrices } from '../../src/core/forward-kinematics.ts';
 import { poseFromJson } from '../../src/formats/pose-json.ts';
-import { mitFormat } from '../../src/formats/mit/format.ts';
+import { writeMit } from '../../src/formats/mit/write-character.ts';
 import { largestBindError } from '../../src/skinning/bind-error.ts';
 import { linearBlend } from '../../src/skinning/linear-blend.ts';
 import { methods } from '../../src/skinning/registry.ts';
@@ -82,7 +82,7 @@ describeWithShared('Model1 of 6.837, posed', [data, reference], () => {
   });
 
   it('is the same character when written and read again', async () => {
-    const { files, losses } = mitFormat.write(character);
+    const { files, losses } = writeMit(character);
     expect(losses).toEqual([]);
     const written = files.map(({ path, bytes }) => [path, bytes] as const);
     expect(await readOne(Object.fromEntries(written))).toEqual(character);

@@ -3,7 +3,7 @@ import type { Character } from '../../src/core/character.ts';
 import { type Pose, restPose } from '../../src/core/pose.ts';
 import { convertCharacter } from '../../src/formats/convert.ts';
 import { writeCse169 } from '../../src/formats/cse169/write-character.ts';
-import { mitFormat } from '../../src/formats/mit/format.ts';
+import { writeMit } from '../../src/formats/mit/write-character.ts';
 import { poseFromJson, poseToJson } from '../../src/formats/pose-json.ts';
 import { linearBlend } from '../../src/skinning/linear-blend.ts';
 import { skinVertices } from '../../src/skinning/skin-vertices.ts';
@@ -33,9 +33,7 @@ function randomPose({ skeleton }: Character, seed: number): Pose {
 async function through(character: Character, pose: Pose, to: 'mit' | 'cse169') {
   const converted = convertCharacter(character, to, pose);
   const files =
-    to === 'mit'
-      ? mitFormat.write(converted.character).files
-      : writeCse169(converted.character).files;
+    to === 'mit' ? writeMit(converted.character).files : writeCse169(converted.character).files;
   const again = await readOne(Object.fromEntries(files.map(({ path, bytes }) => [path, bytes])));
   const json = poseToJson(converted.character.skeleton, converted.pose);
   const read = poseFromJson('p', json, again.skeleton);

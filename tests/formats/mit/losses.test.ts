@@ -3,7 +3,7 @@ import { buildCharacter } from '../../../src/core/build-character.ts';
 import type { Character } from '../../../src/core/character.ts';
 import { worldMatrices } from '../../../src/core/forward-kinematics.ts';
 import { restPose } from '../../../src/core/pose.ts';
-import { mitFormat } from '../../../src/formats/mit/format.ts';
+import { writeMit } from '../../../src/formats/mit/write-character.ts';
 import { linearBlend } from '../../../src/skinning/linear-blend.ts';
 import { skinVertices } from '../../../src/skinning/skin-vertices.ts';
 import { characterOfRig, partsOfRig } from '../../fixtures/character-of-rig.ts';
@@ -21,7 +21,7 @@ const files = {
 };
 
 function losses(character: Character): string[] {
-  return shown(mitFormat.write(character).losses);
+  return shown(writeMit(character).losses);
 }
 
 function loss(file: string, found: string, code: string, effect: string): string {
@@ -29,7 +29,7 @@ function loss(file: string, found: string, code: string, effect: string): string
 }
 
 async function readAgain(character: Character): Promise<Character> {
-  const written = mitFormat.write(character).files.map(({ path, bytes }) => [path, bytes] as const);
+  const written = writeMit(character).files.map(({ path, bytes }) => [path, bytes] as const);
   return readOne(Object.fromEntries(written));
 }
 

@@ -5,7 +5,7 @@ import { buildMesh } from '../../../src/core/build-mesh.ts';
 import type { Character } from '../../../src/core/character.ts';
 import type { Mesh } from '../../../src/core/mesh.ts';
 import { normalizeSkin } from '../../../src/core/skin.ts';
-import { mitFormat } from '../../../src/formats/mit/format.ts';
+import { writeMit } from '../../../src/formats/mit/write-character.ts';
 import { readObj } from '../../../src/formats/obj/read-obj.ts';
 import { writeObj } from '../../../src/formats/obj/write-obj.ts';
 import { methods } from '../../../src/skinning/registry.ts';
@@ -47,7 +47,7 @@ describe('random characters', () => {
     await fc.assert(
       fc.asyncProperty(skinnedParts, async (parts) => {
         const character = built(parts);
-        const { files, losses } = mitFormat.write(character);
+        const { files, losses } = writeMit(character);
         expect(losses).toEqual([]);
         const again = await readOne(Object.fromEntries(files.map((f) => [f.path, f.bytes])));
         expect(again.skeleton).toEqual(character.skeleton);

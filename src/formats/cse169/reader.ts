@@ -2,10 +2,8 @@ import { buildMesh } from '../../core/build-mesh.ts';
 import type { CharacterParts, ClipParts, MorphParts } from '../../core/character-parts.ts';
 import { type Diagnostic, DiagnosticLog, type Parsed } from '../../core/diagnostics.ts';
 import type { Limits } from '../../core/limits.ts';
-import { formatExtensions } from '../extensions.ts';
 import { baseName, extensionOf } from '../file-entry.ts';
-import type { FileEntry, FileGroup, Format } from '../format.ts';
-import { skelDialect } from '../skel-dialect.ts';
+import type { FileEntry, FileGroup, FormatReader } from '../format.ts';
 import { readAnim } from './anim.ts';
 import type { SkinFile } from './assemble-skin.ts';
 import { bindChannels } from './bind-channels.ts';
@@ -14,25 +12,12 @@ import { morphOffsets, readMorph } from './morph.ts';
 import { readRig } from './rig.ts';
 import { readSkel } from './skel.ts';
 import { readSkin } from './skin.ts';
-import { writeCse169 } from './write-character.ts';
-
-const kinds = formatExtensions.cse169;
 
 /** UCSD CSE169: `balljoint` skeletons, skins, morph targets, clips, and rigs that name them. */
-export const cse169Format: Format = {
-  id: 'cse169',
-  label: 'UCSD CSE169',
-  extensions: kinds,
-  claim: (files) => groupFiles(files.filter(isOwn)),
+export const cse169Reader: FormatReader = {
+  group: groupFiles,
   read: readGroup,
-  write: (character) => writeCse169(character),
 };
-
-function isOwn(file: FileEntry): boolean {
-  const extension = extensionOf(file.path);
-  if (extension === '.skel') return skelDialect(file) === 'cse169';
-  return kinds.some((kind) => kind === extension);
-}
 
 async function readGroup(group: FileGroup, limits: Limits): Promise<Parsed<CharacterParts>> {
   const diagnostics: Diagnostic[] = [];

@@ -1,40 +1,21 @@
-import type { Character } from '../../core/character.ts';
 import type { CharacterParts, SkeletonParts } from '../../core/character-parts.ts';
 import type { Diagnostic, Parsed } from '../../core/diagnostics.ts';
 import type { Limits } from '../../core/limits.ts';
-import { noJoint } from '../../core/skin.ts';
 import { formatExtensions } from '../extensions.ts';
 import { baseName, extensionOf } from '../file-entry.ts';
-import type { FileEntry, FileGroup, Format, OutputFile, Written } from '../format.ts';
+import type { FileEntry, FileGroup, FormatReader } from '../format.ts';
 import { groupByStem } from '../group-by-stem.ts';
 import { readObj } from '../obj/read-obj.ts';
-import { writeObj } from '../obj/write-obj.ts';
-import { skelDialect } from '../skel-dialect.ts';
 import { type ExpectedColumns, readAttach } from './attach.ts';
-import { attachLosses } from './attach-losses.ts';
-import { objLosses } from './losses.ts';
 import { readSkel } from './skel.ts';
-import { skelLosses } from './skel-losses.ts';
-import { writeAttach } from './write-attach.ts';
-import { writeSkel } from './write-skel.ts';
 
 const kinds = formatExtensions.mit;
 
 /** MIT 6.837 assignment 2: `Model1.skel`, `Model1.obj`, `Model1.attach`. */
-export const mitFormat: Format = {
-  id: 'mit',
-  label: 'MIT 6.837',
-  extensions: kinds,
-  claim: (files) => groupByStem(files.filter(isMitFile), kinds),
+export const mitReader: FormatReader = {
+  group: (files) => groupByStem(files, kinds),
   read: readGroup,
-  write: writeCharacter,
 };
-
-function isMitFile(file: FileEntry): boolean {
-  const extension = extensionOf(file.path);
-  if (extension === '.skel') return skelDialect(file) === 'mit';
-  return kinds.some((kind) => kind === extension);
-}
 
 async function readGroup(group: FileGroup, limits: Limits): Promise<Parsed<CharacterParts>> {
   const skeleton = await readPart(group, '.skel', (file, bytes) => readSkel(file, bytes, limits));
@@ -84,27 +65,4 @@ async function readPart<T>(
 
 function fileOf(group: FileGroup, kind: string): FileEntry | undefined {
   return group.files.find(({ path }) => extensionOf(path) === kind);
-}
-
-/** A file for each part that there is. */
-function writeCharacter({ name, skeleton, mesh, skin }: Character): Written {
-  const files: OutputFile[] = [];
-  const losses: Diagnostic[] = [];
-  if (skeleton.jointCount > 0) {
-    const path = `${name}.skel`;
-    files.push({ path, bytes: writeSkel(skeleton) });
-    losses.push(...skelLosses(path, skeleton));
-  }
-  if (mesh.pointCount > 0) {
-    const path = `${name}.obj`;
-    files.push({ path, bytes: writeObj(mesh) });
-    losses.push(...objLosses(path, mesh));
-  }
-  const followsJoints = !skin.paletteJoint.includes(noJoint);
-  if (skeleton.jointCount > 0 && mesh.pointCount > 0 && followsJoints) {
-    const path = `${name}.attach`;
-    files.push({ path, bytes: writeAttach(skin, skeleton) });
-    losses.push(...attachLosses(path, skin, skeleton));
-  }
-  return { files, losses };
 }
