@@ -17,25 +17,30 @@ vec3 crossInOrder(vec3 a, vec3 b) {
   return vec3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
 }
 
+vec3 transformPoint(vec4 row0, vec4 row1, vec4 row2, vec3 position) {
+  return flushSubnormal(
+    vec3(applyRow(row0, position), applyRow(row1, position), applyRow(row2, position))
+  );
+}
+
+// The normal by three rows, made unit.
+vec3 transformNormal(vec3 row0, vec3 row1, vec3 row2, vec3 normal) {
+  vec3 n = vec3(dotInOrder(row0, normal), dotInOrder(row1, normal), dotInOrder(row2, normal));
+  float squared = dotInOrder(n, n);
+  if (squared > 1e-30) return flushSubnormal(n * (1.0 / sqrt(squared)));
+  return vec3(0.0, 1.0, 0.0);
+}
+
 // The normal goes by the cofactors: the inverse transpose times the determinant, whose sign is kept.
 void transformVertex(
   vec4 row0, vec4 row1, vec4 row2,
   vec3 position, vec3 normal,
   out vec3 outPosition, out vec3 outNormal
 ) {
-  outPosition = flushSubnormal(
-    vec3(applyRow(row0, position), applyRow(row1, position), applyRow(row2, position))
-  );
+  outPosition = transformPoint(row0, row1, row2, position);
   vec3 cofactor0 = crossInOrder(row1.xyz, row2.xyz);
   vec3 cofactor1 = crossInOrder(row2.xyz, row0.xyz);
   vec3 cofactor2 = crossInOrder(row0.xyz, row1.xyz);
   float side = dotInOrder(cofactor0, row0.xyz) < 0.0 ? -1.0 : 1.0;
-  vec3 n = side * vec3(
-    dotInOrder(cofactor0, normal),
-    dotInOrder(cofactor1, normal),
-    dotInOrder(cofactor2, normal)
-  );
-  float squared = dotInOrder(n, n);
-  if (squared > 1e-30) outNormal = flushSubnormal(n * (1.0 / sqrt(squared)));
-  else outNormal = vec3(0.0, 1.0, 0.0);
+  outNormal = transformNormal(side * cofactor0, side * cofactor1, side * cofactor2, normal);
 }

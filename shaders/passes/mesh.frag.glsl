@@ -3,8 +3,12 @@
 
 in vec3 scenePosition;
 centroid in vec3 sceneNormal;
+in vec2 texturePosition;
 
+// Linear; a texture is multiplied in, repeated beyond its edges.
 uniform vec3 albedo;
+uniform bool textured;
+uniform sampler2D colorTexture;
 uniform bool faceted;
 // Below 1 where what is behind shows through.
 uniform float opacity;
@@ -20,5 +24,8 @@ void main() {
   bool inner = !gl_FrontFacing && dot(smoothed, normalize(eye - scenePosition)) < -0.3;
   if (inner) smoothed = -smoothed;
   vec3 normal = faceted ? face : smoothed;
-  color = vec4(dither(encodeSrgb(toneMap(shadeMatte(albedo, normal, scenePosition)))), opacity);
+  vec4 base = vec4(albedo, opacity);
+  if (textured) base *= texture(colorTexture, texturePosition);
+  vec3 lit = shadeMatte(base.rgb, normal, scenePosition);
+  color = vec4(dither(encodeSrgb(toneMap(lit))), base.a);
 }

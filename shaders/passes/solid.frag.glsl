@@ -7,6 +7,8 @@ in vec3 solidColor;
 
 // Below 1 where a solid shows through what hides it.
 uniform float opacity;
+// 1 for round solids, 0 for those with flat faces.
+uniform float rim;
 
 out vec4 color;
 
@@ -15,6 +17,6 @@ void main() {
   vec3 view = normalize(eye - scenePosition);
   vec3 lit = shadeMatte(solidColor, normal, scenePosition);
   // A thin dark rim sets solids off from each other and from the skin.
-  float outline = smoothstep(0.12, 0.34, abs(dot(normal, view)));
+  float outline = mix(1.0, smoothstep(0.12, 0.34, abs(dot(normal, view))), rim);
   color = vec4(dither(encodeSrgb(toneMap(lit * mix(0.12, 1.0, outline)))), opacity);
 }

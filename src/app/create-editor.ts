@@ -1,112 +1,28 @@
-import { type Signal, signal } from '@preact/signals-core';
+import { signal } from '@preact/signals-core';
 import { resetPose } from '../document/commands.ts';
 import { selectedCharacter } from '../document/document.ts';
-import type { Session } from '../document/session.ts';
-import type { Store } from '../document/store.ts';
+import { shownSelected } from '../document/shown-pose.ts';
 import { readableExtensions } from '../formats/extensions.ts';
 import { writeObj } from '../formats/obj/write-obj.ts';
 import { poseToJson } from '../formats/pose-json.ts';
-import type { FileEntry } from '../formats/format.ts';
-import type { ReadCharacter } from '../formats/read-characters.ts';
 import { copyText } from '../ui/copy-text.ts';
-import type { Drawer, Editor, ThemeChoice } from '../ui/editor.ts';
+import type { Drawer, Editor, Opening } from '../ui/editor.ts';
 import { focusJoint } from '../ui/focus-joint.ts';
-import type { WorkspaceId } from '../ui/workspace.ts';
-import type { Verification } from '../view/verify.ts';
-import type { Viewer } from '../view/viewer.ts';
-import { type CatalogueEntry, FetchError, fetchBundled } from './catalogue.ts';
+import { verifyShown } from '../view/verify.ts';
 import { download } from './download.ts';
-import type { FileOpener, OpenOutcome } from './open-files.ts';
-import { ProgressMeter } from './progress-meter.ts';
 import { savePicture } from './save-picture.ts';
-import { workspaces } from './workspaces.ts';
 
-/** Joins state, view and files to what the interface can ask for. */
-export function createEditor(
-  store: Store,
-  session: Session,
-  viewer: Viewer,
-  opener: FileOpener,
-  catalogue: Signal<readonly CatalogueEntry[]>,
-): Editor {
-  const workspaceId = signal<WorkspaceId>(workspaces[0]!.id);
-  const openedId = signal<string | null>(null);
-  const own = signal<readonly ReadCharacter[]>([]);
-  const verification = signal<Verification | null>(null);
-  const notice = signal('');
-  const meter = new ProgressMeter();
-  let opening = new AbortController();
+/** Joins what is open to all that the interface can ask for. */
+export function createEditor(opening: Opening): Editor {
+  const { store, session, viewer, openedId, verification, notice } = opening;
   const selected = () => selectedCharacter(store.document.value);
 
   const editor: Editor = {
-    store,
-    session,
-    viewer,
-    workspaces,
-    workspaceId,
-    bundled: catalogue,
-    own,
-    openedId,
-    verification,
-    theme: signal<ThemeChoice>('system'),
-    progress: meter.shown,
-    notice,
+    ...opening,
     helpOpen: signal(false),
     letterKeys: signal(true),
     drawer: signal<Drawer | null>(null),
-    fileExtensions: [...readableExtensions, '.json', '.png'],
-
-    async openFiles(files) {
-      const outcome = await whileOpening('Reading', (signal) => open(files, signal));
-      if (!outcome) return;
-      const { found, opened, reopened, posed } = outcome;
-      if (opened) {
-        own.value = found;
-        openedId.value = null;
-        showOpened(opened.name, reopened);
-      } else if (posed) notice.value = 'Pose set';
-      else notice.value = 'Nothing could be opened; see Problems';
-    },
-
-    async openBundled(id) {
-      const entry = catalogue.value.find((each) => each.id === id);
-      if (!entry) {
-        notice.value = `There is no character "${id}"`;
-        return;
-      }
-      const outcome = await whileOpening(`Loading ${entry.label}`, async (signal) =>
-        open(await fetchBundled(entry, signal), signal),
-      );
-      if (!outcome?.opened) return;
-      openedId.value = id;
-      showOpened(entry.label, false);
-    },
-
-    openOwn(character) {
-      opener.show(character);
-      openedId.value = null;
-      showOpened(character.character.name, false);
-    },
-
-    cancelOpening() {
-      opening.abort();
-      meter.clear();
-      notice.value = 'Cancelled';
-    },
-
-    setWorkspace(id) {
-      const workspace = workspaces.find((each) => each.id === id);
-      if (!workspace) return;
-      const changed = workspaceId.value !== id;
-      workspaceId.value = id;
-      viewer.camera.value = workspace.camera;
-      if (workspace.framed) viewer.frameAll();
-      if (!changed) return;
-      session.shading.value = workspace.shading;
-      session.showSkin.value = workspace.showSkin;
-      session.showSkeleton.value = workspace.showSkeleton;
-      session.showAxes.value = workspace.showAxes;
-    },
+    fileExtensions: [...new Set([...readableExtensions, '.json', '.png'])],
 
     resetAll() {
       const state = selected();
@@ -143,50 +59,24 @@ export function createEditor(
     },
 
     async savePicture(options) {
-      notice.value = await savePicture(viewer, selected(), openedId.value, options);
+      notice.value = await savePicture(
+        viewer,
+        shownSelected(store, session),
+        openedId.value,
+        options,
+      );
     },
 
     verify() {
-      verification.value = viewer.verify();
+      verification.value = verifyShown(store, viewer);
       if (!verification.value) notice.value = 'There is nothing on the GPU to verify';
     },
   };
   return editor;
 
-  function open(files: readonly FileEntry[], signal: AbortSignal) {
-    return opener.open(files, signal, meter.report, (id) => editor.openBundled(id));
-  }
-
-  /** Ends what is being opened, and opens; what fails becomes a word, and the page stays as it was. */
-  async function whileOpening(
-    title: string,
-    work: (signal: AbortSignal) => Promise<OpenOutcome | undefined>,
-  ): Promise<OpenOutcome | undefined> {
-    opening.abort();
-    const { signal } = (opening = new AbortController());
-    try {
-      return await meter.during(title, () => work(signal));
-    } catch (error) {
-      if (signal.aborted) return undefined;
-      if (error instanceof FetchError) notice.value = error.message;
-      else {
-        notice.value = 'Sinew itself failed at this; the page is as it was';
-        reportError(error);
-      }
-      return undefined;
-    }
-  }
-
   function poseText(): string {
-    const state = selected();
-    const json = state ? poseToJson(state.character.skeleton, { q: state.q }) : {};
+    const shown = shownSelected(store, session);
+    const json = shown ? poseToJson(shown.state.character.skeleton, shown.pose) : {};
     return `${JSON.stringify(json, null, 2)}\n`;
-  }
-
-  function showOpened(name: string, reopened: boolean): void {
-    verification.value = null;
-    const workspace = workspaces.find(({ id }) => id === workspaceId.value);
-    if (workspace?.framed && !reopened) viewer.frameAll();
-    notice.value = reopened ? `${name} updated; pose and camera kept` : `${name} opened`;
   }
 }

@@ -2,6 +2,7 @@ import type { Viewer } from '../view/viewer.ts';
 
 /** The page's frame: the view in the middle, panels about it. */
 export interface Layout {
+  readonly root: HTMLElement;
   readonly canvas: HTMLCanvasElement;
   readonly left: HTMLElement;
   readonly right: HTMLElement;
@@ -29,6 +30,7 @@ export function createLayout(root: HTMLElement): Layout {
   canvas.setAttribute('aria-label', 'The character; arrow keys orbit, Home frames it');
   const overlay = append(view, 'div', 'overlay');
   return {
+    root,
     canvas,
     left,
     right,

@@ -5,14 +5,13 @@ import { type CharacterState, selectedCharacter } from '../document/document.ts'
 import type { Session } from '../document/session.ts';
 import type { Store } from '../document/store.ts';
 import { baseName, extensionOf } from '../formats/file-entry.ts';
+import { companionExtensions, textureExtensions } from '../formats/extensions.ts';
 import type { FileEntry } from '../formats/format.ts';
-import { readPngText } from '../formats/png/text-chunk.ts';
-import { poseFromJson, readPoseJson } from '../formats/pose-json.ts';
 import type { ReadCharacter, ReadProgress } from '../formats/read-characters.ts';
-import { decodeText } from '../formats/text/decode-text.ts';
-import { methods } from '../skinning/registry.ts';
-import { parsePictureNote, pictureKeyword, type PictureNote } from './picture-note.ts';
+import { defaultMethod } from '../skinning/registry.ts';
+import type { MethodId } from '../skinning/method.ts';
 import { readFiles } from './read-files.ts';
+import { readPoses, sortFiles } from './sort-files.ts';
 
 /** What became of files that were dropped, chosen or fetched. */
 export interface OpenOutcome {
@@ -50,20 +49,20 @@ export class FileOpener {
     onProgress: ReadProgress,
     openBundled: (id: string) => Promise<void>,
   ): Promise<OpenOutcome | undefined> {
-    const { poses, notes, parts, problems } = await sortFiles(files);
+    const { poses, notes, parts } = await sortFiles(files);
     const completed = this.completed(parts);
-    const { characters, diagnostics } =
-      completed.length > 0
-        ? await readFiles(completed, signal, onProgress)
-        : { characters: [], diagnostics: [] };
+    const onlyPictures = completed.every(isPicture);
+    const { characters, diagnostics } = onlyPictures
+      ? { characters: [], diagnostics: completed.map(plainPicture) }
+      : await readFiles(completed, signal, onProgress);
     if (signal.aborted) return undefined;
-    problems.push(...diagnostics);
+    const problems = [...diagnostics];
     const first = characters[0];
     const remembered = notes.at(-1)?.bundled;
     if (!first && remembered !== undefined) await openBundled(remembered);
     const reopened = first !== undefined && this.renews(first);
     const character = first?.character ?? this.selected?.character;
-    const q = character && readPoses(poses, notes, character, problems);
+    const q = character && readPoses({ poses, notes }, character, problems);
     if (first) {
       this.show(first, q);
       problems.push(...missingParts(first.character));
@@ -83,8 +82,7 @@ export class FileOpener {
   show(read: ReadCharacter, q?: Float64Array): void {
     const kept = this.renews(read) ? this.selected?.q : undefined;
     this.filesOf.set(read.character, read.files);
-    const method = this.selected?.method ?? methods[0]!.id;
-    this.store.dispatch(openCharacter(read.character, method, q ?? kept));
+    this.store.dispatch(openCharacter(read.character, this.methodFor(read.character), q ?? kept));
     if (kept) return;
     this.session.selectedJoint.value = null;
     this.session.hoveredJoint.value = null;
@@ -93,6 +91,13 @@ export class FileOpener {
 
   private get selected(): CharacterState | undefined {
     return selectedCharacter(this.store.document.value);
+  }
+
+  /** The character's own method, unless the user chose another for the one before. */
+  private methodFor(character: Character): MethodId {
+    const before = this.selected;
+    const chosen = before && before.method !== defaultMethod(before.character).id;
+    return chosen ? before.method : defaultMethod(character).id;
   }
 
   /**
@@ -105,9 +110,11 @@ export class FileOpener {
     if (!before || files.length === 0) return files;
     const nameOf = ({ path }: FileEntry): string => baseName(path).toLowerCase();
     const [oldNames, newNames] = [before.map(nameOf), files.map(nameOf)];
+    const missing = character.missing.map((what) => what.toLowerCase());
     const belong = files.every(
       (file) =>
-        character.missing.includes(extensionOf(file.path)) || oldNames.includes(nameOf(file)),
+        [...missing, ...companionExtensions].includes(extensionOf(file.path)) ||
+        [...missing, ...oldNames].includes(nameOf(file)),
     );
     if (!belong) return files;
     return [...before.filter((file) => !newNames.includes(nameOf(file))), ...files];
@@ -127,66 +134,29 @@ export class FileOpener {
   }
 }
 
-interface SortedFiles {
-  readonly poses: readonly { readonly path: string; readonly text: string }[];
-  readonly notes: readonly PictureNote[];
-  readonly parts: readonly FileEntry[];
-  readonly problems: Diagnostic[];
-}
-
 /** What the character's files leave out, with the way to add it. */
 function missingParts({ name, missing }: Character): Diagnostic[] {
-  return missing.map((ending) => ({
+  return missing.map((what) => ({
     severity: 'warning',
     code: 'file/missing',
     file: name,
-    expected: `${name}${ending}`,
+    expected: what.startsWith('.') ? `${name}${what}` : what,
     found: 'no such file',
     effect: 'the rest is shown; drop the file here to complete the character',
   }));
 }
 
-/** Poses and pictures are for the open character; the rest may hold characters. */
-async function sortFiles(files: readonly FileEntry[]): Promise<SortedFiles> {
-  const poses: { path: string; text: string }[] = [];
-  const notes: PictureNote[] = [];
-  const parts: FileEntry[] = [];
-  const problems: Diagnostic[] = [];
-  for (const file of files) {
-    const extension = extensionOf(file.path);
-    if (extension === '.json') {
-      poses.push({ path: file.path, text: decodeText(await file.bytes()) });
-    } else if (extension === '.png') {
-      const note = parsePictureNote(readPngText(await file.bytes(), pictureKeyword) ?? '');
-      if (note) notes.push(note);
-      else problems.push(plainPicture(file.path));
-    } else parts.push(file);
-  }
-  return { poses, notes, parts, problems };
-}
-
-function plainPicture(file: string): Diagnostic {
+function plainPicture({ path }: FileEntry): Diagnostic {
   return {
     severity: 'warning',
     code: 'file/unknown',
-    file,
-    expected: 'a PNG that Sinew saved',
-    found: 'a picture without its note',
+    file: path,
+    expected: 'a PNG that Sinew saved, or a picture that a material of the open character names',
+    found: 'another picture',
     effect: 'the file is not used',
   };
 }
 
-/** The last of the poses that can be used. */
-function readPoses(
-  poses: SortedFiles['poses'],
-  notes: readonly PictureNote[],
-  { skeleton }: Character,
-  problems: Diagnostic[],
-): Float64Array | undefined {
-  const parsed = [
-    ...poses.map(({ path, text }) => readPoseJson(path, text, skeleton)),
-    ...notes.map(({ name, pose }) => poseFromJson(`${name}.png`, pose, skeleton)),
-  ];
-  for (const { diagnostics } of parsed) problems.push(...diagnostics);
-  return parsed.findLast(({ value }) => value !== undefined)?.value?.q;
+function isPicture({ path }: FileEntry): boolean {
+  return textureExtensions.includes(extensionOf(path));
 }

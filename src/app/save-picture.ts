@@ -1,3 +1,4 @@
+import type { Pose } from '../core/pose.ts';
 import type { CharacterState } from '../document/document.ts';
 import { insertPngText } from '../formats/png/text-chunk.ts';
 import { poseToJson } from '../formats/pose-json.ts';
@@ -8,10 +9,15 @@ import type { Viewer } from '../view/viewer.ts';
 import { download } from './download.ts';
 import { pictureKeyword, writePictureNote } from './picture-note.ts';
 
+interface Shown {
+  readonly state: CharacterState;
+  readonly pose: Pose;
+}
+
 /** Saves or copies a picture of the view; returns a word on the outcome, for the user. */
 export async function savePicture(
   viewer: Viewer,
-  state: CharacterState | undefined,
+  shown: Shown | undefined,
   bundled: string | null,
   { format, size, background, target }: PictureOptions,
 ): Promise<string> {
@@ -25,22 +31,22 @@ export async function savePicture(
     if (!(error instanceof GpuLimitError)) throw error;
     return error.message;
   }
-  if (format === 'png' && state) blob = await withNote(blob, state, bundled);
+  if (format === 'png' && shown) blob = await withNote(blob, shown, bundled);
   if (target === 'clipboard') return copyPicture(blob);
   const extension = format === 'jpeg' ? 'jpg' : format;
-  download(`${state?.character.name ?? 'sinew'}.${extension}`, blob, blob.type);
+  download(`${shown?.state.character.name ?? 'sinew'}.${extension}`, blob, blob.type);
   return 'Picture saved';
 }
 
 async function withNote(
   png: Blob,
-  { character, q }: CharacterState,
+  { state: { character }, pose }: Shown,
   bundled: string | null,
 ): Promise<Blob> {
   const note = writePictureNote({
     ...(bundled === null ? {} : { bundled }),
     name: character.name,
-    pose: poseToJson(character.skeleton, { q }),
+    pose: poseToJson(character.skeleton, pose),
   });
   const bytes = insertPngText(new Uint8Array(await png.arrayBuffer()), pictureKeyword, note);
   return new Blob([bytes as BlobPart], { type: 'image/png' });

@@ -1,6 +1,6 @@
 import type { Diagnostic } from '../core/diagnostics.ts';
 import { setPose } from '../document/commands.ts';
-import { selectedCharacter } from '../document/document.ts';
+import { shownSelected } from '../document/shown-pose.ts';
 import type { SkinDevice } from '../document/session.ts';
 import type { FileEntry } from '../formats/format.ts';
 import { poseFromJson, type PoseJson, poseToJson } from '../formats/pose-json.ts';
@@ -8,7 +8,7 @@ import { formatDiagnostic } from '../core/diagnostics.ts';
 import type { Editor } from '../ui/editor.ts';
 import { fileEntry } from '../ui/file-entry.ts';
 import { encodePicture, type PictureFormat } from '../view/picture.ts';
-import type { Verification } from '../view/verify.ts';
+import { type Verification, verifyShown } from '../view/verify.ts';
 import { fetchFile } from './catalogue.ts';
 
 export interface CharacterSummary {
@@ -67,18 +67,18 @@ export function createScripting(editor: Editor, ready: Promise<void>): Scripting
       }));
     },
     pose(json) {
-      const state = selectedCharacter(store.document.value);
-      if (!state) return {};
-      const { skeleton } = state.character;
-      if (json === undefined) return poseToJson(skeleton, { q: state.q });
+      const shown = shownSelected(store, session);
+      if (!shown) return {};
+      const { skeleton } = shown.state.character;
+      if (json === undefined) return poseToJson(skeleton, shown.pose);
       const { value, diagnostics } = poseFromJson('pose', json, skeleton);
       if (!value) throw new Error(diagnostics.map(formatDiagnostic).join('\n'));
       if (diagnostics.length > 0) session.problems.value = diagnostics;
-      store.dispatch(setPose(state.id, value.q));
+      store.dispatch(setPose(shown.state.id, value.q));
       return poseToJson(skeleton, value);
     },
     vertices: (device) => viewer.vertices(device),
-    verify: () => viewer.verify(),
+    verify: () => verifyShown(store, viewer),
     async capture({ format = 'png', width, height, background = true } = {}) {
       const size = width !== undefined && height !== undefined ? { width, height } : undefined;
       return encodePicture(viewer.capture(size, background), format);

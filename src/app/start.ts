@@ -1,29 +1,29 @@
-import { effect, type Signal, signal } from '@preact/signals-core';
+import { type Signal, signal } from '@preact/signals-core';
 import { Session } from '../document/session.ts';
 import { Store } from '../document/store.ts';
 import { listenToDrops } from '../ui/drop-zone.ts';
-import type { Editor } from '../ui/editor.ts';
-import { listenToKeys } from '../ui/keys.ts';
+import type { Opening } from '../ui/editor.ts';
 import { listenToPaste } from '../ui/paste.ts';
-import { listenToPointer } from '../ui/pointer.ts';
-import { orbitTool } from '../ui/tools/orbit.ts';
 import { Viewer } from '../view/viewer.ts';
 import { type CatalogueEntry, FetchError, fetchCatalogue } from './catalogue.ts';
-import { createEditor } from './create-editor.ts';
+import { createOpening } from './create-opening.ts';
 import { createLayout } from './layout.ts';
-import { FileOpener } from './open-files.ts';
-import { createScripting, type Scripting } from './scripting.ts';
+import type { Scripting } from './scripting.ts';
 import { followTheme } from './theme.ts';
 import { workspaces } from './workspaces.ts';
 
 declare global {
   interface Window {
+    /** Only `ready` until it has settled. */
     sinew: Scripting;
   }
 }
 
 /** Puts the app together: the one place that knows all of its parts. */
 export async function start(root: HTMLElement): Promise<void> {
+  let settleReady = (): void => undefined;
+  const ready = new Promise<void>((resolve) => (settleReady = resolve));
+  window.sinew = { ready } as Scripting;
   const parameters = new URLSearchParams(location.search);
   const isTest = parameters.has('test');
   if (isTest) document.documentElement.dataset['test'] = '';
@@ -44,29 +44,24 @@ export async function start(root: HTMLElement): Promise<void> {
     performance.mark('first-frame');
     firstFrameShown();
   });
-  const editor = createEditor(store, session, viewer, new FileOpener(store, session), catalogue);
-  window.sinew = createScripting(editor, firstFrame);
+  const opening = createOpening(store, session, viewer, catalogue);
   layout.follow(viewer, isTest ? 1 : undefined);
-  followTheme(editor.theme, viewer);
-  effect(() => {
-    root.dataset['drawer'] = editor.drawer.value ?? '';
-  });
-  listenToKeys(editor);
-  listenToDrops(editor);
-  listenToPaste(editor);
-  listenToPointer(layout.canvas, orbitTool, editor);
+  followTheme(opening.theme, viewer);
+  listenToDrops(opening);
+  listenToPaste(opening);
 
-  await openNamed(editor, catalogue, parameters);
+  await openNamed(opening, catalogue, parameters);
   // Without a character or a context there is no picture to wait for; the rest is as alive.
   if (store.document.value.characters.length === 0 || !viewer.available.value) firstFrameShown();
   await firstFrame;
-  const { mountPanels } = await import('./mount-panels.tsx');
-  mountPanels(layout, editor);
+  const { startInterface } = await import('./start-interface.tsx');
+  window.sinew = startInterface(layout, opening, ready);
+  settleReady();
 }
 
 /** Opens what the page's address names; the first stands in for what is not there, with a word. */
 async function openNamed(
-  editor: Editor,
+  opening: Opening,
   catalogue: Signal<readonly CatalogueEntry[]>,
   parameters: URLSearchParams,
 ): Promise<void> {
@@ -77,7 +72,7 @@ async function openNamed(
     if (wanted !== null && !found) notes.push(`There is no ${key} "${wanted}"`);
     return found ?? list[0];
   };
-  editor.setWorkspace(named(workspaces, 'workspace')!.id);
+  opening.setWorkspace(named(workspaces, 'workspace')!.id);
   try {
     catalogue.value = await fetchCatalogue();
   } catch (error) {
@@ -85,6 +80,6 @@ async function openNamed(
     notes.push(error.message);
   }
   const character = named(catalogue.value, 'model');
-  if (character) await editor.openBundled(character.id);
-  if (notes.length > 0) editor.notice.value = notes.join('; ');
+  if (character) await opening.openBundled(character.id);
+  if (notes.length > 0) opening.notice.value = notes.join('; ');
 }

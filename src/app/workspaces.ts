@@ -1,6 +1,16 @@
+import type { Look } from '../document/session.ts';
 import type { Workspace } from '../ui/workspace.ts';
 
 const degrees = Math.PI / 180;
+
+const skinAlone: Look = {
+  showSkin: true,
+  showSkeleton: false,
+  skeletonStyle: 'sticks',
+  showAxes: false,
+  translucent: false,
+  shading: 'smooth',
+};
 
 /** Every workspace, the first visit's first. */
 export const workspaces: readonly Workspace[] = [
@@ -15,10 +25,7 @@ export const workspaces: readonly Workspace[] = [
       fieldOfView: 28 * degrees,
     },
     framed: true,
-    shading: 'smooth',
-    showSkin: true,
-    showSkeleton: false,
-    showAxes: false,
+    look: { ...skinAlone, shading: 'smooth' },
   },
   {
     id: '6.837',
@@ -32,9 +39,19 @@ export const workspaces: readonly Workspace[] = [
       fieldOfView: 50 * degrees,
     },
     framed: false,
-    shading: 'faceted',
-    showSkin: true,
-    showSkeleton: false,
-    showAxes: false,
+    look: { ...skinAlone, shading: 'faceted' },
+  },
+  {
+    id: 'cse169',
+    label: 'UCSD CSE169',
+    camera: {
+      target: [0, 0.5, 0],
+      distance: 2.4,
+      azimuth: 36 * degrees,
+      elevation: 16 * degrees,
+      fieldOfView: 36 * degrees,
+    },
+    framed: true,
+    look: { ...skinAlone, showSkin: false, showSkeleton: true, skeletonStyle: 'boxes' },
   },
 ];

@@ -66,6 +66,7 @@ function assemble(
     morphs: (parts.morphs ?? []).map((morph) => buildMorph(morph, mesh)),
     clips: (parts.clips ?? []).map((clip) => compileClip(clip, skeleton)),
     materials: parts.mesh?.materials ?? [],
+    images: [],
     bones: deriveBones(skeleton, skin, mesh),
     bounds: restBounds(skeleton, mesh),
     missing: parts.missing,

@@ -7,6 +7,13 @@ import type { Morph } from './morph.ts';
 import type { Skeleton } from './skeleton.ts';
 import type { Skin } from './skin.ts';
 
+/** An image as it was read; whoever draws decodes it. */
+export interface CharacterImage {
+  /** Without folders, as the material has it. */
+  readonly name: string;
+  readonly bytes: Uint8Array;
+}
+
 /**
  * A character, checked and packed by `buildCharacter`; it never changes. A part that was not in the
  * files is empty (no joints, no points), so nothing further down asks whether it is there.
@@ -21,9 +28,11 @@ export interface Character {
   readonly clips: readonly Clip[];
   /** By the name that submeshes have. */
   readonly materials: readonly MaterialParts[];
+  /** The image files that materials name, as far as they were there. */
+  readonly images: readonly CharacterImage[];
   readonly bones: readonly Bone[];
   /** Of mesh and joints at the file's pose, character space. */
   readonly bounds: Bounds;
-  /** Kinds of file that were not there, for the user: ".attach". */
+  /** What was not there, for the user: kinds of file (".attach") and images ("head.bmp"). */
   readonly missing: readonly string[];
 }

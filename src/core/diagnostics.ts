@@ -7,7 +7,17 @@ export type Severity = 'error' | 'warning';
 export type DiagnosticCode = `${DiagnosticArea}/${DiagnosticKind}`;
 
 type DiagnosticArea =
-  'file' | 'skel' | 'obj' | 'attach' | 'skin' | 'morph' | 'anim' | 'rig' | 'pose' | 'character';
+  | 'file'
+  | 'skel'
+  | 'obj'
+  | 'attach'
+  | 'skin'
+  | 'morph'
+  | 'anim'
+  | 'rig'
+  | 'pose'
+  | 'character'
+  | 'image';
 
 type DiagnosticKind =
   | 'archive' // a zip that can't be unpacked, or lies within another

@@ -1,9 +1,11 @@
 import { DofKind, type Skeleton } from './skeleton.ts';
 
-/** All that posing changes: one value vector for a skeleton that never changes. */
+/** All that posing changes, of a character that never changes. */
 export interface Pose {
   /** (qCount) radians, model units, quaternions xyzw; see `Skeleton.dofQ`. */
   readonly q: Float64Array;
+  /** (morphCount) how much of each morph there is; none where absent. */
+  readonly morphWeights?: Float64Array;
 }
 
 /** The file's pose. */

@@ -10,40 +10,75 @@ export interface Command {
   apply(document: Document): Document;
 }
 
-/** Sets one value of a character's pose. */
-export function setValue(id: CharacterId, index: number, value: number, label: string): Command {
-  return editCharacter(id, label, (state) => {
-    assert(index >= 0 && index < state.q.length, 'an index of q');
-    const q = state.q.slice();
-    q[index] = value;
-    return { ...state, q };
-  });
+/**
+ * Sets one value of a character's pose. An edit is of what is shown: of a bound clip the pose of the
+ * moment becomes the character's own, and the clip lets go.
+ *
+ * @param shown (qCount) the pose that is shown
+ */
+export function setValue(
+  id: CharacterId,
+  shown: Float64Array,
+  index: number,
+  value: number,
+  label: string,
+): Command {
+  assert(index >= 0 && index < shown.length, 'an index of q');
+  const q = shown.slice();
+  q[index] = value;
+  return setPose(id, q, label);
 }
 
 /** Puts a whole pose in the place of a character's. */
 export function setPose(id: CharacterId, q: Float64Array, label = 'Set the pose'): Command {
+  const own = q.slice();
   return editCharacter(id, label, (state) => {
-    assert(q.length === state.q.length, 'a pose of the same skeleton');
-    return { ...state, q: q.slice() };
+    assert(own.length === state.q.length, 'a pose of the same skeleton');
+    return { ...state, q: own, clip: null };
   });
 }
 
-/** Back to the file's pose. */
+/** Back to the file's pose and shape. */
 export function resetPose(id: CharacterId): Command {
   return editCharacter(id, 'Reset the pose', (state) => ({
     ...state,
     q: state.character.skeleton.qRest.slice(),
+    morphWeights: new Float64Array(state.morphWeights.length),
+    clip: null,
   }));
 }
 
-/** One joint back to the file's pose. */
-export function resetJoint(id: CharacterId, joint: number, name: string): Command {
-  return editCharacter(id, `Reset ${name}`, (state) => {
-    const { skeleton } = state.character;
-    const [from, to] = jointRange(skeleton, joint);
-    const q = state.q.slice();
-    q.set(skeleton.qRest.subarray(from, to), from);
-    return { ...state, q };
+/** One joint back to the file's pose; the others stay as they are shown. */
+export function resetJoint(
+  { id, character: { skeleton } }: CharacterState,
+  shown: Float64Array,
+  joint: number,
+): Command {
+  const [from, to] = jointRange(skeleton, joint);
+  const q = shown.slice();
+  q.set(skeleton.qRest.subarray(from, to), from);
+  return setPose(id, q, `Reset ${skeleton.names[joint]!}`);
+}
+
+export function setMorphWeight(
+  id: CharacterId,
+  index: number,
+  weight: number,
+  label: string,
+): Command {
+  return editCharacter(id, label, (state) => {
+    assert(index >= 0 && index < state.morphWeights.length, 'a morph of the character');
+    const morphWeights = state.morphWeights.slice();
+    morphWeights[index] = weight;
+    return { ...state, morphWeights };
+  });
+}
+
+/** Binds a clip, whose values are then shown over the pose; or none. */
+export function bindClip(id: CharacterId, clip: number | null): Command {
+  return editCharacter(id, clip === null ? 'Let the clip go' : 'Bind a clip', (state) => {
+    assert(clip === null || clip < state.character.clips.length, 'a clip of the character');
+    return { ...state, clip };
   });
 }
 
@@ -67,6 +102,8 @@ export function openCharacter(character: Character, method: MethodId, q?: Float6
         id,
         character,
         q: (q ?? character.skeleton.qRest).slice(),
+        morphWeights: new Float64Array(character.morphs.length),
+        clip: null,
         method,
         normalizeWeights: false,
       };

@@ -18,6 +18,10 @@ export interface CharacterState {
   readonly character: Character;
   /** (qCount) the pose; never written in place. */
   readonly q: Float64Array;
+  /** (morphCount) how much of each morph there is; never written in place. */
+  readonly morphWeights: Float64Array;
+  /** The bound clip, an index into the character's; its values are shown over `q`. */
+  readonly clip: number | null;
   readonly method: MethodId;
   /** Whether rows of weights are divided by their sum; the file's weights are used as they are. */
   readonly normalizeWeights: boolean;

@@ -46,10 +46,15 @@ function sizeOf({ before, after }: HistoryEntry): number {
 }
 
 function sizeOfReplaced(state: CharacterState, after: Document): number {
-  const { character, q } = state;
-  if (after.characters.some((each) => each.character === character)) return q.byteLength;
+  const { character, q, morphWeights } = state;
+  if (after.characters.some((each) => each.character === character))
+    return q.byteLength + morphWeights.byteLength;
   const { mesh, skin } = character;
   const arrays = [mesh.positions, mesh.normals, mesh.indices, mesh.pointOf, mesh.uvs];
   const weights = [skin.start, skin.entries, skin.weights, skin.jointFromBind];
-  return [...arrays, ...weights].reduce((sum, array) => sum + (array?.byteLength ?? 0), 0);
+  const images = character.images.map(({ bytes }) => bytes);
+  return [...arrays, ...weights, ...images].reduce(
+    (sum, array) => sum + (array?.byteLength ?? 0),
+    0,
+  );
 }

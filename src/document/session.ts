@@ -32,12 +32,29 @@ export interface ActiveDof {
   readonly isAngle: boolean;
 }
 
+/** How a character's skeleton is drawn: spheres and bones, the boxes of its file, or both. */
+export type SkeletonStyle = 'sticks' | 'boxes' | 'both';
+
+/** What is shown of characters, and how. */
+export interface Look {
+  readonly showSkin: boolean;
+  readonly showSkeleton: boolean;
+  readonly skeletonStyle: SkeletonStyle;
+  readonly showAxes: boolean;
+  /** The skin lets the bones inside it show. */
+  readonly translucent: boolean;
+  readonly shading: Shading;
+}
+
+/** What playing does at the end of a clip: stops, begins again, or turns back. */
+export type PlayMode = 'once' | 'loop' | 'ping-pong';
+
 /** What is neither saved nor undone: how the document is looked at. */
 export class Session {
   readonly showSkin = signal(true);
   readonly showSkeleton = signal(false);
+  readonly skeletonStyle = signal<SkeletonStyle>('sticks');
   readonly showAxes = signal(false);
-  /** The skin lets the bones inside it show. */
   readonly translucent = signal(false);
   readonly shading = signal<Shading>('smooth');
   readonly skinDevice = signal<SkinDevice>('gpu');
@@ -47,6 +64,23 @@ export class Session {
   readonly hoveredJoint = signal<number | null>(null);
   /** The degree of freedom last touched, for the text in the view. */
   readonly activeDof = signal<ActiveDof | null>(null);
+  /** Seconds of the bound clip. */
+  readonly clipTime = signal(0);
+  readonly playing = signal(false);
+  /** Seconds of the clip that pass in one. */
+  readonly playSpeed = signal(1);
+  readonly playMode = signal<PlayMode>('loop');
+  /** Whether materials show their textures. */
+  readonly showTextures = signal(true);
   /** What the last files had to say. */
   readonly problems = signal<readonly Diagnostic[]>([]);
+
+  show(look: Look): void {
+    this.showSkin.value = look.showSkin;
+    this.showSkeleton.value = look.showSkeleton;
+    this.skeletonStyle.value = look.skeletonStyle;
+    this.showAxes.value = look.showAxes;
+    this.translucent.value = look.translucent;
+    this.shading.value = look.shading;
+  }
 }

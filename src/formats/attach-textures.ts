@@ -1,4 +1,4 @@
-import type { Character } from '../core/character.ts';
+import type { Character, CharacterImage } from '../core/character.ts';
 import { textureExtensions } from './extensions.ts';
 import { baseName, extensionOf } from './file-entry.ts';
 import type { FileEntry } from './format.ts';
@@ -7,29 +7,34 @@ import type { FileEntry } from './format.ts';
  * The image that a material names, among files in any folder, case aside; never fetched from where the
  * name points to.
  */
-export function findTexture(files: readonly FileEntry[], name: string): FileEntry | undefined {
+function findTexture(files: readonly FileEntry[], name: string): FileEntry | undefined {
   const wanted = baseName(name).toLowerCase();
   return files.find(({ path }) => isImage(path) && baseName(path).toLowerCase() === wanted);
 }
 
-/** The images that a character's materials name, each once. */
-export function texturesOf({ materials }: Character, files: readonly FileEntry[]): FileEntry[] {
-  const found = materials.flatMap(({ texture }) => {
-    const file = texture === undefined ? undefined : findTexture(files, texture);
-    return file ? [file] : [];
-  });
-  return [...new Set(found)];
-}
-
-/** Endings of the images that materials name and that are not there. */
-export function missingTextures(
-  { materials }: Character,
+/**
+ * The character with the images that its materials name, from among the files; those that are not there
+ * stand among what is missing, by name.
+ */
+export async function attachTextures(
+  character: Character,
   files: readonly FileEntry[],
-): readonly string[] {
-  const missing = materials.flatMap(({ texture }) =>
-    texture === undefined || findTexture(files, texture) ? [] : [extensionOf(texture)],
-  );
-  return [...new Set(missing)].filter((ending) => textureExtensions.includes(ending));
+): Promise<{ readonly character: Character; readonly used: readonly FileEntry[] }> {
+  const names = character.materials.flatMap(({ texture }) => texture ?? []);
+  const used: FileEntry[] = [];
+  const images: CharacterImage[] = [];
+  const missing: string[] = [];
+  for (const name of new Set(names.map((name) => baseName(name)))) {
+    const file = findTexture(files, name);
+    if (!file) {
+      missing.push(name);
+      continue;
+    }
+    used.push(file);
+    images.push({ name, bytes: await file.bytes() });
+  }
+  if (names.length === 0) return { character, used };
+  return { character: { ...character, images, missing: [...character.missing, ...missing] }, used };
 }
 
 function isImage(path: string): boolean {

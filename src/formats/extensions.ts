@@ -10,9 +10,14 @@ export const formatExtensions = {
 /** Endings of the images that materials may name. */
 export const textureExtensions: readonly string[] = ['.bmp', '.png', '.jpg', '.jpeg'];
 
+/** Endings of files that add to a character that is open, whatever else it has. */
+export const companionExtensions: readonly string[] = ['.morph', '.anim', '.rig'];
+
+export const archiveExtension = '.zip';
+
 /** Endings of the files that make characters, each once. */
 export const characterExtensions: readonly string[] = [
-  ...new Set<string>([...Object.values(formatExtensions).flat(), '.zip']),
+  ...new Set<string>([...Object.values(formatExtensions).flat(), archiveExtension]),
 ];
 
 /** Endings that are worth reading. */

@@ -1,14 +1,13 @@
 import { buildCharacter } from '../core/build-character.ts';
 import type { Character } from '../core/character.ts';
 import type { Diagnostic } from '../core/diagnostics.ts';
-import { missingTextures, texturesOf } from './attach-textures.ts';
+import { attachTextures } from './attach-textures.ts';
 import { defaultLimits, type Limits } from '../core/limits.ts';
-import { characterExtensions } from './extensions.ts';
+import { archiveExtension, characterExtensions } from './extensions.ts';
 import { baseName, extensionOf } from './file-entry.ts';
 import type { FileEntry, FileGroup, FormatReader } from './format.ts';
 import { isJunk } from './junk.ts';
 import { formats, isOfFormat } from './registry.ts';
-import { expandArchives } from './zip/expand-archives.ts';
 
 export interface ReadCharacter {
   readonly character: Character;
@@ -29,7 +28,7 @@ export async function readCharacters(
   onProgress: ReadProgress = () => undefined,
   limits: Limits = defaultLimits,
 ): Promise<ReadOutcome> {
-  const expanded = await expandArchives(given);
+  const expanded = given.some(isArchive) ? await expand(given) : { files: given, diagnostics: [] };
   const characters: ReadCharacter[] = [];
   const diagnostics: Diagnostic[] = [...expanded.diagnostics];
   const files = watched(
@@ -45,13 +44,24 @@ export async function readCharacters(
     for (const group of reader.group(own)) {
       for (const file of group.files) used.add(file);
       const character = await readGroup(reader, group, limits, diagnostics);
-      if (character) characters.push(withTextures(character, group.files, files));
+      if (!character) continue;
+      const dressed = await attachTextures(character, files);
+      for (const file of dressed.used) used.add(file);
+      characters.push({
+        character: dressed.character,
+        files: [...group.files, ...dressed.used],
+      });
     }
   }
-  for (const { files: own } of characters) for (const file of own) used.add(file); // textures too
   const unused = files.filter((file) => !used.has(file));
   if (unused.length > 0) diagnostics.push(unknownFiles(unused));
   return { characters, diagnostics };
+}
+
+/** Few users drop archives, so that the first picture does not wait for this. */
+async function expand(files: readonly FileEntry[]) {
+  const { expandArchives } = await import('./zip/expand-archives.ts');
+  return expandArchives(files);
 }
 
 async function readGroup(
@@ -66,22 +76,6 @@ async function readGroup(
   const built = buildCharacter(parsed.value, limits);
   diagnostics.push(...built.diagnostics);
   return built.value;
-}
-
-/** With the images that its materials name, and those that are not there among what is missing. */
-function withTextures(
-  character: Character,
-  own: readonly FileEntry[],
-  files: readonly FileEntry[],
-): ReadCharacter {
-  const missing = missingTextures(character, files);
-  return {
-    character:
-      missing.length > 0
-        ? { ...character, missing: [...character.missing, ...missing] }
-        : character,
-    files: [...own, ...texturesOf(character, files)],
-  };
 }
 
 /** The same files; asking one for its bytes reports progress, and fewer bytes than it should have. */
@@ -114,6 +108,10 @@ function truncated({ path, size }: FileEntry, found: number): Diagnostic {
     found: `${found}`,
     effect: 'what came of the file is read',
   };
+}
+
+function isArchive({ path }: FileEntry): boolean {
+  return extensionOf(path) === archiveExtension;
 }
 
 /** One warning for all of them: a folder may hold hundreds. */

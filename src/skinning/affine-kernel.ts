@@ -14,6 +14,18 @@ export function transformVertex(
   vertex: number,
   out: VertexStreams,
 ): void {
+  transformPoint(rows, rest, vertex, out);
+  writeCofactors(rows);
+  transformNormalBy(cofactors, 0, rest, vertex, out);
+}
+
+/** The point by the three rows of four at the start of `rows`. */
+export function transformPoint(
+  rows: Float32Array,
+  rest: VertexStreams,
+  vertex: number,
+  out: VertexStreams,
+): void {
   const at = vertex * 3;
   const x = rest.positions[at]!;
   const y = rest.positions[at + 1]!;
@@ -24,44 +36,51 @@ export function transformVertex(
     const xyz = fround(xy + fround(rows[r + 2]! * z));
     out.positions[at + row] = flushSubnormal(fround(xyz + rows[r + 3]!));
   }
-  transformNormal(rows, rest.normals, at, out.normals);
 }
 
-function transformNormal(
+/** The normal by three rows of four (the fourth is not read) from `from` on, then made unit. */
+export function transformNormalBy(
   rows: Float32Array,
-  rest: Float32Array,
-  at: number,
-  out: Float32Array,
+  from: number,
+  rest: VertexStreams,
+  vertex: number,
+  out: VertexStreams,
 ): void {
-  writeCross(rows, 4, 8, 0);
-  writeCross(rows, 8, 0, 3);
-  writeCross(rows, 0, 4, 6);
-  const determinant = dot(rows[0]!, rows[1]!, rows[2]!, 0);
-  const side = determinant < 0 ? -1 : 1;
-  const nx = rest[at]!;
-  const ny = rest[at + 1]!;
-  const nz = rest[at + 2]!;
-  const x = side * dot(nx, ny, nz, 0);
-  const y = side * dot(nx, ny, nz, 3);
-  const z = side * dot(nx, ny, nz, 6);
+  const at = vertex * 3;
+  const { normals } = out;
+  const nx = rest.normals[at]!;
+  const ny = rest.normals[at + 1]!;
+  const nz = rest.normals[at + 2]!;
+  const x = dot(rows, from, nx, ny, nz);
+  const y = dot(rows, from + 4, nx, ny, nz);
+  const z = dot(rows, from + 8, nx, ny, nz);
   const squared = fround(fround(fround(x * x) + fround(y * y)) + fround(z * z));
   if (squared > smallestSquare) {
     const scale = fround(1 / fround(Math.sqrt(squared)));
-    out[at] = flushSubnormal(fround(x * scale));
-    out[at + 1] = flushSubnormal(fround(y * scale));
-    out[at + 2] = flushSubnormal(fround(z * scale));
+    normals[at] = flushSubnormal(fround(x * scale));
+    normals[at + 1] = flushSubnormal(fround(y * scale));
+    normals[at + 2] = flushSubnormal(fround(z * scale));
   } else {
-    out[at] = 0;
-    out[at + 1] = 1;
-    out[at + 2] = 0;
+    normals[at] = 0;
+    normals[at + 1] = 1;
+    normals[at + 2] = 0;
   }
+}
+
+/** The cofactors of the matrix's upper 3 × 3, negated where its determinant is negative. */
+function writeCofactors(rows: Float32Array): void {
+  writeCross(rows, 4, 8, 0);
+  writeCross(rows, 8, 0, 4);
+  writeCross(rows, 0, 4, 8);
+  if (dot(cofactors, 0, rows[0]!, rows[1]!, rows[2]!) >= 0) return;
+  for (let i = 0; i < 12; i++) cofactors[i] = -cofactors[i]!;
 }
 
 /** Below this a normal has no direction left; +y is put in its place. */
 const smallestSquare = fround(1e-30);
 
-/** (3 × 3) rows of cofactors. */
-const cofactors = new Float32Array(9);
+/** (3 × 4) rows of cofactors. */
+const cofactors = new Float32Array(12);
 
 /** The cross product of two rows of the matrix, as one row of cofactors. */
 function writeCross(rows: Float32Array, a: number, b: number, target: number): void {
@@ -74,7 +93,7 @@ function writeCross(rows: Float32Array, a: number, b: number, target: number): v
   }
 }
 
-function dot(x: number, y: number, z: number, row: number): number {
-  const xy = fround(fround(cofactors[row]! * x) + fround(cofactors[row + 1]! * y));
-  return fround(xy + fround(cofactors[row + 2]! * z));
+function dot(rows: Float32Array, row: number, x: number, y: number, z: number): number {
+  const xy = fround(fround(rows[row]! * x) + fround(rows[row + 1]! * y));
+  return fround(xy + fround(rows[row + 2]! * z));
 }

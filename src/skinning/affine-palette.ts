@@ -3,12 +3,13 @@ import { flushSubnormal } from '../core/float32.ts';
 
 /**
  * Packs, for every palette entry, the upper three rows of `worldFromJoint · jointFromBind`, row by
- * row (3 vec4s): the M = T · B⁻¹ of the 6.837 handout, part 4. Products in float64, rounded once.
+ * row (3 vec4s): the M = T · B⁻¹ of the 6.837 handout, part 4. Products in
+ * float64, rounded once where the palette is of float32.
  */
 export function packAffinePalette(
   skin: Skin,
   worldFromJoint: Float64Array,
-  palette: Float32Array,
+  palette: Float32Array | Float64Array,
 ): void {
   const { paletteJoint, jointFromBind } = skin;
   for (let entry = 0; entry < paletteJoint.length; entry++) {

@@ -9,7 +9,7 @@ export interface VertexStreams {
   readonly normals: Float32Array;
 }
 
-export type MethodId = 'linear-blend' | 'rigid';
+export type MethodId = 'linear-blend' | 'joint-normals' | 'rigid';
 
 /**
  * A seam: a new skinning method is one file here, one chunk of GLSL with the same function names and

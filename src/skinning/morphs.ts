@@ -1,7 +1,6 @@
-import type { Mesh } from '../core/mesh.ts';
-import type { Morph } from '../core/morph.ts';
 import { flushSubnormal } from '../core/float32.ts';
-import type { VertexStreams } from './method.ts';
+import type { Pose } from '../core/pose.ts';
+import type { RestLayer } from './rest-layer.ts';
 
 const { fround } = Math;
 
@@ -9,45 +8,28 @@ const { fround } = Math;
 const smallestSquare = fround(1e-30);
 
 /**
- * The mesh at rest with its morphs: `p = base + Σ s · offset`, normals likewise and made unit again
- * (CSE169, project 2). In float32, morphs in order, those of weight 0 left out; done before skinning.
- *
- * @param weights (morphCount) any number, 0 to 1 as a rule
- * @param out written for all render vertices
+ * Morph targets: `p = base + Σ s · offset`, normals likewise and made unit again (CSE169, project 2).
+ * In float32, morphs in order, those of weight 0 left out. Weights are 0 to 1 as a rule, or any number.
  */
-export function addMorphs(
-  mesh: Mesh,
-  morphs: readonly Morph[],
-  weights: ArrayLike<number>,
-  out: VertexStreams,
-): void {
-  out.positions.set(mesh.positions);
-  out.normals.set(mesh.normals);
-  morphs.forEach((morph, index) => {
-    const weight = fround(weights[index] ?? 0);
-    if (weight === 0) return;
-    addScaled(out.positions, morph.vertices, morph.offsets, weight);
-    addScaled(out.normals, morph.normalVertices, morph.normalOffsets, weight);
-  });
-  morphs.forEach((morph, index) => {
-    if (fround(weights[index] ?? 0) === 0) return;
-    for (const vertex of morph.normalVertices) makeUnit(out.normals, mesh.normals, vertex * 3);
-  });
-}
+export const morphLayer: RestLayer = {
+  id: 'morphs',
+  isActive: ({ morphs }, pose) => morphs.some((_, index) => weightOf(pose, index) !== 0),
+  addTo({ mesh, morphs }, pose, { positions, normals }) {
+    const used = morphs
+      .map((morph, index) => ({ morph, weight: weightOf(pose, index) }))
+      .filter(({ weight }) => weight !== 0);
+    for (const { morph, weight } of used) {
+      addScaled(positions, morph.vertices, morph.offsets, weight);
+      addScaled(normals, morph.normalVertices, morph.normalOffsets, weight);
+    }
+    for (const { morph } of used) {
+      for (const vertex of morph.normalVertices) makeUnit(normals, mesh.normals, vertex * 3);
+    }
+  },
+};
 
-/** The mesh with its morphs; the mesh itself where no weight is set. */
-export function morphedMesh(
-  mesh: Mesh,
-  morphs: readonly Morph[],
-  weights: ArrayLike<number>,
-): Mesh {
-  if (morphs.every((_, index) => (weights[index] ?? 0) === 0)) return mesh;
-  const out = {
-    positions: new Float32Array(mesh.positions.length),
-    normals: new Float32Array(mesh.normals.length),
-  };
-  addMorphs(mesh, morphs, weights, out);
-  return { ...mesh, ...out };
+function weightOf({ morphWeights }: Pose, index: number): number {
+  return fround(morphWeights?.[index] ?? 0);
 }
 
 function addScaled(

@@ -1,8 +1,8 @@
 import { droppedFiles } from './dropped-files.ts';
-import type { Editor } from './editor.ts';
+import type { Opening } from './editor.ts';
 
 /** The whole window takes dropped files; an outline says so while some are held over it. */
-export function listenToDrops(editor: Editor): void {
+export function listenToDrops({ openFiles }: Pick<Opening, 'openFiles'>): void {
   let depth = 0;
   const setOver = (over: boolean): void => {
     document.body.classList.toggle('drop-over', over);
@@ -23,7 +23,7 @@ export function listenToDrops(editor: Editor): void {
     setOver(false);
     if (!event.dataTransfer) return;
     void droppedFiles(event.dataTransfer).then((files) => {
-      if (files.length > 0) return editor.openFiles(files);
+      if (files.length > 0) return openFiles(files);
     });
   });
 }

@@ -36,8 +36,8 @@ export interface PictureOptions {
   readonly target: 'file' | 'clipboard';
 }
 
-/** What the interface shows and can ask for; put together in app. */
-export interface Editor {
+/** What opens characters: all that a page needs before its panels are there. */
+export interface Opening {
   readonly store: Store;
   readonly session: Session;
   readonly viewer: Viewer;
@@ -48,23 +48,28 @@ export interface Editor {
   readonly own: ReadonlySignal<readonly ReadCharacter[]>;
   /** Id of the bundled character that is open, or null. */
   readonly openedId: ReadonlySignal<string | null>;
-  readonly verification: ReadonlySignal<Verification | null>;
-  readonly theme: Signal<ThemeChoice>;
+  /** Of the character that is open. */
+  readonly verification: Signal<Verification | null>;
   /** Shown for work that takes more than a moment. */
   readonly progress: ReadonlySignal<Progress | null>;
   /** A word on what was just done, for the status line. */
   readonly notice: Signal<string>;
+  readonly theme: Signal<ThemeChoice>;
+  readonly openFiles: (files: readonly FileEntry[]) => Promise<void>;
+  openBundled(id: string): Promise<void>;
+  openOwn(character: ReadCharacter): void;
+  cancelOpening(): void;
+  setWorkspace(id: WorkspaceId): void;
+}
+
+/** What the interface shows and can ask for; put together in app. */
+export interface Editor extends Opening {
   readonly helpOpen: Signal<boolean>;
   /** Whether single letters act; speech input and cats may want them off. */
   readonly letterKeys: Signal<boolean>;
   readonly drawer: Signal<Drawer | null>;
   /** Endings that the file dialog offers. */
   readonly fileExtensions: readonly string[];
-  openFiles(files: readonly FileEntry[]): Promise<void>;
-  openBundled(id: string): Promise<void>;
-  openOwn(character: ReadCharacter): void;
-  cancelOpening(): void;
-  setWorkspace(id: WorkspaceId): void;
   resetAll(): void;
   /** Selects a joint and takes the keyboard to its first slider. */
   editJoint(joint: number): void;

@@ -1,6 +1,7 @@
 import { zoom } from '../view/camera.ts';
+import type { PickPlace } from '../view/pick.ts';
 import type { Editor } from './editor.ts';
-import type { Tool, ToolPlace } from './tool.ts';
+import type { Tool } from './tool.ts';
 
 const zoomPerWheelPixel = 0.0012;
 const pixelsPerLine = 24;
@@ -80,7 +81,7 @@ function distance(a: Place, b: Place): number {
   return Math.hypot(a.x - b.x, a.y - b.y);
 }
 
-function toolPlace(event: PointerEvent, canvas: HTMLCanvasElement): ToolPlace {
+function toolPlace(event: PointerEvent, canvas: HTMLCanvasElement): PickPlace {
   const { left, top, width, height } = canvas.getBoundingClientRect();
   return {
     x: ((event.clientX - left) / width) * 2 - 1,

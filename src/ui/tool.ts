@@ -1,3 +1,4 @@
+import type { PickPlace } from '../view/pick.ts';
 import type { Editor } from './editor.ts';
 
 /** A pointer on the view; positions and changes in CSS pixels, y down. */
@@ -10,23 +11,12 @@ export interface ToolPointer {
   readonly viewHeight: number;
 }
 
-/** Where a pointer is, for picking. */
-export interface ToolPlace {
-  /** From -1 (left) to 1. */
-  readonly x: number;
-  /** From -1 (bottom) to 1. */
-  readonly y: number;
-  /** How near is near enough, CSS pixels: more for a finger. */
-  readonly tolerance: number;
-  readonly viewHeight: number;
-}
-
 /** A seam: what a pointer does on the view. A new tool is one file and one line in the registry. */
 export interface Tool {
   readonly id: string;
   drag(pointer: ToolPointer, editor: Editor): void;
   /** The pointer moves over the view without a button, or leaves it (null). */
-  hover(place: ToolPlace | null, editor: Editor): void;
+  hover(place: PickPlace | null, editor: Editor): void;
   /** Pressed and let go at one place. */
-  click(place: ToolPlace, editor: Editor): void;
+  click(place: PickPlace, editor: Editor): void;
 }

@@ -1,7 +1,7 @@
-import type { Shading } from '../document/session.ts';
+import type { Look } from '../document/session.ts';
 import type { Camera } from '../view/camera.ts';
 
-export type WorkspaceId = 'studio' | '6.837';
+export type WorkspaceId = 'studio' | '6.837' | 'cse169';
 
 /** A way of working for a course or a purpose: data, no program of its own. */
 export interface Workspace {
@@ -10,8 +10,5 @@ export interface Workspace {
   readonly camera: Camera;
   /** Whether distance and target are fitted to the character, or stand as they are. */
   readonly framed: boolean;
-  readonly shading: Shading;
-  readonly showSkin: boolean;
-  readonly showSkeleton: boolean;
-  readonly showAxes: boolean;
+  readonly look: Look;
 }

@@ -1,13 +1,16 @@
-import type { Light } from '../document/session.ts';
+import type { Light, SkeletonStyle } from '../document/session.ts';
 import type { UniformValue } from '../gl/program.ts';
 import { type Camera, clipFromScene, eyeOf } from './camera.ts';
 import type { CharacterView } from './character-view.ts';
+import type { Pass } from './pass.ts';
 import type { Theme } from './theme.ts';
 
 /** What is shown of the scene, beside the document. */
 export interface ViewOptions {
   readonly showSkin: boolean;
   readonly showSkeleton: boolean;
+  readonly skeletonStyle: SkeletonStyle;
+  readonly showTextures: boolean;
   readonly showAxes: boolean;
   readonly translucent: boolean;
   /** Floor and backdrop; without them the picture is transparent around the characters. */
@@ -22,6 +25,8 @@ export interface ViewOptions {
 
 /** All that passes read to draw one picture. */
 export interface Frame {
+  /** In the order of drawing. */
+  readonly passes: readonly Pass[];
   readonly characters: readonly CharacterView[];
   readonly options: ViewOptions;
   readonly theme: Theme;
@@ -30,6 +35,7 @@ export interface Frame {
 }
 
 export function createFrame(
+  passes: readonly Pass[],
   characters: readonly CharacterView[],
   options: ViewOptions,
   theme: Theme,
@@ -44,5 +50,5 @@ export function createFrame(
     backdropTop: theme.backdropTop,
     backdropBottom: theme.backdropBottom,
   };
-  return { characters, options, theme, uniforms };
+  return { passes, characters, options, theme, uniforms };
 }

@@ -2,17 +2,22 @@ import { vec3 } from 'gl-matrix';
 import { type Bounds, emptyBounds, includePositions } from '../core/bounds.ts';
 import { worldMatrices } from '../core/forward-kinematics.ts';
 import { type CharacterState, skinInUse } from '../document/document.ts';
+import { shownPose } from '../document/shown-pose.ts';
 import { methodById } from '../skinning/registry.ts';
 import { skinVertices } from '../skinning/skin-vertices.ts';
 import { displayTransform } from './display-transform.ts';
 
-/** The box of a character as it stands now, skin and joints, scene space. */
-export function posedBounds(state: CharacterState): Bounds {
-  const { character, q, method } = state;
+/**
+ * The box of a character as it stands now, skin and joints, scene space.
+ * @param time seconds of the bound clip
+ */
+export function posedBounds(state: CharacterState, time: number): Bounds {
+  const { character, method } = state;
+  const pose = shownPose(state, time);
   const { sceneFromCharacter } = displayTransform(character);
   const bounds = emptyBounds();
-  const { positions } = skinVertices(character, skinInUse(state), { q }, methodById(method));
-  const worldFromJoint = worldMatrices(character.skeleton, q);
+  const { positions } = skinVertices(character, skinInUse(state), pose, methodById(method));
+  const worldFromJoint = worldMatrices(character.skeleton, pose.q);
   for (let at = 0; at < positions.length; at += 3) include(positions, at);
   for (let at = 12; at < worldFromJoint.length; at += 16) include(worldFromJoint, at);
   return bounds;

@@ -7,34 +7,35 @@ import { RenderTarget } from '../gl/render-target.ts';
 import { CharacterView } from './character-view.ts';
 import type { Frame } from './frame.ts';
 import { Lighting } from './lighting.ts';
-import type { PassInstance } from './pass.ts';
-import { passes } from './passes/registry.ts';
+import type { Pass, PassInstance } from './pass.ts';
 import { Programs } from './programs.ts';
 import type { LayoutChoice } from './skinned-mesh.ts';
+import type { OnImage } from './surface-textures.ts';
 
 /** Everything that lives on one WebGL2 context; after a lost context a new one takes its place. */
 export class Renderer {
   readonly gpu: Gpu;
   private readonly programs: Programs;
   private readonly lighting: Lighting;
-  private readonly passes: readonly PassInstance[];
+  private readonly instances = new Map<Pass, PassInstance>();
   private readonly layout: LayoutChoice;
+  private readonly onImage: OnImage;
   private views: readonly CharacterView[] = [];
   private target: RenderTarget | null = null;
   /** Why the GPU does not take a character, by its skin: not tried again for every picture. */
   private readonly refusals = new WeakMap<Skin, string>();
 
-  constructor(gl: WebGL2RenderingContext, layout: LayoutChoice) {
+  constructor(gl: WebGL2RenderingContext, layout: LayoutChoice, onImage: OnImage) {
+    this.onImage = onImage;
     this.gpu = new Gpu(gl);
     this.layout = layout;
     this.programs = new Programs(this.gpu);
     this.lighting = new Lighting(this.gpu, this.programs);
-    this.passes = passes.map((pass) => pass.create(this.gpu, this.programs));
     gl.enable(gl.DEPTH_TEST);
   }
 
   /** Brings the views in line with the document and their poses up to date. */
-  sync(document: Document, device: SkinDevice): readonly CharacterView[] {
+  sync(document: Document, device: SkinDevice, time: number): readonly CharacterView[] {
     const kept = new Set<CharacterView>();
     for (const state of document.characters) {
       const found = this.views.find((each) => each.fits(state) && !kept.has(each));
@@ -45,7 +46,7 @@ export class Renderer {
     }
     for (const view of this.views) if (!kept.has(view)) view.dispose();
     this.views = [...kept];
-    for (const view of this.views) view.update(device);
+    for (const view of this.views) view.update(device, time);
     return this.views;
   }
 
@@ -78,7 +79,7 @@ export class Renderer {
 
   dispose(): void {
     for (const view of this.views) view.dispose();
-    for (const pass of this.passes) pass.dispose();
+    for (const pass of this.instances.values()) pass.dispose();
     this.lighting.dispose();
     this.programs.dispose();
     this.target?.dispose();
@@ -88,12 +89,18 @@ export class Renderer {
     const skin = skinInUse(state);
     if (this.refusals.has(skin)) return null;
     try {
-      return new CharacterView(this.gpu, this.programs, state, this.layout);
+      return new CharacterView(this.gpu, this.programs, state, this.onImage, this.layout);
     } catch (error) {
       if (!(error instanceof GpuLimitError)) throw error;
       this.refusals.set(skin, error.message);
       return null;
     }
+  }
+
+  private instanceOf(pass: Pass): PassInstance {
+    let instance = this.instances.get(pass);
+    if (!instance) this.instances.set(pass, (instance = pass.create(this.gpu, this.programs)));
+    return instance;
   }
 
   private drawInto(target: RenderTarget, frame: Frame): void {
@@ -103,7 +110,7 @@ export class Renderer {
     target.begin();
     gl.clearColor(0, 0, 0, 0);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-    for (const pass of this.passes) pass.draw(litFrame);
+    for (const pass of frame.passes) this.instanceOf(pass).draw(litFrame);
     gl.bindVertexArray(null);
     target.resolve();
   }

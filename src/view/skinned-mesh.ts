@@ -1,4 +1,4 @@
-import type { Mesh } from '../core/mesh.ts';
+import type { Mesh, Submesh } from '../core/mesh.ts';
 import type { Skin } from '../core/skin.ts';
 import { Buffer } from '../gl/buffer.ts';
 import { Feedback } from '../gl/feedback.ts';
@@ -13,6 +13,7 @@ import type { Programs } from './programs.ts';
 
 const influenceUnit = 1;
 const bytesPerTriple = 12;
+const bytesPerIndex = 4;
 
 /** Forces the texture variants, so that tests can compare them with the usual ones. */
 export interface LayoutChoice {
@@ -34,6 +35,7 @@ export class SkinnedMesh {
   private readonly posedPositions: Buffer;
   private readonly posedNormals: Buffer;
   private readonly indices: Buffer;
+  private readonly uvs: Buffer | null;
   private readonly influences: InfluenceBuffers;
   private readonly feedback: Feedback;
   private readonly arrays = new Map<Program, VertexArray>();
@@ -55,12 +57,19 @@ export class SkinnedMesh {
       this.posedPositions = reserve();
       this.posedNormals = reserve();
       this.indices = owner.own(new Buffer(gpu, 'index', mesh.indices));
+      this.uvs = mesh.uvs && owner.own(new Buffer(gpu, 'vertex', mesh.uvs));
       this.influences = createInfluenceBuffers(owner, gpu, mesh, skin, layout.influenceTexture);
       this.feedback = owner.own(new Feedback(gpu, [this.posedPositions, this.posedNormals]));
     } catch (error) {
       owner.dispose();
       throw error;
     }
+  }
+
+  /** Puts other vertices at rest in the place of the mesh's own. */
+  writeRest({ positions, normals }: VertexStreams): void {
+    this.restPositions.write(positions);
+    this.restNormals.write(normals);
   }
 
   /** Fills the posed buffers on the GPU. */
@@ -95,11 +104,12 @@ export class SkinnedMesh {
     return { positions, normals };
   }
 
-  /** Draws all triangles with a program that is in use. */
-  draw(program: Program): void {
+  /** Draws all triangles, or those of one material, with a program that is in use. */
+  draw(program: Program, submesh?: Submesh): void {
     const { gl } = this.gpu;
     this.arrayFor(program).bind();
-    gl.drawElements(gl.TRIANGLES, this.mesh.indices.length, gl.UNSIGNED_INT, 0);
+    const { firstIndex = 0, indexCount = this.mesh.indices.length } = submesh ?? {};
+    gl.drawElements(gl.TRIANGLES, indexCount, gl.UNSIGNED_INT, firstIndex * bytesPerIndex);
   }
 
   dispose(): void {
@@ -125,6 +135,7 @@ export class SkinnedMesh {
         restNormal: { buffer: this.restNormals, size: 3 },
         posedPosition: { buffer: this.posedPositions, size: 3 },
         posedNormal: { buffer: this.posedNormals, size: 3 },
+        ...(this.uvs ? { uv: { buffer: this.uvs, size: 2 } as const } : {}),
         ...this.influences.attributes,
       } as const;
       array = new VertexArray(this.gpu, program, attributes, this.indices);

@@ -46,6 +46,22 @@ export function boneInstances(view: CharacterView, marks: JointMarks): Float32Ar
   return instances;
 }
 
+/** The box of every joint that has one: from its lower to its upper corner, in the joint's frame. */
+export function boxInstances(view: CharacterView, marks: JointMarks): Float32Array {
+  const { displayBoxes, jointCount } = view.state.character.skeleton;
+  if (!displayBoxes) return new Float32Array(0);
+  const instances = new Float32Array(jointCount * instanceSize);
+  for (let joint = 0; joint < jointCount; joint++) {
+    const box = displayBoxes.subarray(joint * 6, joint * 6 + 6);
+    const middle = [0, 1, 2].map((i) => (box[i]! + box[i + 3]!) / 2) as [number, number, number];
+    const half = [0, 1, 2].map((i) => (box[i + 3]! - box[i]!) / 2) as [number, number, number];
+    const jointFromCube = mat4.fromTranslation(new Float64Array(16), middle);
+    mat4.scale(jointFromCube, jointFromCube, half);
+    writeInstance(view, joint, jointFromCube, colorOf(joint, marks), instances, joint);
+  }
+  return instances;
+}
+
 /** Axes at the origin of the file's space, and small ones at every joint that is to show them. */
 export function axisInstances(view: CharacterView, withJoints: boolean): Float32Array {
   const jointCount = withJoints ? view.state.character.skeleton.jointCount : 0;

@@ -54,6 +54,35 @@ export function cylinder(sides = 6): SolidShape {
   };
 }
 
+/** A cube from -1 to 1, each face with its own four vertices. */
+export function cube(): SolidShape {
+  const positions: number[] = [];
+  const normals: number[] = [];
+  const indices: number[] = [];
+  for (let axis = 0; axis < 3; axis++) {
+    for (const side of [-1, 1]) {
+      const first = positions.length / 3;
+      // Around the face, counter-clockwise seen from outside.
+      for (const [u, v] of [
+        [-1, -1],
+        [1, -1],
+        [1, 1],
+        [-1, 1],
+      ] as const) {
+        const corner = [side, side * u, v];
+        positions.push(...[0, 1, 2].map((i) => corner[(i - axis + 3) % 3]!));
+        normals.push(...[0, 1, 2].map((i) => (i === axis ? side : 0)));
+      }
+      indices.push(first, first + 1, first + 2, first, first + 2, first + 3);
+    }
+  }
+  return {
+    positions: Float32Array.from(positions),
+    normals: Float32Array.from(normals),
+    indices: Uint16Array.from(indices),
+  };
+}
+
 /** Triangles between rings of `columns` + 1 vertices, `rows` + 1 rings from top to bottom. */
 function gridTriangles(columns: number, rows: number): Uint16Array {
   const indices: number[] = [];

@@ -1,7 +1,9 @@
 import { diagonal } from '../core/bounds.ts';
-import { type CharacterState, skinInUse } from '../document/document.ts';
+import { type CharacterState, selectedCharacter, skinInUse } from '../document/document.ts';
+import type { Store } from '../document/store.ts';
 import { largestBindError } from '../skinning/bind-error.ts';
 import type { VertexStreams } from '../skinning/method.ts';
+import type { Viewer } from './viewer.ts';
 
 /** How far two skinnings of the same vertices are apart. */
 export interface Difference {
@@ -21,6 +23,13 @@ export interface Verification extends Difference {
   readonly relative: number;
   /** The handout's check: largest |T · B⁻¹ − I| at the file's pose. */
   readonly bindError: number;
+}
+
+/** Compares the buffers that are drawn, skinned by the GPU, with the CPU's vertices. */
+export function verifyShown(store: Store, viewer: Viewer): Verification | null {
+  const state = selectedCharacter(store.document.value);
+  if (!state || !viewer.available.value || viewer.refusal.value !== null) return null;
+  return verifySkin(state, viewer.skin(state, 'gpu'), viewer.skin(state, 'cpu'));
 }
 
 export function verifySkin(

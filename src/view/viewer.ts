@@ -1,22 +1,21 @@
 import { effect, signal } from '@preact/signals-core';
 import { assert } from '../core/assert.ts';
-import { worldMatrices } from '../core/forward-kinematics.ts';
 import { type CharacterState, selectedCharacter, skinInUse } from '../document/document.ts';
 import type { Session, SkinDevice } from '../document/session.ts';
+import { shownPose } from '../document/shown-pose.ts';
 import type { Store } from '../document/store.ts';
 import type { VertexStreams } from '../skinning/method.ts';
 import { methodById } from '../skinning/registry.ts';
 import { skinVertices } from '../skinning/skin-vertices.ts';
 import { type Camera, frameBox } from './camera.ts';
-import { displayTransform } from './display-transform.ts';
 import { createFrame, type Frame } from './frame.ts';
-import { pickJoint, rayThrough } from './picking.ts';
+import type { Pass } from './pass.ts';
+import { firstPasses } from './passes/first.ts';
 import { type Picture, pictureFromGl } from './picture.ts';
 import { posedBounds, unite } from './posed-bounds.ts';
 import { Renderer } from './renderer.ts';
 import type { LayoutChoice } from './skinned-mesh.ts';
 import { type ThemeName, themes } from './theme.ts';
-import { type Verification, verifySkin } from './verify.ts';
 
 export interface CaptureSize {
   readonly width: number;
@@ -37,6 +36,8 @@ export class Viewer {
     fieldOfView: 0.5,
   });
   readonly theme = signal<ThemeName>('light');
+  /** What is drawn, in order; a page may start with few. */
+  readonly passes = signal<readonly Pass[]>(firstPasses);
   /** Of the picture, in its own pixels. */
   readonly size = signal<CaptureSize>({ width: 1, height: 1 });
   /** How long the last change of pose took on the CPU. */
@@ -90,7 +91,9 @@ export class Viewer {
 
   /** Turns the camera's distance and target so that all characters are in the picture. */
   frameAll(): void {
-    const boxes = this.store.document.value.characters.map(posedBounds);
+    const boxes = this.store.document.value.characters.map((state) =>
+      posedBounds(state, this.time),
+    );
     this.camera.value = frameBox(this.camera.value, unite(boxes), this.aspect);
   }
 
@@ -104,38 +107,20 @@ export class Viewer {
     return pictureFromGl(this.present().capture(frame, width, height), width, height);
   }
 
-  /**
-   * The joint of the selected character under a point of the view, where its skeleton is shown.
-   * @param x from -1 (left) to 1; @param y from -1 (bottom) to 1
-   * @param pixels how near is near enough, in CSS pixels of a view `viewHeight` tall
-   */
-  pick(x: number, y: number, pixels: number, viewHeight: number): number | null {
-    const state = selectedCharacter(this.store.document.value);
-    if (!state || !this.session.showSkeleton.value) return null;
-    const { character, q } = state;
-    const camera = this.camera.value;
-    const target = {
-      character,
-      display: displayTransform(character),
-      worldFromJoint: worldMatrices(character.skeleton, q),
-    };
-    const perPixel = (2 * Math.tan(camera.fieldOfView / 2)) / viewHeight;
-    return pickJoint(target, rayThrough(camera, this.aspect, x, y), pixels * perPixel);
-  }
-
   /** (pointCount × 3) posed positions of the selected character, file order and units. */
   vertices(device: SkinDevice): Float32Array {
     const state = selectedCharacter(this.store.document.value);
     if (!state) return new Float32Array(0);
-    const { positions } = device === 'gpu' ? this.readBack(state) : skinOnCpu(state);
+    const { positions } = this.skin(state, device);
     return positions.slice(0, state.character.mesh.pointCount * 3);
   }
 
-  /** Compares the buffers that are drawn, skinned by the GPU, with the CPU's vertices. */
-  verify(): Verification | null {
-    const state = selectedCharacter(this.store.document.value);
-    if (!state || !this.available.value || this.refusal.value !== null) return null;
-    return verifySkin(state, this.readBack(state), skinOnCpu(state));
+  /** All posed render vertices: the very buffers that are drawn, skinned by the GPU, or the CPU's. */
+  skin(state: CharacterState, device: SkinDevice): VertexStreams {
+    if (device === 'gpu') return this.readBack(state);
+    const { character, method } = state;
+    const pose = shownPose(state, this.time);
+    return skinVertices(character, skinInUse(state), pose, methodById(method));
   }
 
   /** Counts of live GL objects by kind. */
@@ -146,7 +131,10 @@ export class Viewer {
   private keepRenderer(gl: WebGL2RenderingContext, layout: LayoutChoice): void {
     const begin = (): void => {
       this.hadContext = true;
-      this.renderer = new Renderer(gl, layout);
+      this.renderer = new Renderer(gl, layout, (image, fault) => {
+        if (fault !== null) this.reportImage(image.name, fault);
+        this.requestFrame();
+      });
       this.available.value = true;
     };
     this.canvas.addEventListener('webglcontextlost', (event) => {
@@ -158,8 +146,23 @@ export class Viewer {
     begin();
   }
 
+  private reportImage(file: string, found: string): void {
+    const { problems } = this.session;
+    problems.value = [
+      ...problems.value,
+      {
+        severity: 'warning',
+        code: 'image/unknown',
+        file,
+        expected: 'a picture for a surface',
+        found,
+        effect: 'the surface is shown without it',
+      },
+    ];
+  }
+
   private readBack(state: CharacterState): VertexStreams {
-    const views = this.present().sync(this.store.document.value, 'gpu');
+    const views = this.present().sync(this.store.document.value, 'gpu', this.time);
     const view = views.find((each) => each.state === state);
     assert(view !== undefined, 'a character that the GPU takes');
     // What was shown from the CPU comes back with the next picture.
@@ -189,15 +192,15 @@ export class Viewer {
   }
 
   private createFrame(width: number, height: number, showStudio: boolean): Frame {
-    const { document, device, options, theme, camera } = this.readState();
+    const { passes, document, time, device, options, theme, camera } = this.readState();
     const renderer = this.present();
-    const views = renderer.sync(document, device);
+    const views = renderer.sync(document, device, time);
     const selected = selectedCharacter(document);
     this.refusal.value = selected ? renderer.refusalOf(selected) : null;
     const shown = views.find(({ state }) => state === selected);
     if (shown) this.poseMilliseconds.value = shown.poseMilliseconds;
     const all = { ...options, showStudio };
-    return createFrame(views, all, themes[theme], camera, width, height);
+    return createFrame(passes, views, all, themes[theme], camera, width, height);
   }
 
   /** All signals that the picture depends on. */
@@ -205,10 +208,14 @@ export class Viewer {
     const { session } = this;
     return {
       document: this.store.document.value,
+      passes: this.passes.value,
+      time: this.time,
       device: session.skinDevice.value,
       options: {
         showSkin: session.showSkin.value,
         showSkeleton: session.showSkeleton.value,
+        skeletonStyle: session.skeletonStyle.value,
+        showTextures: session.showTextures.value,
         showAxes: session.showAxes.value,
         translucent: session.translucent.value,
         faceted: session.shading.value === 'faceted',
@@ -222,9 +229,9 @@ export class Viewer {
       available: this.available.value,
     };
   }
-}
 
-function skinOnCpu(state: CharacterState): VertexStreams {
-  const { character, q, method } = state;
-  return skinVertices(character, skinInUse(state), { q }, methodById(method));
+  /** Seconds of the bound clip. */
+  private get time(): number {
+    return this.session.clipTime.value;
+  }
 }

@@ -143,7 +143,7 @@ describe('info', () => {
       materials: [{ name: 'skin', texture: 'leg.bmp' }],
       morphs: [{ name: 'leg1', vertices: 2 }],
       clips: [{ name: 'leg_walk', start: 0, end: 2, channels: 12 }],
-      missing: ['.bmp'],
+      missing: ['leg.bmp'],
     });
     const [hip] = characters[0]!['joints'] as unknown[];
     expect(hip).toMatchObject({

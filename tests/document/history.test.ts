@@ -11,6 +11,8 @@ function documentWith(values: number): Document {
     id: 1,
     character,
     q: new Float64Array(values),
+    morphWeights: new Float64Array(0),
+    clip: null,
     method: 'linear-blend',
     normalizeWeights: false,
   };

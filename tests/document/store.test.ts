@@ -1,11 +1,17 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import { buildCharacter } from '../../src/core/build-character.ts';
+import type { Character } from '../../src/core/character.ts';
+import { axisDofs } from '../../src/core/pose.ts';
+import { DofKind } from '../../src/core/skeleton.ts';
 import {
+  bindClip,
   type Command,
   openCharacter,
   resetJoint,
   resetPose,
   setMethod,
+  setMorphWeight,
   setNormalizeWeights,
   setPose,
   setValue,
@@ -15,12 +21,36 @@ import {
   type Document,
   selectedCharacter,
 } from '../../src/document/document.ts';
+import { shownPose } from '../../src/document/shown-pose.ts';
 import { Store } from '../../src/document/store.ts';
 import { methods } from '../../src/skinning/registry.ts';
-import { characterOfRig } from '../fixtures/character-of-rig.ts';
+import { partsOfRig } from '../fixtures/character-of-rig.ts';
+import type { Rig } from '../fixtures/rig.ts';
 import { allRigs } from '../fixtures/rigs.ts';
 
-const characters = Object.values(allRigs).map((rig) => characterOfRig(rig()));
+const characters = Object.values(allRigs).map((rig) => withMorphAndClip(rig()));
+
+/** The rig with a shape to add and a curve to follow. */
+function withMorphAndClip(rig: Rig): Character {
+  const parts = partsOfRig(rig);
+  const file = 'made';
+  const point = Uint32Array.of(0);
+  const offset = Float32Array.of(0, 1, 0);
+  const shape = { points: point, offsets: offset, normalPoints: point, normalOffsets: offset };
+  const key = { tangentIn: 'smooth', tangentOut: 'smooth' } as const;
+  // The root of the first rig, 'rotated tree'; no other is posed by it.
+  const target = { joint: 8, kind: DofKind.hinge, axis: 0 } as const;
+  const keys = [
+    { time: 0, value: 0, ...key },
+    { time: 2, value: 1, ...key },
+  ];
+  const channel = { target, before: 'constant', after: 'constant', keys } as const;
+  return buildCharacter({
+    ...parts,
+    morphs: [{ file, name: 'up', ...shape }],
+    clips: [{ file, name: 'turn', start: 0, end: 2, channels: [channel] }],
+  }).value!;
+}
 
 function openStore(): Store {
   const store = new Store();
@@ -32,12 +62,18 @@ function selected(store: Store): CharacterState {
   return selectedCharacter(store.document.value)!;
 }
 
+function turn(store: Store, index: number, value: number, label = 'turn'): Command {
+  const { id, q } = selected(store);
+  return setValue(id, q, index, value, label);
+}
+
 /** Everything that a document holds, to the bit: floats as hexadecimal bytes. */
 function bits({ characters: states, selectedId }: Document): string {
-  const parts = states.map(({ id, character, q, method, normalizeWeights }) => [
+  const parts = states.map(({ id, character, q, morphWeights, clip, method, normalizeWeights }) => [
     id,
     characters.indexOf(character),
-    Buffer.from(q.buffer, q.byteOffset, q.byteLength).toString('hex'),
+    ...[q, morphWeights].map(({ buffer }) => Buffer.from(buffer).toString('hex')),
+    clip,
     method,
     normalizeWeights,
   ]);
@@ -50,17 +86,19 @@ function commandOf(store: Store, kind: number, amount: number): Command {
   const index = Math.abs(Math.trunc(amount * 1e6)) % q.length;
   const joint = index % character.skeleton.jointCount;
   const kinds: (() => Command)[] = [
-    () => setValue(id, index, amount, 'turn'),
+    () => turn(store, index, amount),
     () =>
       setPose(
         id,
         q.map((value) => value + amount),
       ),
     () => resetPose(id),
-    () => resetJoint(id, joint, 'joint'),
+    () => resetJoint(selected(store), q, joint),
     () => setMethod(id, methods[index % methods.length]!.id),
     () => setNormalizeWeights(id, amount > 0),
     () => openCharacter(characters[index % characters.length]!, 'rigid'),
+    () => setMorphWeight(id, index % character.morphs.length, amount, 'morph'),
+    () => bindClip(id, amount > 0 ? 0 : null),
   ];
   return kinds[kind % kinds.length]!();
 }
@@ -98,10 +136,9 @@ describe('the store', () => {
 
   it('makes one entry of a gesture, however many previews it has', () => {
     const store = openStore();
-    const { id } = selected(store);
     const before = bits(store.document.value);
     const gesture = store.begin('Turn elbow X');
-    for (let i = 1; i <= 20; i++) gesture.preview(setValue(id, 0, i / 10, 'turn'));
+    for (let i = 1; i <= 20; i++) gesture.preview(turn(store, 0, i / 10));
     gesture.commit();
     expect(selected(store).q[0]).toBe(2);
     expect(store.undoLabel.value).toBe('Turn elbow X');
@@ -115,7 +152,7 @@ describe('the store', () => {
     const store = openStore();
     const before = store.document.value;
     const gesture = store.begin('Turn');
-    gesture.preview(setValue(selected(store).id, 0, Math.PI / 7, 'turn'));
+    gesture.preview(turn(store, 0, Math.PI / 7));
     expect(store.cancelGesture()).toBe(true);
     expect(store.document.value).toBe(before);
     expect(store.undoLabel.value).toBeNull();
@@ -125,19 +162,18 @@ describe('the store', () => {
   it('ignores previews of a gesture that an undo has ended', () => {
     const store = openStore();
     const gesture = store.begin('Turn');
-    gesture.preview(setValue(selected(store).id, 0, 1, 'turn'));
+    gesture.preview(turn(store, 0, 1));
     store.undo();
     const after = store.document.value;
-    gesture.preview(setValue(selected(store).id, 0, 2, 'turn'));
+    gesture.preview(turn(store, 0, 2));
     gesture.commit();
     expect(store.document.value).toBe(after);
   });
 
   it('commits an open gesture before another begins', () => {
     const store = openStore();
-    const { id } = selected(store);
-    store.begin('first').preview(setValue(id, 0, 1, 'turn'));
-    store.dispatch(setValue(id, 1, 1, 'second'));
+    store.begin('first').preview(turn(store, 0, 1));
+    store.dispatch(turn(store, 1, 1, 'second'));
     store.undo();
     expect(store.undoLabel.value).toBe('first');
   });
@@ -150,17 +186,37 @@ describe('the store', () => {
 
   it('forgets what was undone once something else is done', () => {
     const store = openStore();
-    const { id } = selected(store);
-    store.dispatch(setValue(id, 0, 1, 'first'));
+    store.dispatch(turn(store, 0, 1, 'first'));
     store.undo();
-    store.dispatch(setValue(id, 0, 2, 'second'));
+    store.dispatch(turn(store, 0, 2, 'second'));
     expect(store.redoLabel.value).toBeNull();
+  });
+
+  it('makes the shown pose of a bound clip the own one where it is edited, and lets the clip go', () => {
+    const store = openStore();
+    const { id } = selected(store);
+    store.dispatch(bindClip(id, 0));
+    const bound = store.document.value;
+    const shown = shownPose(selected(store), 1);
+    const { skeleton } = selected(store).character;
+    const turned = axisDofs(skeleton, skeleton.jointOfSource[8]!).find(
+      ({ kind, axis }) => kind === DofKind.hinge && axis === 0,
+    )!;
+    expect(shown.q[turned.index]).toBeCloseTo(0.5, 12);
+    const edited = (turned.index + 1) % shown.q.length;
+    store.dispatch(setValue(id, shown.q, edited, 0.25, 'turn'));
+    expect(selected(store).clip).toBeNull();
+    expect(shownPose(selected(store), 2)).toBe(selected(store));
+    expect(selected(store).q[turned.index]).toBeCloseTo(0.5, 12);
+    expect(selected(store).q[edited]).toBe(0.25);
+    store.undo();
+    expect(store.document.value).toBe(bound);
   });
 
   it('takes a wrong caller for an error', () => {
     const store = openStore();
     const { id } = selected(store);
-    expect(() => store.dispatch(setValue(id, 1e6, 0, 'turn'))).toThrow(/contract/);
+    expect(() => store.dispatch(turn(store, 1e6, 0))).toThrow(/contract/);
     expect(() => store.dispatch(setPose(id, new Float64Array(1)))).toThrow(/contract/);
   });
 });

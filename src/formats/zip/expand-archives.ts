@@ -1,8 +1,9 @@
 import { type Diagnostic, DiagnosticLog } from '../../core/diagnostics.ts';
-import { readableExtensions } from '../extensions.ts';
+import { archiveExtension, readableExtensions } from '../extensions.ts';
 import { baseName, extensionOf, memoryFile } from '../file-entry.ts';
 import type { FileEntry } from '../format.ts';
 import { isJunk } from '../junk.ts';
+import { unpack } from './unpack.ts';
 import { readDirectory, type ZipEntry } from './directory.ts';
 
 /** Bounds on what an archive may unfold to; a few kilobytes can claim to be terabytes. */
@@ -22,8 +23,6 @@ export const defaultArchiveLimits: ArchiveLimits = {
   freeSize: 16 * 1024 * 1024,
 };
 
-const archiveExtension = '.zip';
-
 /**
  * The files, with those of zip archives in the place of the archives. Archives within archives are
  * not opened; files that no reader asks for are listed, not unpacked.
@@ -38,25 +37,19 @@ export async function expandArchives(
     if (extensionOf(file.path) !== archiveExtension) expanded.push(file);
     else {
       const log = new DiagnosticLog(baseName(file.path));
-      expanded.push(...(await expandArchive(await file.bytes(), limits, log)));
+      expanded.push(...expandArchive(await file.bytes(), limits, log));
       diagnostics.push(...log.diagnostics);
     }
   }
   return { files: expanded, diagnostics };
 }
 
-async function expandArchive(
-  bytes: Uint8Array,
-  limits: ArchiveLimits,
-  log: DiagnosticLog,
-): Promise<FileEntry[]> {
+function expandArchive(bytes: Uint8Array, limits: ArchiveLimits, log: DiagnosticLog): FileEntry[] {
   const entries = readDirectory(bytes);
   if (typeof entries === 'string') return refuse('archive', 'a zip archive', entries);
   const files = entries.filter(({ name }) => !name.endsWith('/') && !isJunk(name));
   const excess = excessOf(entries.length, files.filter(isRead), limits);
   if (excess !== undefined) return refuse('limit', 'an archive of usual size', excess);
-  // Few users drop archives, so that the first picture does not wait for this.
-  const { unpack } = await import('./unpack.ts');
   const unpacked: FileEntry[] = [];
   for (const entry of files) {
     if (extensionOf(entry.name) === archiveExtension) reportNested(entry.name, log);

@@ -3,7 +3,8 @@ import { diagonal } from '../../core/bounds.ts';
 import { axisDofs, type AxisDof } from '../../core/pose.ts';
 import { DofKind } from '../../core/skeleton.ts';
 import { resetJoint, setValue } from '../../document/commands.ts';
-import { type CharacterState, selectedCharacter } from '../../document/document.ts';
+import type { CharacterState } from '../../document/document.ts';
+import { shownSelected } from '../../document/shown-pose.ts';
 import type { Editor } from '../editor.ts';
 import { addValueRow, type ValueRow } from './value-row.ts';
 
@@ -52,6 +53,12 @@ export class JointFolder {
     return this.state.character.skeleton.names[this.joint]!;
   }
 
+  /** (qCount) the pose that is shown. */
+  private get shown(): Float64Array {
+    const { store, session } = this.editor;
+    return shownSelected(store, session)?.pose.q ?? this.state.q;
+  }
+
   private build(): void {
     if (this.built) return;
     this.built = true;
@@ -78,17 +85,19 @@ export class JointFolder {
       maximum: Math.min(most, reach),
       isAngle,
       legal: [least, most],
-      read: () => selectedCharacter(store.document.value)?.q[index] ?? 0,
+      read: () => this.shown[index] ?? 0,
       begin: () => {
         this.editor.session.activeDof.value = { name: fullName, index, isAngle };
         return store.begin(label);
       },
-      preview: (gesture, value) => gesture.preview(setValue(id, index, value, label)),
-      reset: () => store.dispatch(setValue(id, index, qRest[index]!, `Reset ${fullName}`)),
+      preview: (gesture, value) => gesture.preview(setValue(id, this.shown, index, value, label)),
+      reset: () => {
+        store.dispatch(setValue(id, this.shown, index, qRest[index]!, `Reset ${fullName}`));
+      },
     });
   }
 
   private reset(): void {
-    this.editor.store.dispatch(resetJoint(this.state.id, this.joint, this.name));
+    this.editor.store.dispatch(resetJoint(this.state, this.shown, this.joint));
   }
 }

@@ -1,7 +1,7 @@
 import { effect } from '@preact/signals-core';
 import type { GUI } from 'lil-gui';
 import type { Character } from '../../core/character.ts';
-import { selectedCharacter } from '../../document/document.ts';
+import { shownSelected } from '../../document/shown-pose.ts';
 import { chooseFiles } from '../choose-files.ts';
 import type { Editor } from '../editor.ts';
 import { stepJoint } from '../keymap.ts';
@@ -32,7 +32,7 @@ export function addPoseFolder(gui: GUI, editor: Editor): void {
   let shown: Character | null = null;
 
   effect(() => {
-    const state = selectedCharacter(editor.store.document.value);
+    const state = shownSelected(editor.store, editor.session)?.state;
     const character = state?.character ?? null;
     if (character !== shown) {
       joints?.destroy();

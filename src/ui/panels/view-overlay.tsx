@@ -1,4 +1,4 @@
-import { selectedCharacter } from '../../document/document.ts';
+import { shownSelected } from '../../document/shown-pose.ts';
 import { formatDegrees } from '../angle-text.ts';
 import type { Drawer, Editor } from '../editor.ts';
 
@@ -52,7 +52,7 @@ function ProgressBox({ editor }: { readonly editor: Editor }) {
 /** The degree of freedom last touched, with its value, in a corner of the picture. */
 function ActiveDofText({ editor: { store, session } }: { readonly editor: Editor }) {
   const dof = session.activeDof.value;
-  const value = selectedCharacter(store.document.value)?.q[dof?.index ?? -1];
+  const value = shownSelected(store, session)?.pose.q[dof?.index ?? -1];
   if (!dof || value === undefined) return null;
   return (
     <output class="active-dof">

@@ -1,6 +1,6 @@
 import { orbit, pan, zoom } from '../../view/camera.ts';
-import type { Editor } from '../editor.ts';
-import type { Tool, ToolPlace } from '../tool.ts';
+import { pickAt } from '../../view/pick.ts';
+import type { Tool } from '../tool.ts';
 
 /** Radians for a drag over the height of the view. */
 const turnPerHeight = 4;
@@ -19,14 +19,10 @@ export const orbitTool: Tool = {
     else camera.value = orbit(camera.value, -x * turnPerHeight, y * turnPerHeight);
   },
   hover(place, editor) {
-    editor.session.hoveredJoint.value = place && jointAt(place, editor);
+    editor.session.hoveredJoint.value = place && pickAt(editor, place);
   },
   click(place, editor) {
-    const joint = jointAt(place, editor);
+    const joint = pickAt(editor, place);
     if (joint !== null) editor.session.selectedJoint.value = joint;
   },
 };
-
-function jointAt({ x, y, tolerance, viewHeight }: ToolPlace, { viewer }: Editor): number | null {
-  return viewer.pick(x, y, tolerance, viewHeight);
-}

@@ -20,7 +20,7 @@ export const axesPass: Pass = {
         axes.write(Float32Array.from(instances));
         program.use();
         program.set(frame.uniforms);
-        program.set({ opacity: 1 });
+        program.set({ opacity: 1, rim: 1 });
         // Over everything: axes are for reading, not for looks.
         gl.clear(gl.DEPTH_BUFFER_BIT);
         axes.draw();

@@ -3,7 +3,8 @@ import { legAnim, legMorph, legRig, legSkel, legSkin } from '../../support/cse16
 import { numbersAt } from '../../support/compare.ts';
 import { shown } from '../../support/diagnose.ts';
 import { type FileContents, readContents } from '../../support/files.ts';
-import { morphedMesh } from '../../../src/skinning/morphs.ts';
+import { restPose } from '../../../src/core/pose.ts';
+import { restMesh } from '../../../src/skinning/rest-mesh.ts';
 import { readOne } from '../../support/files.ts';
 
 const image = new Uint8Array([0x42, 0x4d, 0, 0]);
@@ -43,7 +44,7 @@ describe('the format of CSE169', () => {
       { joints: 3, points: 0, missing: ['.skin'] },
     ]);
     const { shapes, messages } = await read({ 'a.skin': legSkin });
-    expect(shapes).toMatchObject([{ joints: 0, points: 4, missing: ['.skel', '.bmp'] }]);
+    expect(shapes).toMatchObject([{ joints: 0, points: 4, missing: ['.skel', 'leg.bmp'] }]);
     expect(messages).toEqual([]);
   });
 
@@ -148,14 +149,17 @@ describe('the format of CSE169', () => {
 
   it('moves vertices to their targets, several morphs added up, normals unit', async () => {
     const other = 'positions 1 { 3 1 0 0.3 } normals 1 { 3 0 0 -2 }';
-    const { mesh, morphs } = await readOne({
+    const character = await readOne({
       'leg.skel': legSkel,
       'leg.skin': legSkin,
       'leg1.morph': legMorph,
       'leg2.morph': other,
     });
-    expect(morphedMesh(mesh, morphs, [0, 0])).toBe(mesh);
-    const { positions, normals } = morphedMesh(mesh, morphs, [1, 0.5]);
+    const { q } = restPose(character.skeleton);
+    const shape = (...weights: number[]) =>
+      restMesh(character, { q, morphWeights: Float64Array.from(weights) });
+    expect(shape(0, 0)).toBe(character.mesh);
+    const { positions, normals } = shape(1, 0.5);
     const near = (found: number[], expected: number[]): void =>
       found.forEach((value, i) => expect(value).toBeCloseTo(expected[i]!, 6));
     near(numbersAt(positions, 2, 3), [0, 0.5, 0.4]);

@@ -1,0 +1,125 @@
+import { type Signal, signal } from '@preact/signals-core';
+import type { Session } from '../document/session.ts';
+import type { Store } from '../document/store.ts';
+import type { FileEntry } from '../formats/format.ts';
+import type { ReadCharacter } from '../formats/read-characters.ts';
+import type { Opening, ThemeChoice } from '../ui/editor.ts';
+import type { WorkspaceId } from '../ui/workspace.ts';
+import type { Verification } from '../view/verify.ts';
+import type { Viewer } from '../view/viewer.ts';
+import { type CatalogueEntry, FetchError, fetchBundled } from './catalogue.ts';
+import { FileOpener, type OpenOutcome } from './open-files.ts';
+import { ProgressMeter } from './progress-meter.ts';
+import { workspaces } from './workspaces.ts';
+
+/** Opens characters and workspaces: all that the first picture needs of the editor. */
+export function createOpening(
+  store: Store,
+  session: Session,
+  viewer: Viewer,
+  catalogue: Signal<readonly CatalogueEntry[]>,
+): Opening {
+  const opener = new FileOpener(store, session);
+  const workspaceId = signal<WorkspaceId>(workspaces[0]!.id);
+  const openedId = signal<string | null>(null);
+  const own = signal<readonly ReadCharacter[]>([]);
+  const verification = signal<Verification | null>(null);
+  const notice = signal('');
+  const meter = new ProgressMeter();
+  let current = new AbortController();
+
+  const opening: Opening = {
+    store,
+    session,
+    viewer,
+    workspaces,
+    workspaceId,
+    bundled: catalogue,
+    own,
+    openedId,
+    verification,
+    progress: meter.shown,
+    notice,
+    theme: signal<ThemeChoice>('system'),
+
+    async openFiles(files) {
+      const outcome = await whileOpening('Reading', (signal) => open(files, signal));
+      if (!outcome) return;
+      const { found, opened, reopened, posed } = outcome;
+      if (opened) {
+        own.value = found;
+        openedId.value = null;
+        showOpened(opened.name, reopened);
+      } else if (posed) notice.value = 'Pose set';
+      else notice.value = 'Nothing could be opened; see Problems';
+    },
+
+    async openBundled(id) {
+      const entry = catalogue.value.find((each) => each.id === id);
+      if (!entry) {
+        notice.value = `There is no character "${id}"`;
+        return;
+      }
+      const outcome = await whileOpening(`Loading ${entry.label}`, async (signal) =>
+        open(await fetchBundled(entry, signal), signal),
+      );
+      if (!outcome?.opened) return;
+      openedId.value = id;
+      showOpened(entry.label, false);
+    },
+
+    openOwn(character) {
+      opener.show(character);
+      openedId.value = null;
+      showOpened(character.character.name, false);
+    },
+
+    cancelOpening() {
+      current.abort();
+      meter.clear();
+      notice.value = 'Cancelled';
+    },
+
+    setWorkspace(id) {
+      const workspace = workspaces.find((each) => each.id === id);
+      if (!workspace) return;
+      const changed = workspaceId.value !== id;
+      workspaceId.value = id;
+      viewer.camera.value = workspace.camera;
+      if (workspace.framed) viewer.frameAll();
+      if (changed) session.show(workspace.look);
+    },
+  };
+  return opening;
+
+  function open(files: readonly FileEntry[], signal: AbortSignal) {
+    return opener.open(files, signal, meter.report, (id) => opening.openBundled(id));
+  }
+
+  /** Ends what is being opened, and opens; what fails becomes a word, and the page stays as it was. */
+  async function whileOpening(
+    title: string,
+    work: (signal: AbortSignal) => Promise<OpenOutcome | undefined>,
+  ): Promise<OpenOutcome | undefined> {
+    current.abort();
+    const { signal } = (current = new AbortController());
+    try {
+      return await meter.during(title, () => work(signal));
+    } catch (error) {
+      if (signal.aborted) return undefined;
+      if (error instanceof FetchError) notice.value = error.message;
+      else {
+        notice.value = 'Sinew itself failed at this; the page is as it was';
+        reportError(error);
+      }
+      return undefined;
+    }
+  }
+
+  function showOpened(name: string, reopened: boolean): void {
+    verification.value = null;
+    const workspace = workspaces.find(({ id }) => id === workspaceId.value);
+    if (workspace?.framed && !reopened) viewer.frameAll();
+    notice.value = reopened ? `${name} updated; pose and camera kept` : `${name} opened`;
+  }
+}

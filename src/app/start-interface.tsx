@@ -1,0 +1,35 @@
+// Lets components follow the signals that they read.
+import '@preact/signals';
+import { effect } from '@preact/signals-core';
+import { render } from 'preact';
+import type { Opening } from '../ui/editor.ts';
+import { listenToKeys } from '../ui/keys.ts';
+import { LeftPanel } from '../ui/panels/left-panel.tsx';
+import { RightPanel } from '../ui/panels/right-panel.tsx';
+import { StatusLine } from '../ui/panels/status-line.tsx';
+import { ViewOverlay } from '../ui/panels/view-overlay.tsx';
+import { listenToPointer } from '../ui/pointer.ts';
+import { orbitTool } from '../ui/tools/orbit.ts';
+import { passes } from '../view/passes/registry.ts';
+import { createEditor } from './create-editor.ts';
+import type { Layout } from './layout.ts';
+import { createScripting, type Scripting } from './scripting.ts';
+
+/**
+ * Panels, keys, pointer and scripting, loaded after the first picture: nothing of theirs is needed to
+ * draw it.
+ */
+export function startInterface(layout: Layout, opening: Opening, ready: Promise<void>): Scripting {
+  opening.viewer.passes.value = passes;
+  const editor = createEditor(opening);
+  render(<LeftPanel editor={editor} />, layout.left);
+  render(<RightPanel editor={editor} />, layout.right);
+  render(<ViewOverlay editor={editor} />, layout.overlay);
+  render(<StatusLine editor={editor} />, layout.foot);
+  listenToKeys(editor);
+  listenToPointer(layout.canvas, orbitTool, editor);
+  effect(() => {
+    layout.root.dataset['drawer'] = editor.drawer.value ?? '';
+  });
+  return createScripting(editor, ready);
+}

@@ -1,0 +1,44 @@
+import { mat4, vec3 } from 'gl-matrix';
+import type { PickTarget, Ray } from './picking.ts';
+
+/** The joint whose box the ray enters first; null where it meets none. */
+export function pickBox(
+  { character: { skeleton }, display, worldFromJoint }: PickTarget,
+  { origin, direction }: Ray,
+): number | null {
+  const { displayBoxes, jointCount } = skeleton;
+  if (!displayBoxes) return null;
+  let nearest = Infinity;
+  let picked: number | null = null;
+  for (let joint = 0; joint < jointCount; joint++) {
+    const posed = worldFromJoint.subarray(joint * 16, joint * 16 + 16);
+    const sceneFromJoint = mat4.multiply(new Float64Array(16), display.sceneFromCharacter, posed);
+    const jointFromScene = mat4.invert(new Float64Array(16), sceneFromJoint);
+    if (!jointFromScene) continue;
+    // The direction is not made unit again, so that distances stay those of the scene.
+    const from = vec3.transformMat4(new Float64Array(3), origin, jointFromScene);
+    const tip = vec3.add(new Float64Array(3), origin, direction);
+    const along = vec3.subtract(tip, vec3.transformMat4(tip, tip, jointFromScene), from);
+    const entry = boxEntry(from, along, displayBoxes.subarray(joint * 6, joint * 6 + 6));
+    if (entry >= nearest) continue;
+    nearest = entry;
+    picked = joint;
+  }
+  return picked;
+}
+
+/** How far along the ray it enters the box, or Infinity (Kay and Kajiya 1986, slabs). */
+function boxEntry(origin: vec3, direction: vec3, box: Float32Array): number {
+  let [enter, leave] = [0, Infinity];
+  for (let axis = 0; axis < 3; axis++) {
+    const [low, high] = [box[axis]! - origin[axis]!, box[axis + 3]! - origin[axis]!];
+    const speed = direction[axis]!;
+    if (Math.abs(speed) < 1e-15) {
+      if (low > 0 || high < 0) return Infinity;
+      continue;
+    }
+    enter = Math.max(enter, Math.min(low / speed, high / speed));
+    leave = Math.min(leave, Math.max(low / speed, high / speed));
+  }
+  return enter <= leave ? enter : Infinity;
+}
