@@ -2,6 +2,7 @@ import { signal } from '@preact/signals-core';
 import { resetPose } from '../document/commands.ts';
 import { selectedCharacter } from '../document/document.ts';
 import { shownSelected } from '../document/shown-pose.ts';
+import { Transport } from '../document/transport.ts';
 import { readableExtensions } from '../formats/extensions.ts';
 import { writeObj } from '../formats/obj/write-obj.ts';
 import { poseToJson } from '../formats/pose-json.ts';
@@ -19,6 +20,7 @@ export function createEditor(opening: Opening): Editor {
 
   const editor: Editor = {
     ...opening,
+    transport: new Transport(store, session),
     helpOpen: signal(false),
     letterKeys: signal(true),
     drawer: signal<Drawer | null>(null),
@@ -45,6 +47,17 @@ export function createEditor(opening: Opening): Editor {
       if (!state) return;
       download(`${state.character.name}.pose.json`, poseText(), 'application/json');
       notice.value = 'Pose saved';
+    },
+
+    async saveAs(format) {
+      const shown = shownSelected(store, session);
+      if (!shown) return;
+      // Few save in another course's format, so that its writers are loaded when one does.
+      const { saveAs } = await import('./save-as.ts');
+      const losses = await saveAs(shown.state.character, shown.pose, format);
+      session.problems.value = losses;
+      notice.value =
+        losses.length > 0 ? 'Saved; what got lost is under Problems' : 'Saved, with nothing lost';
     },
 
     exportMesh() {

@@ -83,7 +83,10 @@ export class FileOpener {
     const kept = this.renews(read) ? this.selected?.q : undefined;
     this.filesOf.set(read.character, read.files);
     this.store.dispatch(openCharacter(read.character, this.methodFor(read.character), q ?? kept));
+    this.session.playing.value = false;
     if (kept) return;
+    this.session.clipIndex.value = 0;
+    this.session.clipTime.value = read.character.clips[0]?.start ?? 0;
     this.session.selectedJoint.value = null;
     this.session.hoveredJoint.value = null;
     this.session.activeDof.value = null;

@@ -7,12 +7,14 @@ import { listenToKeys } from '../ui/keys.ts';
 import { LeftPanel } from '../ui/panels/left-panel.tsx';
 import { RightPanel } from '../ui/panels/right-panel.tsx';
 import { StatusLine } from '../ui/panels/status-line.tsx';
+import { Timeline } from '../ui/panels/timeline.tsx';
 import { ViewOverlay } from '../ui/panels/view-overlay.tsx';
 import { listenToPointer } from '../ui/pointer.ts';
 import { orbitTool } from '../ui/tools/orbit.ts';
 import { passes } from '../view/passes/registry.ts';
 import { createEditor } from './create-editor.ts';
 import type { Layout } from './layout.ts';
+import { runClock } from './run-clock.ts';
 import { createScripting, type Scripting } from './scripting.ts';
 
 /**
@@ -25,8 +27,15 @@ export function startInterface(layout: Layout, opening: Opening, ready: Promise<
   render(<LeftPanel editor={editor} />, layout.left);
   render(<RightPanel editor={editor} />, layout.right);
   render(<ViewOverlay editor={editor} />, layout.overlay);
-  render(<StatusLine editor={editor} />, layout.foot);
+  render(
+    <>
+      <Timeline editor={editor} />
+      <StatusLine editor={editor} />
+    </>,
+    layout.foot,
+  );
   listenToKeys(editor);
+  runClock(editor.session, editor.transport);
   listenToPointer(layout.canvas, orbitTool, editor);
   effect(() => {
     layout.root.dataset['drawer'] = editor.drawer.value ?? '';

@@ -1,5 +1,6 @@
 import { deriveBones } from './bones.ts';
 import { type Bounds, emptyBounds, includePositions } from './bounds.ts';
+import { boxCorners } from './display-boxes.ts';
 import { buildMesh } from './build-mesh.ts';
 import { buildSkeleton, emptySkeleton } from './build-skeleton.ts';
 import { buildSkin, buildStaticSkin } from './build-skin.ts';
@@ -99,6 +100,10 @@ function restBounds(skeleton: Skeleton, mesh: Mesh): Bounds {
   const worldFromJoint = worldMatrices(skeleton, skeleton.qRest);
   for (let joint = 0; joint < skeleton.jointCount; joint++) {
     includePositions(bounds, worldFromJoint.subarray(joint * 16 + 12, joint * 16 + 15), 1);
+  }
+  if (mesh.pointCount === 0) {
+    const corners = boxCorners(skeleton, worldFromJoint);
+    includePositions(bounds, corners, corners.length / 3);
   }
   return bounds;
 }

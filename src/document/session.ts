@@ -1,5 +1,6 @@
 import { signal } from '@preact/signals-core';
 import type { Diagnostic } from '../core/diagnostics.ts';
+import type { PlayMode } from '../posing/playhead.ts';
 
 export type Shading = 'smooth' | 'faceted';
 /** Where vertices are skinned. */
@@ -46,9 +47,6 @@ export interface Look {
   readonly shading: Shading;
 }
 
-/** What playing does at the end of a clip: stops, begins again, or turns back. */
-export type PlayMode = 'once' | 'loop' | 'ping-pong';
-
 /** What is neither saved nor undone: how the document is looked at. */
 export class Session {
   readonly showSkin = signal(true);
@@ -64,12 +62,16 @@ export class Session {
   readonly hoveredJoint = signal<number | null>(null);
   /** The degree of freedom last touched, for the text in the view. */
   readonly activeDof = signal<ActiveDof | null>(null);
+  /** Of the character's clips, the one that Play binds. */
+  readonly clipIndex = signal(0);
   /** Seconds of the bound clip. */
   readonly clipTime = signal(0);
   readonly playing = signal(false);
   /** Seconds of the clip that pass in one. */
   readonly playSpeed = signal(1);
   readonly playMode = signal<PlayMode>('loop');
+  /** False on the way back of a ping-pong. */
+  readonly playForward = signal(true);
   /** Whether materials show their textures. */
   readonly showTextures = signal(true);
   /** What the last files had to say. */

@@ -1,6 +1,8 @@
 import type { ReadonlySignal, Signal } from '@preact/signals-core';
 import type { Session } from '../document/session.ts';
 import type { Store } from '../document/store.ts';
+import type { Transport } from '../document/transport.ts';
+import type { ConvertTarget } from '../formats/convert-parts.ts';
 import type { FileEntry } from '../formats/format.ts';
 import type { ReadCharacter } from '../formats/read-characters.ts';
 import type { PictureFormat } from '../view/picture.ts';
@@ -64,6 +66,7 @@ export interface Opening {
 
 /** What the interface shows and can ask for; put together in app. */
 export interface Editor extends Opening {
+  readonly transport: Transport;
   readonly helpOpen: Signal<boolean>;
   /** Whether single letters act; speech input and cats may want them off. */
   readonly letterKeys: Signal<boolean>;
@@ -75,6 +78,8 @@ export interface Editor extends Opening {
   editJoint(joint: number): void;
   copyPose(): Promise<void>;
   savePose(): void;
+  /** Saves the character in a course's format, converted as far as it can hold it. */
+  saveAs(format: ConvertTarget): Promise<void>;
   exportMesh(): void;
   savePicture(options: PictureOptions): Promise<void>;
   verify(): void;

@@ -24,11 +24,15 @@ export const everywhere: readonly KeyBinding[] = [
   { key: 'r', label: 'Reset the pose', run: (editor) => editor.resetAll() },
   { key: '[', label: 'Previous joint', run: (editor) => stepJoint(editor, -1) },
   { key: ']', label: 'Next joint', run: (editor) => stepJoint(editor, 1) },
+  { key: 'p', label: 'Play, pause the clip', run: ({ transport }) => transport.togglePlay() },
   { key: 'Home', label: 'Frame the character', run: ({ viewer }) => viewer.frameAll() },
   {
     key: ' ',
-    label: 'Reset the camera',
-    run: (editor) => editor.setWorkspace(editor.workspaceId.value),
+    label: 'Reset the camera; with a bound clip, play or pause',
+    run: (editor) => {
+      if (editor.transport.isBound) editor.transport.togglePlay();
+      else editor.setWorkspace(editor.workspaceId.value);
+    },
   },
   { key: 'ArrowLeft', label: 'Orbit left', run: (editor) => turn(editor, -1, 0) },
   { key: 'ArrowRight', label: 'Orbit right', run: (editor) => turn(editor, 1, 0) },

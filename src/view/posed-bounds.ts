@@ -1,5 +1,6 @@
 import { vec3 } from 'gl-matrix';
 import { type Bounds, emptyBounds, includePositions } from '../core/bounds.ts';
+import { boxCorners } from '../core/display-boxes.ts';
 import { worldMatrices } from '../core/forward-kinematics.ts';
 import { type CharacterState, skinInUse } from '../document/document.ts';
 import { shownPose } from '../document/shown-pose.ts';
@@ -20,6 +21,10 @@ export function posedBounds(state: CharacterState, time: number): Bounds {
   const worldFromJoint = worldMatrices(character.skeleton, pose.q);
   for (let at = 0; at < positions.length; at += 3) include(positions, at);
   for (let at = 12; at < worldFromJoint.length; at += 16) include(worldFromJoint, at);
+  if (character.mesh.pointCount === 0) {
+    const corners = boxCorners(character.skeleton, worldFromJoint);
+    for (let at = 0; at < corners.length; at += 3) include(corners, at);
+  }
   return bounds;
 
   function include(from: ArrayLike<number>, at: number): void {

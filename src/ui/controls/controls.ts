@@ -3,6 +3,7 @@ import GUI from 'lil-gui';
 import '../../../node_modules/lil-gui/dist/lil-gui.min.css';
 import type { Editor } from '../editor.ts';
 import { addLightsFolder } from './lights-folder.ts';
+import { addMorphFolder } from './morph-folder.ts';
 import { addPictureFolder } from './picture-folder.ts';
 import { addPoseFolder } from './pose-folder.ts';
 import { addSliderRoles } from './slider-role.ts';
@@ -13,6 +14,7 @@ import { addViewFolder } from './view-folder.ts';
 export function createControls(container: HTMLElement, editor: Editor): void {
   const gui = new GUI({ container, injectStyles: false, title: 'Controls' });
   addPoseFolder(gui, editor);
+  addMorphFolder(gui, editor);
   addSkinFolder(gui, editor);
   addViewFolder(gui, editor);
   addLightsFolder(gui, editor);

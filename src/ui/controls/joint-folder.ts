@@ -15,12 +15,14 @@ const axisNames = ['X', 'Y', 'Z'] as const;
  * may have hundreds.
  */
 export class JointFolder {
-  private readonly rows: ValueRow[] = [];
+  private readonly rows: { readonly row: ValueRow; readonly fullName: string }[] = [];
   private readonly folder: GUI;
   private readonly editor: Editor;
   private readonly joint: number;
   private readonly state: CharacterState;
   private built = false;
+  /** Opened by the selection or a search, not by hand. */
+  private openedForShow = false;
 
   constructor(parent: GUI, editor: Editor, state: CharacterState, joint: number) {
     this.editor = editor;
@@ -30,6 +32,7 @@ export class JointFolder {
     this.folder.onOpenClose((changed) => {
       if (changed !== this.folder) return;
       const { selectedJoint } = this.editor.session;
+      if (this.openedForShow) return;
       if (!this.folder._closed) {
         this.build();
         selectedJoint.value = joint;
@@ -40,13 +43,53 @@ export class JointFolder {
 
   /** Opens the folder and brings it into sight. */
   reveal(): void {
-    this.build();
-    this.folder.open();
+    this.openForShow();
     this.folder.domElement.scrollIntoView({ block: 'nearest' });
   }
 
+  /** Closes the folder again, where it was not the user who opened it. */
+  conceal(): void {
+    if (!this.openedForShow) return;
+    this.folder.close();
+    this.openedForShow = false;
+  }
+
+  /**
+   * Shows the rows whose names have the words in them, and nothing where there is none.
+   * @param wanted lower case; all is shown where it is empty
+   */
+  filter(wanted: string): void {
+    const words = wanted.split(/\s+/);
+    const matches = (name: string): boolean =>
+      words.every((word) => name.toLowerCase().includes(word));
+    const found = this.dofs.filter((dof) => matches(this.nameOf(dof)));
+    this.folder.show(wanted === '' || found.length > 0);
+    if (wanted !== '' && found.length > 0) this.openForShow();
+    else if (wanted === '') this.conceal();
+    for (const { row, fullName } of this.rows) row.show(wanted === '' || matches(fullName));
+  }
+
   refresh(): void {
-    for (const row of this.rows) row.refresh();
+    for (const { row } of this.rows) row.refresh();
+  }
+
+  private openForShow(): void {
+    if (!this.folder._closed) return;
+    this.build();
+    this.openedForShow = true;
+    this.folder.open();
+  }
+
+  /** Slides before hinges, each by axis, whatever the order in which they act. */
+  private get dofs(): readonly AxisDof[] {
+    return axisDofs(this.state.character.skeleton, this.joint).sort(
+      (a, b) => a.kind - b.kind || a.axis - b.axis,
+    );
+  }
+
+  /** "Left knee X", "Hips Move Y". */
+  private nameOf({ kind, axis }: AxisDof): string {
+    return `${this.name} ${kind === DofKind.hinge ? '' : 'Move '}${axisNames[axis]}`;
   }
 
   private get name(): string {
@@ -62,12 +105,14 @@ export class JointFolder {
   private build(): void {
     if (this.built) return;
     this.built = true;
-    const { skeleton } = this.state.character;
-    for (const dof of axisDofs(skeleton, this.joint)) this.rows.push(this.addRow(dof));
+    for (const dof of this.dofs) {
+      this.rows.push({ row: this.addRow(dof), fullName: this.nameOf(dof) });
+    }
     this.folder.add({ reset: () => this.reset() }, 'reset').name('Reset joint');
   }
 
-  private addRow({ kind, axis, index }: AxisDof): ValueRow {
+  private addRow(dof: AxisDof): ValueRow {
+    const { kind, axis, index } = dof;
     const { store } = this.editor;
     const { id, character } = this.state;
     const { qMin, qMax, qRest } = character.skeleton;
@@ -75,7 +120,7 @@ export class JointFolder {
     const reach = isAngle ? Math.PI : diagonal(character.bounds);
     const name = `${isAngle ? '' : 'Move '}${axisNames[axis]}`;
     const label = `${isAngle ? 'Turn' : 'Move'} ${this.name} ${axisNames[axis]}`;
-    const fullName = `${this.name} ${name}`;
+    const fullName = this.nameOf(dof);
     const [least, most] = [qMin[index]!, qMax[index]!];
     return addValueRow(this.folder, {
       name,

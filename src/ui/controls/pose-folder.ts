@@ -43,6 +43,9 @@ export function addPoseFolder(gui: GUI, editor: Editor): void {
       if (state) {
         const { skeleton } = state.character;
         addNote(joints, rotationOrder(skeleton));
+        addSearch(joints, (wanted) => {
+          for (const each of folders) each.filter(wanted);
+        });
         for (let joint = 0; joint < skeleton.jointCount; joint++) {
           folders.push(new JointFolder(joints, editor, state, joint));
         }
@@ -50,10 +53,25 @@ export function addPoseFolder(gui: GUI, editor: Editor): void {
     }
     for (const each of folders) each.refresh();
   });
+  let revealed: JointFolder | null = null;
   effect(() => {
     const joint = editor.session.selectedJoint.value;
-    if (joint !== null) folders[joint]?.reveal();
+    const next = (joint === null ? null : folders[joint]) ?? null;
+    // What was opened by hand stays open; stepping from joint to joint shows just one.
+    if (revealed !== next) revealed?.conceal();
+    next?.reveal();
+    revealed = next;
   });
+}
+
+function addSearch(folder: GUI, filter: (wanted: string) => void): void {
+  const field = document.createElement('input');
+  field.type = 'search';
+  field.className = 'dof-search';
+  field.placeholder = 'Search, as “knee x”';
+  field.setAttribute('aria-label', 'Search degrees of freedom');
+  field.addEventListener('input', () => filter(field.value.trim().toLowerCase()));
+  folder.$children.append(field);
 }
 
 function addNote(folder: GUI, text: string): void {

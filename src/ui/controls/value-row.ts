@@ -25,6 +25,7 @@ export interface ValueRowOptions {
 export interface ValueRow {
   /** Shows the value as it is now. */
   refresh(): void;
+  show(visible: boolean): void;
 }
 
 /**
@@ -113,7 +114,7 @@ export function addValueRow(folder: GUI, options: ValueRowOptions): ValueRow {
     row.title = `${options.fullName} is locked: its limits are equal`;
   }
   refresh();
-  return { refresh };
+  return { refresh, show: (visible) => void controller.show(visible) };
 
   /** Arrows step in the field too; Home, End and the rest are the slider's alone. */
   function onKey(event: KeyboardEvent): void {

@@ -1,5 +1,6 @@
 import type { Signal } from '@preact/signals-core';
 import type { GUI } from 'lil-gui';
+import type { SkeletonStyle } from '../../document/session.ts';
 import type { Editor, ThemeChoice } from '../editor.ts';
 import { watch } from '../watch.ts';
 
@@ -20,11 +21,14 @@ export function addViewFolder(gui: GUI, editor: Editor): void {
     (value: number) => (camera.value = { ...camera.value, distance: value }),
   );
   const themes: Record<string, ThemeChoice> = { System: 'system', Light: 'light', Dark: 'dark' };
+  const styles: Record<string, SkeletonStyle> = { Sticks: 'sticks', Boxes: 'boxes', Both: 'both' };
   const rows = [
     folder.add(flag(session.showSkin), 'value').name('Skin'),
     folder.add(flag(session.translucent), 'value').name('Translucent'),
     folder.add(flag(session.showSkeleton), 'value').name('Skeleton'),
+    folder.add(flag(session.skeletonStyle), 'value', styles).name('Skeleton as'),
     folder.add(flag(session.showAxes), 'value').name('Axes'),
+    folder.add(flag(session.showTextures), 'value').name('Textures'),
     folder.add(flag(theme), 'value', themes).name('Colours'),
     folder.add(angle('azimuth'), 'value', -180, 180).name('Azimuth °').decimals(1),
     folder.add(angle('elevation'), 'value', -89, 89).name('Elevation °').decimals(1),
@@ -36,8 +40,9 @@ export function addViewFolder(gui: GUI, editor: Editor): void {
   };
   folder.add(actions, 'frame').name('Frame');
   folder.add(actions, 'reset').name('Reset camera');
-  const { showSkin, showSkeleton, showAxes, translucent } = session;
-  watch([showSkin, showSkeleton, showAxes, translucent, theme, camera], () => {
+  const { showSkin, showSkeleton, skeletonStyle, showAxes, showTextures, translucent } = session;
+  const flags = [showSkin, showSkeleton, skeletonStyle, showAxes, showTextures, translucent];
+  watch([...flags, theme, camera], () => {
     for (const row of rows) row.updateDisplay();
   });
 }

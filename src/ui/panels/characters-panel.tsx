@@ -3,6 +3,11 @@ import { selectedCharacter } from '../../document/document.ts';
 import { chooseFiles } from '../choose-files.ts';
 import type { Editor } from '../editor.ts';
 
+const saveTargets = [
+  ['mit', '6.837 files'],
+  ['cse169', 'CSE169 files'],
+] as const;
+
 /** The bundled characters, one's own, and the way to more. */
 export function CharactersPanel({ editor }: { readonly editor: Editor }) {
   const { bundled, own, openedId, fileExtensions } = editor;
@@ -44,6 +49,21 @@ export function CharactersPanel({ editor }: { readonly editor: Editor }) {
       <button type="button" class="wide" onClick={() => open(true)}>
         Open folder…
       </button>
+      {shown && (
+        <div class="save-as">
+          <span id="save-as">Save as</span>
+          {saveTargets.map(([format, label]) => (
+            <button
+              key={format}
+              type="button"
+              aria-describedby="save-as"
+              onClick={() => void editor.saveAs(format)}
+            >
+              {label}
+            </button>
+          ))}
+        </div>
+      )}
       <p class="hint">
         or drop them anywhere: {fileExtensions.join(', ')}. Files never leave this machine.
       </p>

@@ -1,0 +1,24 @@
+import { effect } from '@preact/signals-core';
+import type { Session } from '../document/session.ts';
+import type { Transport } from '../document/transport.ts';
+
+/** A tab that was hidden does not jump ahead; seconds. */
+const longestStep = 0.25;
+
+/** Lets time pass while a clip plays, a step for each picture; never otherwise. */
+export function runClock(session: Session, transport: Transport): void {
+  let last = 0;
+  let request = 0;
+  const tick = (now: number): void => {
+    request = 0;
+    if (!session.playing.value) return;
+    transport.pass(Math.min((now - last) / 1000, longestStep));
+    last = now;
+    request = requestAnimationFrame(tick);
+  };
+  effect(() => {
+    if (!session.playing.value || request !== 0) return;
+    last = performance.now();
+    request = requestAnimationFrame(tick);
+  });
+}

@@ -1,0 +1,36 @@
+import { zipSync } from 'fflate';
+import type { Character } from '../core/character.ts';
+import type { Diagnostic } from '../core/diagnostics.ts';
+import type { Pose } from '../core/pose.ts';
+import { convertCharacter } from '../formats/convert.ts';
+import type { ConvertTarget } from '../formats/convert-parts.ts';
+import { poseToJson } from '../formats/pose-json.ts';
+import { loadWriter } from '../formats/registry.ts';
+import { download } from './download.ts';
+
+/**
+ * Downloads an archive with the character in a course's format, the matching pose, and the pictures of
+ * its materials.
+ *
+ * @returns what the format can't hold
+ */
+export async function saveAs(
+  character: Character,
+  pose: Pose,
+  format: ConvertTarget,
+): Promise<readonly Diagnostic[]> {
+  const converted = convertCharacter(character, format, pose);
+  const write = await loadWriter(format);
+  const { files, losses } = write(converted.character);
+  const { skeleton } = converted.character;
+  const poseJson = `${JSON.stringify(poseToJson(skeleton, converted.pose), null, 2)}\n`;
+  const archive = zipSync(
+    Object.fromEntries([
+      ...files.map(({ path, bytes }) => [path, bytes] as const),
+      ...(format === 'cse169' ? character.images.map(({ name, bytes }) => [name, bytes]) : []),
+      [`${character.name}.pose.json`, new TextEncoder().encode(poseJson)],
+    ]) as Record<string, Uint8Array>,
+  );
+  download(`${character.name}-${format}.zip`, archive, 'application/zip');
+  return [...converted.losses, ...losses];
+}

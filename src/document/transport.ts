@@ -1,0 +1,98 @@
+import type { Clip } from '../core/clip.ts';
+import { advance } from '../posing/playhead.ts';
+import { bindClip } from './commands.ts';
+import { type CharacterState, selectedCharacter } from './document.ts';
+import type { Session } from './session.ts';
+import type { Store } from './store.ts';
+
+/** Seconds of one step by hand: a frame of 30 a second. */
+const stepSeconds = 1 / 30;
+
+/** Plays, pauses and seeks the clips of the selected character. */
+export class Transport {
+  private readonly store: Store;
+  private readonly session: Session;
+
+  constructor(store: Store, session: Session) {
+    this.store = store;
+    this.session = session;
+  }
+
+  /** The clip that is bound, or the one that Play would bind; none where the character has none. */
+  get clip(): Clip | undefined {
+    const { state } = this;
+    return state?.character.clips[state.clip ?? this.session.clipIndex.value];
+  }
+
+  get isBound(): boolean {
+    return (this.state?.clip ?? null) !== null;
+  }
+
+  togglePlay(): void {
+    const { playing, playMode, clipTime } = this.session;
+    if (playing.value && this.isBound) {
+      playing.value = false;
+      return;
+    }
+    const clip = this.bind();
+    if (!clip) return;
+    if (playMode.value === 'once' && clipTime.value >= clip.end) clipTime.value = clip.start;
+    playing.value = true;
+  }
+
+  /** Shows the clip's pose at a time, and stays there. */
+  seek(time: number): void {
+    if (!this.bind()) return;
+    this.session.playing.value = false;
+    this.session.clipTime.value = time;
+  }
+
+  step(direction: 1 | -1): void {
+    const { clip } = this;
+    if (!clip) return;
+    const time = this.session.clipTime.value + direction * stepSeconds;
+    this.seek(Math.min(Math.max(time, clip.start), clip.end));
+  }
+
+  /** Takes another clip of the character, from its start. */
+  choose(index: number): void {
+    const { session, state } = this;
+    session.clipIndex.value = index;
+    session.clipTime.value = this.clip?.start ?? 0;
+    if (state && state.clip !== null) this.store.dispatch(bindClip(state.id, index));
+    session.clipTime.value = this.clip?.start ?? 0;
+  }
+
+  /** Gives the character back to its own pose. */
+  release(): void {
+    const { state } = this;
+    this.session.playing.value = false;
+    if (state && state.clip !== null) this.store.dispatch(bindClip(state.id, null));
+  }
+
+  /** So much time has passed while playing. */
+  pass(seconds: number): void {
+    const { session, clip } = this;
+    if (!clip || !this.isBound) {
+      session.playing.value = false;
+      return;
+    }
+    const from = { time: session.clipTime.value, forward: session.playForward.value };
+    const moved = advance(clip, from, seconds * session.playSpeed.value, session.playMode.value);
+    session.playForward.value = moved.forward;
+    session.clipTime.value = moved.time;
+    if (moved.ended) session.playing.value = false;
+  }
+
+  private get state(): CharacterState | undefined {
+    return selectedCharacter(this.store.document.value);
+  }
+
+  private bind(): Clip | undefined {
+    const { state, clip } = this;
+    if (state && clip && state.clip === null) {
+      this.store.dispatch(bindClip(state.id, this.session.clipIndex.value));
+    }
+    return clip;
+  }
+}

@@ -1,0 +1,55 @@
+import { effect } from '@preact/signals-core';
+import type { GUI } from 'lil-gui';
+import type { Character } from '../../core/character.ts';
+import { setMorphWeight } from '../../document/commands.ts';
+import { selectedCharacter } from '../../document/document.ts';
+import type { Editor } from '../editor.ts';
+import { addValueRow, type ValueRow } from './value-row.ts';
+
+/** What typing may reach: a morph says something from 0 to 1, and exaggerates beyond. */
+const reach = 100;
+
+/** A slider from 0 to 1 for every morph of the selected character. */
+export function addMorphFolder(gui: GUI, editor: Editor): void {
+  const { store } = editor;
+  const folder = gui.addFolder('Morphs');
+  let shown: Character | null = null;
+  let rows: ValueRow[] = [];
+
+  effect(() => {
+    const state = selectedCharacter(store.document.value);
+    const character = state?.character ?? null;
+    if (character !== shown) {
+      shown = character;
+      for (const child of [...folder.children]) child.destroy();
+      rows = (character?.morphs ?? []).map(({ name }, index) =>
+        addMorphRow(folder, editor, state!.id, name, index),
+      );
+      folder.show(rows.length > 0);
+    }
+    for (const row of rows) row.refresh();
+  });
+}
+
+function addMorphRow(
+  folder: GUI,
+  { store }: Editor,
+  id: number,
+  name: string,
+  index: number,
+): ValueRow {
+  const label = `Shape ${name}`;
+  return addValueRow(folder, {
+    name,
+    fullName: name,
+    minimum: 0,
+    maximum: 1,
+    isAngle: false,
+    locked: false,
+    legal: [-reach, reach],
+    read: () => selectedCharacter(store.document.value)?.morphWeights[index] ?? 0,
+    begin: () => store.begin(label),
+    preview: (gesture, value) => gesture.preview(setMorphWeight(id, index, value, label)),
+    reset: () => store.dispatch(setMorphWeight(id, index, 0, `Reset ${name}`)),
+  });
+}

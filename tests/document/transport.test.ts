@@ -1,0 +1,103 @@
+import { describe, expect, it } from 'vitest';
+import { openCharacter } from '../../src/document/commands.ts';
+import { selectedCharacter } from '../../src/document/document.ts';
+import { Session } from '../../src/document/session.ts';
+import { shownSelected } from '../../src/document/shown-pose.ts';
+import { Store } from '../../src/document/store.ts';
+import { Transport } from '../../src/document/transport.ts';
+import { readOne } from '../support/files.ts';
+
+const skel = 'balljoint hip { balljoint knee { offset 0 1 0 rotxlimit -2 0 } }';
+const anim = `animation { range 0 2 numchannels 9
+  ${'channel { extrapolate constant constant keys 1 { 0 0 linear linear } }'.repeat(6)}
+  channel { extrapolate constant constant keys 2 { 0 0 linear linear 2 -1 linear linear } }
+  ${'channel { extrapolate constant constant keys 1 { 0 0 linear linear } }'.repeat(2)} }`;
+
+async function open(files: Record<string, string>) {
+  const store = new Store();
+  const session = new Session();
+  const transport = new Transport(store, session);
+  store.dispatch(openCharacter(await readOne(files), 'linear-blend'));
+  const { skeleton } = selectedCharacter(store.document.value)!.character;
+  const kneeX = skeleton.dofQ[skeleton.dofStart[2]! - 1]!;
+  const shownKnee = (): number => shownSelected(store, session)!.pose.q[kneeX]!;
+  return { store, session, transport, shownKnee };
+}
+
+describe('the transport', () => {
+  const files = { 'leg.skel': skel, 'leg.anim': anim };
+
+  it('binds the clip at Play, and shows its values as time passes', async () => {
+    const { session, transport, shownKnee } = await open(files);
+    expect(transport.isBound).toBe(false);
+    transport.togglePlay();
+    expect(transport.isBound).toBe(true);
+    expect(session.playing.value).toBe(true);
+    transport.pass(0.5);
+    expect(shownKnee()).toBeCloseTo(-0.25, 12);
+    session.playSpeed.value = 2;
+    transport.pass(0.5);
+    expect(session.clipTime.value).toBeCloseTo(1.5, 12);
+    expect(shownKnee()).toBeCloseTo(-0.75, 12);
+  });
+
+  it('pauses where it is, and goes on from there', async () => {
+    const { session, transport } = await open(files);
+    transport.togglePlay();
+    transport.pass(0.5);
+    transport.togglePlay();
+    expect(session.playing.value).toBe(false);
+    transport.togglePlay();
+    expect(session.clipTime.value).toBe(0.5);
+  });
+
+  it('begins again after a clip that was played once has ended', async () => {
+    const { session, transport } = await open(files);
+    session.playMode.value = 'once';
+    transport.togglePlay();
+    transport.pass(5);
+    expect([session.playing.value, session.clipTime.value]).toEqual([false, 2]);
+    transport.togglePlay();
+    expect([session.playing.value, session.clipTime.value]).toEqual([true, 0]);
+  });
+
+  it('seeks and steps, paused', async () => {
+    const { session, transport, shownKnee } = await open(files);
+    transport.seek(1);
+    expect(shownKnee()).toBeCloseTo(-0.5, 12);
+    transport.step(-1);
+    expect(session.clipTime.value).toBeCloseTo(1 - 1 / 30, 12);
+    transport.seek(2);
+    transport.step(1);
+    expect(session.clipTime.value).toBe(2);
+    expect(session.playing.value).toBe(false);
+  });
+
+  it('gives the character back to its own pose, and undo gives the clip back', async () => {
+    const { store, transport, shownKnee } = await open(files);
+    transport.seek(2);
+    transport.release();
+    expect(shownKnee()).toBe(0);
+    store.undo();
+    expect(shownKnee()).toBe(-1);
+  });
+
+  it('stops playing when an edit let the clip go', async () => {
+    const { store, session, transport } = await open(files);
+    transport.togglePlay();
+    store.undo(); // takes the binding back
+    transport.pass(0.1);
+    expect(session.playing.value).toBe(false);
+  });
+
+  it('does nothing for a character without clips', async () => {
+    const { store, session, transport } = await open({ 'leg.skel': skel });
+    const before = store.document.value;
+    transport.togglePlay();
+    transport.seek(1);
+    transport.step(1);
+    expect(transport.clip).toBeUndefined();
+    expect(session.playing.value).toBe(false);
+    expect(store.document.value).toBe(before);
+  });
+});
