@@ -1,5 +1,6 @@
 import type { Diagnostic } from '../core/diagnostics.ts';
-import { setPose } from '../document/commands.ts';
+import { setMorphWeight, setPose } from '../document/commands.ts';
+import { selectedCharacter } from '../document/document.ts';
 import { shownSelected } from '../document/shown-pose.ts';
 import type { SkinDevice } from '../document/session.ts';
 import type { FileEntry } from '../formats/format.ts';
@@ -37,6 +38,14 @@ export interface Scripting {
   readonly characters: readonly CharacterSummary[];
   /** The pose, or sets it: joints that are not named take the file's pose. */
   pose(json?: PoseJson): PoseJson;
+  /** Weights of the character's morphs by name, or sets those that are named. */
+  morphs(weights?: Readonly<Record<string, number>>): Record<string, number>;
+  /** Names of the character's clips. */
+  readonly clips: readonly string[];
+  /** Shows a clip's pose at a time (seconds), paused; the chosen clip where none is named. */
+  seek(time: number, clip?: string): void;
+  /** Plays the chosen clip, or pauses it. */
+  togglePlay(): void;
   /** (vertices × 3) posed positions, in the file's order and units. */
   vertices(device: SkinDevice): Float32Array;
   verify(): Verification | null;
@@ -77,6 +86,34 @@ export function createScripting(editor: Editor, ready: Promise<void>): Scripting
       store.dispatch(setPose(shown.state.id, value.q));
       return poseToJson(skeleton, value);
     },
+    morphs(weights = {}) {
+      const state = selectedCharacter(store.document.value);
+      if (!state) return {};
+      const names = state.character.morphs.map(({ name }) => name);
+      for (const [name, weight] of Object.entries(weights)) {
+        const index = names.indexOf(name);
+        if (index === -1 || !Number.isFinite(weight)) {
+          throw new Error(`expected a number for one of ${names.join(', ') || 'no morphs'}`);
+        }
+        store.dispatch(setMorphWeight(state.id, index, weight, `Shape ${name}`));
+      }
+      const now = selectedCharacter(store.document.value)!.morphWeights;
+      return Object.fromEntries(names.map((name, index) => [name, now[index]!]));
+    },
+    get clips() {
+      const state = selectedCharacter(store.document.value);
+      return state?.character.clips.map(({ name }) => name) ?? [];
+    },
+    seek(time, clip) {
+      const { clips } = this;
+      const index = clip === undefined ? session.clipIndex.value : clips.indexOf(clip);
+      if (clips[index] === undefined) {
+        throw new Error(`expected one of ${clips.join(', ') || 'no clips'}`);
+      }
+      if (index !== session.clipIndex.value) editor.transport.choose(index);
+      editor.transport.seek(time);
+    },
+    togglePlay: () => editor.transport.togglePlay(),
     vertices: (device) => viewer.vertices(device),
     verify: () => verifyShown(store, viewer),
     async capture({ format = 'png', width, height, background = true } = {}) {

@@ -8,7 +8,7 @@ import { extensionOf } from '../formats/file-entry.ts';
 import { writeObj } from '../formats/obj/write-obj.ts';
 import { readPoseJson } from '../formats/pose-json.ts';
 import { readCharacters } from '../formats/read-characters.ts';
-import { isMethodId, methodById, methods } from '../skinning/registry.ts';
+import { defaultMethod, isMethodId, methodById, methods } from '../skinning/registry.ts';
 import { skinVertices } from '../skinning/skin-vertices.ts';
 import type { Command } from './commands.ts';
 import { printDiagnostics, readFiles, unreadable, unwritable, userPath } from './files.ts';
@@ -48,7 +48,7 @@ function parseOptions(words: readonly string[]) {
       args: [...words],
       options: {
         pose: { type: 'string' },
-        method: { type: 'string', default: methods[0]!.id },
+        method: { type: 'string' },
         normalize: { type: 'boolean', default: false },
         out: { type: 'string' },
       },
@@ -58,7 +58,8 @@ function parseOptions(words: readonly string[]) {
   const { pose: posePath, method, out, normalize } = values;
   if (files.length === 0) throw new UsageError('expected files, found none');
   if (posePath === undefined) throw new UsageError('expected --pose POSE.json');
-  if (!isMethodId(method)) throw new UsageError(`expected ${methodIds}, found "${method}"`);
+  if (method !== undefined && !isMethodId(method))
+    throw new UsageError(`expected ${methodIds}, found "${method}"`);
   const extension = extensionOf(out ?? '');
   if (out === undefined || (extension !== '.obj' && extension !== '.f32')) {
     throw new UsageError('expected --out with a name that ends in .obj or .f32');
@@ -80,7 +81,8 @@ function readPose(
 function poseMesh(character: Character, posed: Pose, options: Options): Uint8Array {
   const { mesh, skin } = character;
   const used = options.normalize ? normalizeSkin(skin) : skin;
-  const { positions } = skinVertices(character, used, posed, methodById(options.method));
+  const method = options.method ? methodById(options.method) : defaultMethod(character);
+  const { positions } = skinVertices(character, used, posed, method);
   if (extensionOf(options.out) === '.obj') return writeObj(mesh, positions);
   const bytes = new DataView(new ArrayBuffer(mesh.pointCount * 12));
   for (let i = 0; i < mesh.pointCount * 3; i++) bytes.setFloat32(i * 4, positions[i]!, true);
