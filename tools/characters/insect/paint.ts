@@ -1,0 +1,54 @@
+/** A colour, sRGB, each 0 to 1. */
+export type Colour = readonly [red: number, green: number, blue: number];
+
+export function hex(code: number): Colour {
+  return [(code >> 16) / 255, ((code >> 8) & 255) / 255, (code & 255) / 255];
+}
+
+/** From a (0) to b (1). */
+export function blend(a: Colour, b: Colour, t: number): Colour {
+  const u = Math.min(1, Math.max(0, t));
+  return [a[0] + (b[0] - a[0]) * u, a[1] + (b[1] - a[1]) * u, a[2] + (b[2] - a[2]) * u];
+}
+
+export function shade(colour: Colour, factor: number): Colour {
+  return [colour[0] * factor, colour[1] * factor, colour[2] * factor];
+}
+
+/** A colour of a row of them, evenly spaced from 0 to 1. */
+export function ramp(colours: readonly Colour[], t: number): Colour {
+  const at = Math.min(1, Math.max(0, t)) * (colours.length - 1);
+  const first = Math.min(colours.length - 2, Math.floor(at));
+  return blend(colours[first]!, colours[first + 1]!, at - first);
+}
+
+/** 0 to 1, from two whole numbers, without any order that shows. */
+function hash(x: number, y: number): number {
+  let h = Math.imul(x, 0x27d4eb2d) ^ Math.imul(y, 0x165667b1);
+  h = Math.imul(h ^ (h >>> 15), 0x2c1b3c6d);
+  h = Math.imul(h ^ (h >>> 12), 0x297a2d39);
+  return ((h ^ (h >>> 15)) >>> 0) / 2 ** 32;
+}
+
+/** Smooth noise, 0 to 1, one swell a unit. */
+export function noise(x: number, y: number): number {
+  const [column, row] = [Math.floor(x), Math.floor(y)];
+  const ease = (t: number): number => t * t * (3 - 2 * t);
+  const [u, v] = [ease(x - column), ease(y - row)];
+  const top = hash(column, row) * (1 - u) + hash(column + 1, row) * u;
+  const bottom = hash(column, row + 1) * (1 - u) + hash(column + 1, row + 1) * u;
+  return top * (1 - v) + bottom * v;
+}
+
+/** How close a point is to the nearest of scattered points, one a unit square: 0 at it, about 1 far. */
+export function dimples(x: number, y: number): number {
+  let nearest = 2;
+  for (let row = Math.floor(y) - 1; row <= Math.floor(y) + 1; row++) {
+    for (let column = Math.floor(x) - 1; column <= Math.floor(x) + 1; column++) {
+      const dx = column + 0.15 + 0.7 * hash(column, row) - x;
+      const dy = row + 0.15 + 0.7 * hash(row + 7919, column) - y;
+      nearest = Math.min(nearest, dx * dx + dy * dy);
+    }
+  }
+  return Math.sqrt(nearest);
+}

@@ -1,0 +1,111 @@
+import { add, cross, dot, scale, subtract, unit, type Vector2, type Vector3 } from '../vector.ts';
+
+/** Joints by name, and how much each moves a vertex; they sum to 1. */
+export type Weights = readonly (readonly [joint: string, weight: number])[];
+
+/** An ellipse of the surface. Lengths are model units, in the space the insect is bound in. */
+export interface Station {
+  readonly centre: Vector3;
+  /** Unit, square to each other; side × up is the way the sweep goes. */
+  readonly side: Vector3;
+  readonly up: Vector3;
+  /** Half the width (along `side`) and half the height (along `up`). */
+  readonly width: number;
+  readonly height: number;
+  /** Height below the centre over height above; 1 where absent. */
+  readonly belly?: number;
+  /** How far along the part, for the texture. */
+  readonly along: number;
+  readonly weights: Weights;
+}
+
+/** A closed surface, counter-clockwise seen from outside; no vertex is doubled. */
+export interface Surface {
+  readonly positions: readonly Vector3[];
+  readonly textureCoordinates: readonly Vector2[];
+  readonly weights: readonly Weights[];
+  readonly triangles: readonly (readonly [number, number, number])[];
+}
+
+/** A place in the texture for a station and an angle, radians from `side` towards `up`. */
+export type Place = (along: number, angle: number) => Vector2;
+
+/** A surface through ellipses. The first and the last station are its poles: points, not rings. */
+export function sweep(stations: readonly Station[], segments: number, place: Place): Surface {
+  const positions: Vector3[] = [];
+  const textureCoordinates: Vector2[] = [];
+  const weights: Weights[] = [];
+  const put = (position: Vector3, station: Station, angle: number): number => {
+    textureCoordinates.push(place(station.along, angle));
+    weights.push(station.weights);
+    return positions.push(position) - 1;
+  };
+  const first = stations[0]!;
+  const last = stations.at(-1)!;
+  const rings = stations.slice(1, -1).map((station) =>
+    Array.from({ length: segments }, (_, segment) => {
+      const angle = (segment / segments) * 2 * Math.PI;
+      const rise = Math.sin(angle) * station.height;
+      const height = rise < 0 ? rise * (station.belly ?? 1) : rise;
+      const across = scale(station.side, Math.cos(angle) * station.width);
+      const offset = add(across, scale(station.up, height));
+      return put(add(station.centre, offset), station, angle);
+    }),
+  );
+  const poles = [put(first.centre, first, Math.PI / 2), put(last.centre, last, Math.PI / 2)];
+  const triangles: [number, number, number][] = [];
+  for (let segment = 0; segment < segments; segment++) {
+    const next = (segment + 1) % segments;
+    triangles.push([poles[0]!, rings[0]![next]!, rings[0]![segment]!]);
+    for (let ring = 0; ring + 1 < rings.length; ring++) {
+      const [here, there] = [rings[ring]!, rings[ring + 1]!];
+      triangles.push([here[segment]!, here[next]!, there[next]!]);
+      triangles.push([here[segment]!, there[next]!, there[segment]!]);
+    }
+    triangles.push([poles[1]!, rings.at(-1)![segment]!, rings.at(-1)![next]!]);
+  }
+  return { positions, textureCoordinates, weights, triangles };
+}
+
+/** Frames along a curve that turn no more than it does. */
+export function framesAlong(
+  points: readonly Vector3[],
+  firstUp: Vector3,
+): { readonly side: Vector3; readonly up: Vector3 }[] {
+  let up = firstUp;
+  return points.map((_, index) => {
+    const before = points[Math.max(0, index - 1)]!;
+    const after = points[Math.min(points.length - 1, index + 1)]!;
+    const forward = unit(subtract(after, before));
+    up = unit(subtract(up, scale(forward, dot(up, forward))));
+    return { side: cross(up, forward), up };
+  });
+}
+
+/** The surface's image in the plane x = 0, its joints those of the other side. */
+export function mirrored(surface: Surface): Surface {
+  return {
+    positions: surface.positions.map(([x, y, z]): Vector3 => [-x, y, z]),
+    textureCoordinates: surface.textureCoordinates,
+    weights: surface.weights.map((row) =>
+      row.map(([joint, weight]) => [joint.replace('_l', '_r'), weight] as const),
+    ),
+    triangles: surface.triangles.map(([a, b, c]) => [a, c, b] as const),
+  };
+}
+
+/** Several surfaces as one. */
+export function joined(surfaces: readonly Surface[]): Surface {
+  let start = 0;
+  const triangles = surfaces.flatMap((surface) => {
+    const shift = start;
+    start += surface.positions.length;
+    return surface.triangles.map(([a, b, c]) => [a + shift, b + shift, c + shift] as const);
+  });
+  return {
+    positions: surfaces.flatMap(({ positions }) => positions),
+    textureCoordinates: surfaces.flatMap(({ textureCoordinates }) => textureCoordinates),
+    weights: surfaces.flatMap(({ weights }) => weights),
+    triangles,
+  };
+}

@@ -1,0 +1,49 @@
+import { atlas, type Region, textureSize } from './atlas.ts';
+import {
+  paintAbdomen,
+  paintAntenna,
+  paintEye,
+  paintHead,
+  paintLeg,
+  paintMandible,
+  paintTarsus,
+  paintThorax,
+} from './colours.ts';
+import { indexedPng } from './indexed-png.ts';
+import type { Colour } from './paint.ts';
+import { paintWing } from './wing-veins.ts';
+
+/** The colour of a part at a place along it and across it, both 0 to 1. */
+type Painter = (along: number, across: number) => Colour;
+
+const painters: readonly (readonly [Region, Painter])[] = [
+  [atlas.abdomen, paintAbdomen],
+  [atlas.thorax, paintThorax],
+  [atlas.head, paintHead],
+  [atlas.wing, paintWing],
+  [atlas.leg, paintLeg],
+  [atlas.tarsus, paintTarsus],
+  [atlas.antenna, paintAntenna],
+  [atlas.eye, paintEye],
+  [atlas.mandible, paintMandible],
+];
+
+/** Colours in the picture's table: enough for the eye, and far fewer bytes than all there are. */
+const colourCount = 256;
+
+/** Paints the texture, a PNG. */
+export function paintTexture(): Buffer {
+  const pixels = new Uint8Array(textureSize * textureSize * 3);
+  for (const [{ left, top, width, height }, paint] of painters) {
+    for (let y = 0; y < height; y++) {
+      for (let x = 0; x < width; x++) {
+        const colour = paint((x + 0.5) / width, (y + 0.5) / height);
+        const at = ((top + y) * textureSize + left + x) * 3;
+        colour.forEach((value, channel) => {
+          pixels[at + channel] = Math.round(Math.min(1, Math.max(0, value)) * 255);
+        });
+      }
+    }
+  }
+  return indexedPng(pixels, textureSize, colourCount);
+}
