@@ -103,7 +103,7 @@ test('letters do not act while a field has the focus, undo does', async () => {
   await press('r', 's', 'a');
   expect(await getPose(page())).toEqual(pose);
   expect(await drawnOf(page())).toEqual(['Skin']);
-  await page().getByRole('searchbox').fill('');
+  await page().getByRole('searchbox', { name: 'Search joints' }).fill('');
 });
 
 test('letters act after a button of the controls was used', async () => {

@@ -11,6 +11,11 @@ interface Scene {
   readonly pose?: PoseJson;
   /** By its label in the controls. */
   readonly method?: string;
+  readonly morphs?: Readonly<Record<string, number>>;
+  /** Seconds of the character's clip. */
+  readonly time?: number;
+  /** By its label in the controls. */
+  readonly skeletonAs?: string;
   /** Keys pressed, in order. */
   readonly keys?: readonly string[];
 }
@@ -45,16 +50,36 @@ const scenes: Readonly<Record<string, Scene>> = {
   'hand-both': { query: 'model=hand', keys: ['s', 's'] },
   dog: { query: 'model=dog' },
   'tube-twisted': { query: 'model=tube' },
+  'insect-boxes': { query: 'model=insect&workspace=cse169' },
+  'insect-boxes-selected': {
+    query: 'model=insect&workspace=cse169',
+    keys: [']', ']', ']', ']', ']'],
+  },
+  'insect-boxes-skin': { query: 'model=insect&workspace=cse169', keys: ['s'] },
+  'insect-textured': { query: 'model=insect' },
+  'insect-morph': { query: 'model=insect', morphs: { insect_alert: 1, insect_breathe: 1 } },
+  'insect-walk-1': { query: 'model=insect', time: 0.35, skeletonAs: 'Both', keys: ['s', 's', 't'] },
+  'insect-walk-2': { query: 'model=insect', time: 0.8 },
+  'insect-walk-3': { query: 'model=insect', time: 1.25 },
 };
 
 const page = sharedPage(() => Promise.resolve());
 
-for (const [name, { query, dark = false, pose, method, keys = [] }] of Object.entries(scenes)) {
+for (const [name, scene] of Object.entries(scenes)) {
+  const { query, dark = false, pose, method, morphs, time, skeletonAs, keys = [] } = scene;
   test(name, async () => {
     await page().emulateMedia({ colorScheme: dark ? 'dark' : 'light' });
     await openView(page(), query);
     if (pose) await setPose(page(), pose);
     if (method !== undefined) await choose(page(), 'Method', method);
+    if (skeletonAs !== undefined) await choose(page(), 'Skeleton as', skeletonAs);
+    await page().evaluate(
+      ({ morphs, time }) => {
+        if (morphs) window.sinew.morphs(morphs);
+        if (time !== undefined) window.sinew.seek(time);
+      },
+      { morphs, time },
+    );
     for (const key of keys) await page().keyboard.press(key);
     expectPicture(name, await capture(page()));
   });

@@ -8,6 +8,7 @@ import { poseFromJson, type PoseJson, poseToJson } from '../formats/pose-json.ts
 import { formatDiagnostic } from '../core/diagnostics.ts';
 import type { Editor } from '../ui/editor.ts';
 import { fileEntry } from '../ui/file-entry.ts';
+import { decodeImage } from '../view/decode-image.ts';
 import { encodePicture, type PictureFormat } from '../view/picture.ts';
 import { type Verification, verifyShown } from '../view/verify.ts';
 import { fetchFile } from './catalogue.ts';
@@ -117,6 +118,7 @@ export function createScripting(editor: Editor, ready: Promise<void>): Scripting
     vertices: (device) => viewer.vertices(device),
     verify: () => verifyShown(store, viewer),
     async capture({ format = 'png', width, height, background = true } = {}) {
+      await texturesShown(store);
       const size = width !== undefined && height !== undefined ? { width, height } : undefined;
       return encodePicture(viewer.capture(size, background), format);
     },
@@ -127,6 +129,14 @@ export function createScripting(editor: Editor, ready: Promise<void>): Scripting
       return viewer.liveObjects;
     },
   };
+}
+
+/** Once the pictures of the character's surfaces are decoded and in the view. */
+async function texturesShown({ document }: Editor['store']): Promise<void> {
+  const images = selectedCharacter(document.value)?.character.images ?? [];
+  if (images.length === 0) return;
+  await Promise.all(images.map(decodeImage));
+  await new Promise((resolve) => requestAnimationFrame(resolve));
 }
 
 function entriesOf(

@@ -21,8 +21,11 @@ export interface Difference {
 export interface Verification extends Difference {
   /** `position` over the diagonal of the character's bounds. */
   readonly relative: number;
-  /** The handout's check: largest |T · B⁻¹ − I| at the file's pose. */
-  readonly bindError: number;
+  /**
+   * 6.837's check: largest |T · B⁻¹ − I| at the file's pose. Null where the file has bindings of its own,
+   * for which the pose need not be the one at which they were made.
+   */
+  readonly bindError: number | null;
 }
 
 /** Compares the buffers that are drawn, skinned by the GPU, with the CPU's vertices. */
@@ -42,7 +45,9 @@ export function verifySkin(
   return {
     ...difference,
     relative: difference.position / (diagonal(character.bounds) || 1),
-    bindError: largestBindError(character.skeleton, skinInUse(state)),
+    bindError: character.skin.bindFromJoint
+      ? null
+      : largestBindError(character.skeleton, skinInUse(state)),
   };
 }
 

@@ -69,6 +69,7 @@ function verificationLines({ verification }: Editor): string[] {
     ? 'GPU = CPU, bit for bit'
     : `|GPU − CPU| ≤ ${found.position.toExponential(2)} at vertex ${found.vertex}` +
       ` (${found.relative.toExponential(1)} of its size)`;
+  if (found.bindError === null) return [difference];
   return [difference, `|T · B⁻¹ − I| ≤ ${found.bindError.toExponential(1)} at rest`];
 }
 

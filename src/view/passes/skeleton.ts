@@ -14,6 +14,8 @@ import { cube, cylinder, sphere } from '../solid-shapes.ts';
 
 /** How much of a bone shows through an opaque skin. */
 const throughSkin = 0.55;
+/** Boxes hold the skin, as of glass. */
+const glass = 0.3;
 
 /** Spheres at the joints, cylinders along the bones, boxes of the file: one instanced draw each. */
 export const skeletonPass: Pass = {
@@ -22,14 +24,17 @@ export const skeletonPass: Pass = {
     const solids = new SkeletonSolids(gpu, programs);
     return {
       draw(frame) {
-        if (frame.options.showSkeleton) solids.draw(frame, 1);
+        const { showSkeleton, showSkin } = frame.options;
+        if (!showSkeleton) return;
+        solids.drawSticks(frame, 1);
+        if (!showSkin) solids.drawBoxes(frame, 1);
       },
       dispose: () => solids.dispose(),
     };
   },
 };
 
-/** The skeleton once more, faintly, where an opaque skin hides it. */
+/** With a skin: its skeleton once more, faintly, where it hides it; and boxes about it. */
 export const hiddenSkeletonPass: Pass = {
   id: 'hidden-skeleton',
   create(gpu, programs) {
@@ -38,12 +43,16 @@ export const hiddenSkeletonPass: Pass = {
     return {
       draw(frame) {
         const { showSkeleton, showSkin, translucent } = frame.options;
-        if (!showSkeleton || !showSkin || translucent) return;
-        gl.depthFunc(gl.GREATER);
+        if (!showSkeleton || !showSkin) return;
         gl.depthMask(false);
         gl.enable(gl.BLEND);
         gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
-        solids.draw(frame, throughSkin);
+        gl.depthFunc(gl.GREATER);
+        if (!translucent) solids.drawSticks(frame, throughSkin);
+        gl.depthFunc(gl.ALWAYS);
+        gl.enable(gl.CULL_FACE);
+        solids.drawBoxes(frame, glass);
+        gl.disable(gl.CULL_FACE);
         gl.disable(gl.BLEND);
         gl.depthMask(true);
         gl.depthFunc(gl.LESS);
@@ -68,21 +77,28 @@ class SkeletonSolids {
     this.boxes = new InstancedSolid(gpu, program, cube());
   }
 
-  draw(frame: Frame, opacity: number): void {
-    const withSticks = frame.characters.filter((view) => showsSticks(view, frame));
-    const withBoxes = frame.characters.filter((view) => showsBoxes(view, frame));
-    this.joints.write(concatenate(withSticks, frame, jointInstances));
-    this.bones.write(concatenate(withSticks, frame, boneInstances));
-    this.boxes.write(concatenate(withBoxes, frame, boxInstances));
+  drawSticks(frame: Frame, opacity: number): void {
+    const views = frame.characters.filter((view) => showsSticks(view, frame));
+    this.joints.write(concatenate(views, frame, jointInstances));
+    this.bones.write(concatenate(views, frame, boneInstances));
+    this.useProgram(frame, { opacity, rim: 1 });
+    this.joints.draw();
+    this.bones.draw();
+  }
+
+  drawBoxes(frame: Frame, opacity: number): void {
+    const views = frame.characters.filter((view) => showsBoxes(view, frame));
+    this.boxes.write(concatenate(views, frame, boxInstances));
+    // Faces are flat: a rim would make the whole of a slanting one dark.
+    this.useProgram(frame, { opacity, rim: 0 });
+    this.boxes.draw();
+  }
+
+  private useProgram(frame: Frame, look: { opacity: number; rim: number }): void {
     const program = this.programs.pass('solid');
     program.use();
     program.set(frame.uniforms);
-    program.set({ opacity, rim: 1 });
-    this.joints.draw();
-    this.bones.draw();
-    // Faces are flat: a rim would make the whole of a slanting one dark.
-    program.set({ rim: 0 });
-    this.boxes.draw();
+    program.set(look);
   }
 
   dispose(): void {

@@ -1,0 +1,166 @@
+import { expect } from '@playwright/test';
+import { leg, legSkel } from '../tests/support/cse169-files.ts';
+import { controlRow, drop, getPose, openApp, openJoint, vertices, verify } from './support/app.ts';
+import { drawnOf } from './support/controls.ts';
+import { expectPicture } from './support/pictures.ts';
+import { sharedPage, test } from './support/test.ts';
+
+test.use({ viewport: { width: 1100, height: 720 } });
+const page = sharedPage((page) => openApp(page, 'model=insect&workspace=cse169'));
+
+const insectOf = async (): Promise<void> => {
+  await page().getByRole('button', { name: 'Insect', exact: true }).click();
+  await expect(page().locator('.notice')).toHaveText('Insect opened');
+};
+const timeline = () => page().getByRole('region', { name: 'Timeline' });
+const clipTime = async (): Promise<number> =>
+  Number(await timeline().getByRole('slider', { name: 'Time' }).inputValue());
+
+test('the workspace shows boxes; its normals are the course’s, on the GPU as on the CPU', async () => {
+  expect(await page().evaluate(() => window.sinew.problems)).toEqual([]);
+  expect(await drawnOf(page())).toEqual(['Skeleton']);
+  await expect(controlRow(page(), 'Skeleton as').locator('option:checked')).toHaveText('Boxes');
+  await expect(controlRow(page(), 'Method').locator('option:checked')).toHaveText(
+    'Linear blend, CSE169 normals',
+  );
+  expect(await verify(page())).toMatchObject({ identical: true, bindError: null });
+});
+
+test('a click on a box selects its joint, whose number then stands in the picture', async () => {
+  const box = (await page().locator('canvas').boundingBox())!;
+  await page().mouse.click(box.x + box.width * 0.34, box.y + box.height * 0.5);
+  const selected = page().getByRole('treeitem', { selected: true });
+  await expect(selected).toHaveText(/\w/);
+  const joint = (await selected.textContent())!.replace(/[▸▾]/, '');
+  const { field } = await openJoint(page(), joint, 'X');
+  await field.fill('0.2');
+  await field.press('Enter');
+  await expect(page().locator('.active-dof')).toHaveText(`${joint} X 0.200 (11.5°)`);
+  await page().mouse.move(5, 5);
+  expectPicture('insect-dof-text', await page().locator('main.view').screenshot());
+  await page().keyboard.press('Escape');
+  await page().getByRole('button', { name: 'Reset all' }).click();
+});
+
+test('degrees of freedom are searched by words, in any joint', async () => {
+  const search = page().getByRole('searchbox', { name: 'Search degrees of freedom' });
+  await search.fill('leg_l1_femur x');
+  const rows = page().locator('.joints .lil-controller:visible .lil-slider');
+  await expect(rows).toHaveCount(1);
+  await expect(rows).toHaveAttribute('aria-label', 'leg_l1_femur X');
+  await search.fill('no such joint');
+  await expect(rows).toHaveCount(0);
+  await search.fill('');
+  await expect(page().locator('.joints .lil-title:visible').first()).toBeVisible();
+});
+
+test('stepping from joint to joint shows the degrees of freedom of just one', async () => {
+  await insectOf();
+  await page().getByRole('button', { name: 'Next joint' }).click();
+  await page().getByRole('button', { name: 'Next joint' }).click();
+  await expect(page().locator('.joints .lil-title[aria-expanded="true"]')).toHaveText([
+    'Joints',
+    'abdomen1',
+  ]);
+  await page().getByRole('button', { name: 'Previous joint' }).click();
+  await expect(page().locator('.joints .lil-title[aria-expanded="true"]')).toHaveText([
+    'Joints',
+    'body',
+  ]);
+});
+
+test('a locked angle is shown, can’t be changed, and says why', async () => {
+  const { slider, field, row } = await openJoint(page(), 'leg_l1_tibia', 'Y');
+  await expect(field).toBeDisabled();
+  await expect(slider).toHaveAttribute('aria-disabled', 'true');
+  await expect(row).toHaveAttribute('title', 'leg_l1_tibia Y is locked: its limits are equal');
+});
+
+test('morphs have sliders to 1, and typing goes beyond', async () => {
+  const rest = await vertices(page(), 'gpu');
+  const field = page().locator('input[aria-label="insect_breathe"]');
+  await field.fill('1.5');
+  await field.press('Enter');
+  expect(await page().evaluate(() => window.sinew.morphs())).toEqual({
+    insect_alert: 0,
+    insect_breathe: 1.5,
+  });
+  const swollen = await vertices(page(), 'gpu');
+  expect(swollen).not.toEqual(rest);
+  expect(await verify(page())).toMatchObject({ identical: true });
+  await page().keyboard.press('Control+z');
+  expect(await vertices(page(), 'gpu')).toEqual(rest);
+});
+
+test('a clip plays, pauses and steps; an edit takes its pose over and lets it go', async () => {
+  await insectOf();
+  const own = await getPose(page());
+  await page().locator('canvas').focus();
+  await page().keyboard.press('p');
+  await expect.poll(clipTime).toBeGreaterThan(0.1);
+  await page().keyboard.press('p');
+  const paused = await clipTime();
+  await page().waitForTimeout(100);
+  expect(await clipTime()).toBe(paused);
+  const time = timeline().getByRole('slider', { name: 'Time' });
+  await time.focus();
+  await page().keyboard.press('ArrowRight');
+  expect(await clipTime()).toBeCloseTo(paused + 1 / 30, 6);
+  await page().keyboard.press('Home');
+  await page().evaluate(() => window.sinew.seek(1));
+  const shown = await getPose(page());
+  expect(shown.root![2], 'the root walks').not.toBe(0);
+  const { field } = await openJoint(page(), 'head', 'Y');
+  await field.fill('0.1');
+  await field.press('Enter');
+  const edited = await getPose(page());
+  expect(edited).toEqual({ ...shown, joints: { ...shown.joints, head: edited.joints!['head'] } });
+  expect(edited.joints!['head']![1]).toBe(0.1);
+  await expect(timeline().getByRole('button', { name: 'Own pose' })).toBeDisabled();
+  await page().keyboard.press('Control+z');
+  expect(await getPose(page())).toEqual(shown);
+  await timeline().getByRole('button', { name: 'Own pose' }).click();
+  expect(await getPose(page())).toEqual(own);
+});
+
+test('the range of a clip has its modes, and its curves are those of the selected joint', async () => {
+  const atEnd = timeline().getByRole('combobox', { name: 'At the end' });
+  await expect(atEnd.locator('option')).toHaveText(['Once', 'Loop', 'Ping-pong', 'Go on']);
+  await page().getByRole('treeitem', { name: 'head', exact: true }).click();
+  await expect(timeline().locator('figcaption')).toHaveText('headXYZ');
+  await timeline()
+    .locator('svg')
+    .click({ position: { x: 200, y: 20 } });
+  expect(await clipTime()).toBeGreaterThan(0);
+  await timeline().getByRole('button', { name: 'Own pose' }).click();
+});
+
+test('a skeleton alone is completed by skin, morph and clip that come later', async () => {
+  await drop(page(), [{ name: 'leg.skel', content: legSkel }]);
+  await expect(page().locator('.notice')).toHaveText('leg opened');
+  const rest = Object.entries(leg).filter(([name]) => name !== 'leg.skel');
+  await drop(
+    page(),
+    rest.map(([name, content]) => ({ name, content: content as string })),
+  );
+  await expect(page().locator('.notice')).toHaveText('leg updated; pose and camera kept');
+  expect(await page().evaluate(() => window.sinew.clips.length)).toBe(1);
+});
+
+test('it saves as either course’s files, and tells what got lost', async () => {
+  await insectOf();
+  for (const [label, name] of [
+    ['CSE169 files', 'insect-cse169.zip'],
+    ['6.837 files', 'insect-mit.zip'],
+  ] as const) {
+    const saving = page().waitForEvent('download');
+    await page().getByRole('button', { name: label }).click();
+    const saved = await saving;
+    expect(saved.suggestedFilename()).toBe(name);
+    await expect(page().locator('.notice')).toHaveText(/^Saved/);
+    const path = await saved.path();
+    await page().locator('input[type="file"]').count();
+    expect(path).toBeTruthy();
+  }
+  await expect(page().locator('.problems')).toContainText('limits');
+});
