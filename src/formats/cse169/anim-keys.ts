@@ -35,7 +35,7 @@ const isRule = (word: string): word is 'flat' | 'linear' | 'smooth' =>
 function readTangent(scanner: Scanner): Tangent {
   const word = scanner.keyword(isRule);
   if (isRule(word)) return word;
-  const slope = scanner.reader.number();
+  const slope = scanner.reader.number(scanner.limits.tokenLength);
   if (Math.abs(slope) <= largestValue) return slope;
   scanner.fail('token', 'a tangent: flat, linear, smooth or a number');
   return 0;

@@ -1,13 +1,14 @@
 import type { DiagnosticCode, DiagnosticLog } from '../../core/diagnostics.ts';
 import { defaultLimits, type Limits } from '../../core/limits.ts';
 import { checkText } from '../text/check-text.ts';
+import { reportTextEncoding } from '../text/report-encoding.ts';
 import { TokenReader } from '../text/token-reader.ts';
 
 type Area = 'skel' | 'skin' | 'morph' | 'anim' | 'rig';
 type Kind<Code = DiagnosticCode> = Code extends `skin/${infer K}` ? K : never;
 
-/** Magnitudes up to which all that follows stays within float32. */
-export const largest = { coordinate: 1e18, weight: 1e6, angle: 1e6, time: 1e9 } as const;
+/** Magnitudes of angles, radians, and of times, seconds, past which nothing sensible comes of them. */
+export const largest = { angle: 1e6, time: 1e9 } as const;
 
 /**
  * What the five readers of CSE169 share: it goes on to the next token, says what it is not, and
@@ -54,12 +55,18 @@ export class Scanner {
   }
 
   /** The next token as a number of at most this magnitude; NaN and an error where it is none. */
-  number(what: string, most: number = largest.coordinate): number {
+  number(what: string, most?: number): number {
+    this.reader.next();
+    return this.thisNumber(what, most);
+  }
+
+  /** The current token as a number. */
+  thisNumber(what: string, most: number = this.limits.coordinate): number {
     const { reader } = this;
-    reader.next();
-    const value = reader.number();
+    const value = reader.number(this.limits.tokenLength);
     if (Math.abs(value) <= most) return value;
-    if (Number.isNaN(value)) {
+    if (reader.length > this.limits.tokenLength) this.failLong(what);
+    else if (Number.isNaN(value)) {
       const hint = /^[+-]?\d+,\d+$/.test(reader.text()) ? ' with a decimal point' : '';
       this.fail('number', `a number for ${what}${hint}`);
     } else this.fail('range', `${what} within ±${most.toExponential().replace('+', '')}`);
@@ -74,11 +81,17 @@ export class Scanner {
 
   /** The next token as a whole number from 0 to `most`; NaN and an error where it is none. */
   index(what: string, most: number): number {
+    this.reader.next();
+    return this.thisIndex(what, most);
+  }
+
+  /** The current token as a whole number. */
+  thisIndex(what: string, most: number): number {
     const { reader } = this;
-    reader.next();
-    const value = reader.integer();
+    const value = reader.integer(this.limits.tokenLength);
     if (value >= 0 && value <= most) return value;
-    if (value > most) this.fail('index', `${what} from 0 to ${most}`);
+    if (reader.length > this.limits.tokenLength) this.failLong(what);
+    else if (value > most) this.fail('index', `${what} from 0 to ${most}`);
     else this.fail('integer', `a whole number for ${what}, 0 or more`);
     return NaN;
   }
@@ -87,13 +100,14 @@ export class Scanner {
   count(what: string, bytesEach: number, most: number): number {
     const { reader } = this;
     reader.next();
-    const value = reader.integer();
-    if (!(value >= 0)) this.fail('integer', `how many ${what}, a whole number`);
-    else if (value > most) this.fail('limit', `at most ${most} ${what}`);
+    const value = reader.integer(this.limits.tokenLength);
+    if (reader.length > this.limits.tokenLength) this.failLong(`how many ${what}`);
+    else if (!(value >= 0)) this.fail('integer', `how many ${what}, a whole number`);
     else if (value * bytesEach > reader.bytesLeft + 1) {
       const possible = Math.floor(reader.bytesLeft / bytesEach);
       this.fail('count', `at most ${possible} ${what}, for the file has no room for more`);
-    } else return value;
+    } else if (value > most) this.fail('limit', `at most ${most} ${what}`);
+    else return value;
     return NaN;
   }
 
@@ -191,6 +205,10 @@ export class Scanner {
     this.warn(kind, expected, found, effect);
   }
 
+  private failLong(what: string): void {
+    this.fail('token', `a number of at most ${this.limits.tokenLength} characters for ${what}`);
+  }
+
   private found(): string {
     const { reader } = this;
     if (!reader.atEnd) return reader.text();
@@ -209,5 +227,6 @@ export function scan(
   limits?: Limits,
 ): Scanner | undefined {
   const text = checkText(file, bytes, log);
+  if (text) reportTextEncoding(log, text);
   return text && new Scanner(text, log, about, limits);
 }

@@ -23,8 +23,8 @@ export function readRows(
   const opened = scanner.openIfAny();
   const values = growFloat32();
   for (let i = 0; i < count * size; i++) {
-    if (i % size === 0 && endsEarly(scanner, name, count, i / size)) return undefined;
-    values.push(scanner.number(name));
+    if (endsWithin(scanner, name, size, count, i)) return undefined;
+    values.push(scanner.thisNumber(name));
     if (!scanner.sound()) return undefined;
   }
   return closeRows(scanner, name, count, opened) ? { values: values.finish(), count } : undefined;
@@ -34,11 +34,34 @@ export function readRows(
 export function endsEarly(scanner: Scanner, name: string, count: number, read: number): boolean {
   const mark = scanner.reader.mark();
   scanner.reader.next();
-  if (scanner.reader.isClose) {
-    scanner.fail('count', `${count} rows of ${name}, as the file says`, `${read}`);
-  }
+  if (scanner.reader.isClose) failShort(scanner, name, count, `${read}`);
   scanner.reader.back(mark);
   return !scanner.sound();
+}
+
+/**
+ * Goes on to the next number of rows of equal size; whether a closing brace stands there instead,
+ * which is an error.
+ *
+ * @param read numbers so far
+ */
+export function endsWithin(
+  scanner: Scanner,
+  name: string,
+  size: number,
+  count: number,
+  read: number,
+): boolean {
+  scanner.reader.next();
+  if (!scanner.reader.isClose) return false;
+  const rest = read % size;
+  const part = rest === 0 ? '' : ` and ${rest} of ${size} numbers`;
+  failShort(scanner, name, count, `${Math.floor(read / size)}${part}`);
+  return true;
+}
+
+function failShort(scanner: Scanner, name: string, count: number, found: string): void {
+  scanner.fail('count', `${count} rows of ${name}, as the file says`, found);
 }
 
 /** The brace after the last row; where there are more rows, an error that counts no further. */

@@ -1,5 +1,5 @@
 import { growFloat32, growUint16, growUint32 } from '../text/growable.ts';
-import { largest, type Scanner } from './scanner.ts';
+import type { Scanner } from './scanner.ts';
 import { closeRows, endsEarly } from './sections.ts';
 
 export interface SkinWeights {
@@ -45,7 +45,7 @@ export function readSkinWeights(
         const effect = 'its weights are added up, here and in further rows';
         scanner.warnOnce('twice', 'duplicate', expected, `joint ${joint} again`, effect);
       }
-      const weight = scanner.number(`a weight of vertex ${point}`, largest.weight);
+      const weight = scanner.number(`a weight of vertex ${point}`, scanner.limits.weight);
       row.set(joint, (row.get(joint) ?? 0) + weight);
     }
     for (const [joint, weight] of row) {

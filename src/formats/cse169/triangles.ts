@@ -1,7 +1,7 @@
 import type { Limits } from '../../core/limits.ts';
 import { growUint32 } from '../text/growable.ts';
 import type { Scanner } from './scanner.ts';
-import { closeRows, endsEarly } from './sections.ts';
+import { closeRows, endsWithin } from './sections.ts';
 
 /**
  * Reads `M { a b c … }`, zero-based. Triangles with a corner twice are left out, and a warning counts
@@ -14,10 +14,11 @@ export function readTriangles(scanner: Scanner, limits: Limits): Uint32Array | u
   const corners = growUint32();
   let degenerate = 0;
   for (let triangle = 0; triangle < count; triangle++) {
-    if (endsEarly(scanner, 'triangles', count, triangle)) return undefined;
-    const [a, b, c] = [0, 1, 2].map(() =>
-      scanner.sound() ? scanner.index(`a corner of triangle ${triangle}`, limits.pointCount) : NaN,
-    );
+    const [a, b, c] = [0, 1, 2].map((corner) => {
+      if (!scanner.sound()) return NaN;
+      if (endsWithin(scanner, 'triangles', 3, count, triangle * 3 + corner)) return NaN;
+      return scanner.thisIndex(`a corner of triangle ${triangle}`, limits.pointCount - 1);
+    });
     if (!scanner.sound()) return undefined;
     if (a === b || b === c || c === a) degenerate++;
     else for (const corner of [a!, b!, c!]) corners.push(corner);

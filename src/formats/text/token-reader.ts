@@ -73,14 +73,19 @@ export class TokenReader {
     return !this.atEnd && /^[+-]?\.?\d/.test(this.text().slice(0, 4));
   }
 
-  /** The token as a number; NaN where it is none. */
-  number(): number {
-    return readNumber(this.bytes, this.tokenStart, this.tokenEnd);
+  /** Bytes of the token. */
+  get length(): number {
+    return this.tokenEnd - this.tokenStart;
   }
 
-  /** The token as a whole number; NaN where it is none. */
-  integer(): number {
-    return readInteger(this.bytes, this.tokenStart, this.tokenEnd);
+  /** The token as a number; NaN where it is none, or longer than this. */
+  number(longest?: number): number {
+    return readNumber(this.bytes, this.tokenStart, this.tokenEnd, longest);
+  }
+
+  /** The token as a whole number; NaN where it is none, or longer than this. */
+  integer(longest?: number): number {
+    return readInteger(this.bytes, this.tokenStart, this.tokenEnd, longest);
   }
 
   /** The token as text. */

@@ -111,7 +111,7 @@ export function thoraxSurface(): Surface {
 export function abdomenSurface(breath: number): Surface {
   const chain = [
     ['body', -Infinity, 0],
-    ...abdomenJoints.map(({ name, z }, index) => [name, -z, index === 0 ? 0.05 : 0.1] as const),
+    ...abdomenJoints.map(({ name, z }, index) => [name, -z, index === 0 ? 0.05 : 0.13] as const),
   ] as const;
   // Rings stand on both sides of each plate's end.
   const steps = plates.slice(0, -1).flatMap((end, index) => {

@@ -1,28 +1,7 @@
-import type { Character } from '../../../../src/core/character.ts';
-import type { Limits } from '../../../../src/core/limits.ts';
 import type { FileContents } from '../../../support/files.ts';
+import type { Left } from '../../bad-input.ts';
 
-/** A row of the table: files, what is said of them, and what is left. */
-export interface BadInput {
-  /** The number of the case and what it is: "A13 parent past the end". */
-  readonly title: string;
-  readonly files: FileContents;
-  /** Smaller ones than Sinew's own, where a case would be large. */
-  readonly limits?: Partial<Limits>;
-  /** Every message, `severity: FILE:LINE:COL: expected …, found "…" [code]`. */
-  readonly messages: readonly string[];
-  readonly left: Left | null;
-  readonly check?: (character: Character) => void;
-}
-
-/** What can be shown of the files. */
-export interface Left {
-  readonly joints: number;
-  readonly vertices: number;
-  readonly triangles: number;
-  /** Whether the mesh follows the joints. */
-  readonly bound: boolean;
-}
+export type { BadInput, Left } from '../../bad-input.ts';
 
 const skel = '0 0 0 -1\n0 1 0 0\n0 1 0 1\n';
 export const square = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n';
