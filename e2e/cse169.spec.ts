@@ -55,8 +55,7 @@ test('degrees of freedom are searched by words, in any joint', async () => {
 });
 
 test('stepping from joint to joint shows the degrees of freedom of just one', async () => {
-  await insectOf();
-  await page().getByRole('button', { name: 'Next joint' }).click();
+  await page().getByRole('treeitem', { name: 'body', exact: true }).click();
   await page().getByRole('button', { name: 'Next joint' }).click();
   await expect(page().locator('.joints .lil-title[aria-expanded="true"]')).toHaveText([
     'Joints',

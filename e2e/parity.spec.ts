@@ -15,7 +15,7 @@ for (const { id, files } of catalogue) {
   test(`${id}: GPU and CPU agree bit for bit, from the uniform array`, async ({ page }) => {
     await watchSkinStage(page);
     await openView(page, `model=${id}`);
-    expect(files.length, 'files of a character').toBe(3);
+    expect(files.length, 'files of a character').toBeGreaterThanOrEqual(3);
     for (const { label } of methods) {
       await choose(page, 'Method', label);
       expect(await verify(page), `${label}, as bundled`).toMatchObject(same);
