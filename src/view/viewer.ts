@@ -10,7 +10,7 @@ import { skinVertices } from '../skinning/skin-vertices.ts';
 import { type Camera, frameBox } from './camera.ts';
 import { displayTransform } from './display-transform.ts';
 import { createFrame, type Frame } from './frame.ts';
-import { pickJoint, rayThrough } from './picking.ts';
+import { pickJoint, rayThrough, sizeOfPixel } from './picking.ts';
 import { type Picture, pictureFromGl } from './picture.ts';
 import { posedBounds, unite } from './posed-bounds.ts';
 import { Renderer } from './renderer.ts';
@@ -119,8 +119,8 @@ export class Viewer {
       display: displayTransform(character),
       worldFromJoint: worldMatrices(character.skeleton, q),
     };
-    const perPixel = (2 * Math.tan(camera.fieldOfView / 2)) / viewHeight;
-    return pickJoint(target, rayThrough(camera, this.aspect, x, y), pixels * perPixel);
+    const tolerance = pixels * sizeOfPixel(camera, viewHeight);
+    return pickJoint(target, rayThrough(camera, this.aspect, x, y), tolerance)?.joint ?? null;
   }
 
   /** (pointCount × 3) posed positions of the selected character, file order and units. */
