@@ -27,7 +27,7 @@ export interface DragRig {
 /** @param limits of every hinge of the dragged joint, about its value */
 export function dragRig(kind: string, seed: number, limits?: readonly [number, number]): DragRig {
   const random = randomSource(seed);
-  const freedoms = [...kind].flatMap((letter): Freedom[] => {
+  const freedoms = Array.from(kind).flatMap((letter): Freedom[] => {
     if (letter === 's') return Object.values(axes).map((axis) => ({ kind: 'slide', axis }));
     if (letter === 'b') return [{ kind: 'ball' }];
     return [{ kind: 'hinge', axis: axes[letter as keyof typeof axes] }];
