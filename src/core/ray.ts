@@ -14,7 +14,7 @@ export function pointOnRay({ origin, direction }: Ray, distance: number): vec3 {
 }
 
 /** The same ray in another space: the matrix may turn, move and scale evenly. */
-export function transformRay({ origin, direction }: Ray, matrix: ReadonlyMat4): Ray {
+function transformRay({ origin, direction }: Ray, matrix: ReadonlyMat4): Ray {
   const tip = vec3.add(new Float64Array(3), origin, direction);
   const moved = vec3.transformMat4(new Float64Array(3), origin, matrix);
   vec3.transformMat4(tip, tip, matrix);

@@ -6,7 +6,12 @@ import type { DragPointer, DragStart } from '../../src/posing/drag.ts';
 import type { Freedom, Joint, Values } from '../reference/kinematics.ts';
 import { type Matrix, transform, unit } from '../reference/matrix.ts';
 import { worldFromJoints } from '../reference/kinematics.ts';
-import { randomBetween, randomRotation, randomSource } from '../support/random.ts';
+import {
+  randomBetween,
+  randomRotation,
+  randomSource,
+  randomUnitVector,
+} from '../support/random.ts';
 
 type Triple = readonly [number, number, number];
 
@@ -78,7 +83,7 @@ export function dragRig(kind: string, seed: number, limits?: readonly [number, n
 }
 
 /** The values in the oracle's form. */
-export function valuesOf({ joints }: DragRig, q: Float64Array): Values {
+function valuesOf({ joints }: DragRig, q: Float64Array): Values {
   let at = 0;
   return joints.map(({ freedoms }) =>
     freedoms.map(({ kind }) => {
@@ -94,7 +99,7 @@ export function worldOf(rig: DragRig, q: Float64Array): Matrix {
   return worldFromJoints(rig.joints, valuesOf(rig, q))[1]!;
 }
 
-/** A view of 800 pixels from `eye`, that looks at `center`. */
+/** A view of 800 pixels that looks at `center` from a place three units `away`, a unit vector. */
 export class TestView {
   readonly eye: readonly number[];
   readonly look: Triple;
@@ -102,9 +107,7 @@ export class TestView {
   readonly up: Triple;
   private readonly pixelsPerSlope = 800 / (2 * Math.tan(0.3));
 
-  constructor(center: readonly number[], seed: number) {
-    const random = randomSource(seed);
-    const away = unit([0, 1, 2].map(() => randomBetween(random, -1, 1)));
+  constructor(center: readonly number[], away: readonly number[]) {
     this.eye = center.map((value, i) => value + away[i]! * 3);
     this.look = triple(away.map((value) => -value));
     this.right = triple(unit(cross(this.look, Math.abs(away[1]!) < 0.9 ? [0, 1, 0] : [1, 0, 0])));
@@ -137,10 +140,11 @@ export function startOver(
   rig: DragRig,
   held: readonly number[],
   viewSeed: number,
+  away = randomUnitVector(randomSource(viewSeed)),
 ): { start: Omit<DragStart, 'mode'>; view: TestView; world: Matrix; pivot: number[] } {
   const world = worldOf(rig, rig.q);
   const pivot = transform(world, [0, 0, 0]);
-  const view = new TestView(pivot, viewSeed);
+  const view = new TestView(pivot, away);
   const grabbed = triple(transform(world, held));
   const { skeleton, q, joint } = rig;
   const start = { skeleton, q, joint, grabbed, view, pointer: view.pointerOver(grabbed) };
