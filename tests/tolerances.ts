@@ -14,4 +14,8 @@ export const tolerances = {
   referenceMatrices: 1e-6,
   /** Geometry that is exact but for the rounding of float32 (areas, unit lengths). */
   float32: 1e-6,
+  /** Distances to bones in the reference table, model units. */
+  rayDistance: 1e-4,
+  /** What turns or rolls a joint keeps fixed, and rotations that are to be equal. */
+  turn: 1e-9,
 } as const;

@@ -35,26 +35,36 @@ export function worldMatrices(skeleton: Skeleton, q: Float64Array): Float64Array
 }
 
 function writeLocalMatrix(skeleton: Skeleton, joint: number, q: Float64Array, out: mat4): void {
+  writeRestMatrix(skeleton, joint, out);
+  for (let dof = skeleton.dofStart[joint]!; dof < skeleton.dofStart[joint + 1]!; dof++) {
+    applyDof(skeleton, dof, q, out);
+  }
+}
+
+/** Writes where a joint stands in its parent's frame before its degrees of freedom move it. */
+export function writeRestMatrix(skeleton: Skeleton, joint: number, out: mat4): void {
   readVector(skeleton.restOffsets, joint * 3, vector);
   readQuaternion(skeleton.restRotations, joint * 4, quaternion);
   mat4.fromRotationTranslation(out, quaternion, vector);
-  for (let dof = skeleton.dofStart[joint]!; dof < skeleton.dofStart[joint + 1]!; dof++) {
-    const value = skeleton.dofQ[dof]!;
-    switch (skeleton.dofKind[dof] as DofKind) {
-      case DofKind.slide:
-        readVector(skeleton.dofAxis, dof * 3, vector, q[value]);
-        mat4.translate(out, out, vector);
-        break;
-      case DofKind.hinge:
-        readVector(skeleton.dofAxis, dof * 3, vector);
-        mat4.rotate(out, out, q[value]!, vector);
-        break;
-      case DofKind.ball:
-        readQuaternion(q, value, quaternion);
-        mat4.fromQuat(rotation, quaternion);
-        mat4.multiply(out, out, rotation);
-        break;
-    }
+}
+
+/** Multiplies the matrix, from the right, by what one degree of freedom does at the values q. */
+export function applyDof(skeleton: Skeleton, dof: number, q: Float64Array, out: mat4): void {
+  const value = skeleton.dofQ[dof]!;
+  switch (skeleton.dofKind[dof] as DofKind) {
+    case DofKind.slide:
+      readVector(skeleton.dofAxis, dof * 3, vector, q[value]);
+      mat4.translate(out, out, vector);
+      break;
+    case DofKind.hinge:
+      readVector(skeleton.dofAxis, dof * 3, vector);
+      mat4.rotate(out, out, q[value]!, vector);
+      break;
+    case DofKind.ball:
+      readQuaternion(q, value, quaternion);
+      mat4.fromQuat(rotation, quaternion);
+      mat4.multiply(out, out, rotation);
+      break;
   }
 }
 

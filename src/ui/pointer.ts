@@ -8,8 +8,8 @@ const pixelsPerLine = 24;
 const panButton = 1;
 /** Less than this is a click, not a drag; CSS pixels. */
 const stillDistance = 4;
-const mouseTolerance = 4;
-const touchTolerance = 22;
+const mouseTolerance = 6;
+const touchTolerance = 20;
 
 interface Place {
   readonly x: number;

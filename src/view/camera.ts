@@ -1,5 +1,6 @@
 import { mat4, vec3 } from 'gl-matrix';
 import { type Bounds, isEmpty } from '../core/bounds.ts';
+import type { ViewAxes } from '../posing/mouse-turns.ts';
 
 /** An orbit camera in scene space: it looks at `target` from `distance` away. Angles in radians. */
 export interface Camera {
@@ -13,7 +14,8 @@ export interface Camera {
   readonly fieldOfView: number;
 }
 
-const highest = (89 * Math.PI) / 180;
+/** How far a camera looks up or down; it never turns over. */
+export const highest = (89 * Math.PI) / 180;
 const [nearest, farthest] = [0.02, 40];
 
 export function eyeOf(camera: Camera): vec3 {
@@ -34,6 +36,17 @@ export function clipFromScene(camera: Camera, aspect: number): mat4 {
   const near = camera.distance * 0.02;
   mat4.perspective(clipFromView, camera.fieldOfView, aspect, near, camera.distance + 60);
   return mat4.multiply(new Float64Array(16), clipFromView, viewFromScene);
+}
+
+/** Unit vectors of the scene: to the picture's right, its top, and into it. */
+export function axesOf({ azimuth, elevation }: Camera): ViewAxes {
+  const [sin, cos] = [Math.sin(azimuth), Math.cos(azimuth)];
+  const [rise, level] = [Math.sin(elevation), Math.cos(elevation)];
+  return {
+    right: [cos, 0, -sin],
+    up: [-sin * rise, level, -cos * rise],
+    look: [-sin * level, -rise, -cos * level],
+  };
 }
 
 export function orbit(camera: Camera, azimuthChange: number, elevationChange: number): Camera {

@@ -1,5 +1,6 @@
 import { mat4, vec3 } from 'gl-matrix';
-import type { PickTarget, Ray } from './picking.ts';
+import type { Ray } from '../core/ray.ts';
+import type { PickTarget } from './picking.ts';
 
 /** The joint whose box the ray enters first; null where it meets none. */
 export function pickBox(

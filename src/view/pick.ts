@@ -4,7 +4,7 @@ import { shownSelected } from '../document/shown-pose.ts';
 import type { Store } from '../document/store.ts';
 import { displayTransform } from './display-transform.ts';
 import { pickBox } from './pick-box.ts';
-import { pickJoint, rayThrough } from './picking.ts';
+import { pickJoint, rayThrough, sizeOfPixel } from './picking.ts';
 import type { Viewer } from './viewer.ts';
 
 /** A place in the view, and how near to it is near enough. */
@@ -32,10 +32,9 @@ export function pickAt(
     worldFromJoint: worldMatrices(character.skeleton, shown.pose.q),
   };
   const camera = viewer.camera.value;
-  const perPixel = (2 * Math.tan(camera.fieldOfView / 2)) / viewHeight;
   const ray = rayThrough(camera, viewer.aspect, x, y);
   const style = session.skeletonStyle.value;
   const inBox = style === 'sticks' ? null : pickBox(target, ray);
   if (style === 'boxes' && character.skeleton.displayBoxes) return inBox;
-  return pickJoint(target, ray, tolerance * perPixel) ?? inBox;
+  return pickJoint(target, ray, tolerance * sizeOfPixel(camera, viewHeight))?.joint ?? inBox;
 }

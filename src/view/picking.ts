@@ -1,14 +1,10 @@
 import { mat4, vec3 } from 'gl-matrix';
 import type { Character } from '../core/character.ts';
+import { type Ray, rayInFrame } from '../core/ray.ts';
+import { type BoneHit, pickBone as pickPosedBone } from '../posing/pick-bone.ts';
 import { type Camera, clipFromScene, eyeOf } from './camera.ts';
 import type { DisplayTransform } from './display-transform.ts';
-import { boneRadius, jointRadius } from './solid-sizes.ts';
-
-/** A half-line of scene space; `direction` is unit. */
-export interface Ray {
-  readonly origin: vec3;
-  readonly direction: vec3;
-}
+import { boneReach, jointRadius } from './solid-sizes.ts';
 
 /** What is needed of a posed character to pick its joints. */
 export interface PickTarget {
@@ -28,74 +24,36 @@ export function rayThrough(camera: Camera, aspect: number, x: number, y: number)
   return { origin, direction: vec3.normalize(direction, direction) };
 }
 
+/** A ray of the scene in the character's space, where its joints, vertices and pose stand. */
+export function characterRay({ sceneFromCharacter }: DisplayTransform, ray: Ray): Ray {
+  return rayInFrame(ray, sceneFromCharacter);
+}
+
+/** The part of its distance that a pixel of a view `viewHeight` tall covers. */
+export function sizeOfPixel(camera: Camera, viewHeight: number): number {
+  return (2 * Math.tan(camera.fieldOfView / 2)) / viewHeight;
+}
+
 /**
- * The joint whose sphere, or whose bone (as a capsule: a cylinder with round ends), the ray meets
- * first; null where it meets none.
+ * The joint whose sphere, or whose bone, the ray of the scene meets first; null where it meets none.
  *
- * @param tolerance grows the radii by this part of the distance, so that thin and far bones can be hit
+ * @param tolerance radii are at least this part of the distance, so that thin and far bones can be hit
  */
-export function pickJoint(target: PickTarget, ray: Ray, tolerance: number): number | null {
-  const { skeleton, bones } = target.character;
-  let nearest = Infinity;
-  let picked: number | null = null;
-  const offer = (joint: number, from: vec3, to: vec3, radius: number): void => {
-    const entry = capsuleEntry(ray, from, to, radius, tolerance);
-    if (entry >= nearest) return;
-    nearest = entry;
-    picked = joint;
-  };
-  for (let joint = 0; joint < skeleton.jointCount; joint++) {
-    const place = scenePoint(target, joint, [0, 0, 0]);
-    offer(joint, place, place, jointRadius);
-  }
-  for (const { joint, vector } of bones) {
-    offer(
-      joint,
-      scenePoint(target, joint, [0, 0, 0]),
-      scenePoint(target, joint, vector),
-      boneRadius,
-    );
-  }
-  return picked;
+export function pickJoint(target: PickTarget, ray: Ray, tolerance: number): BoneHit | null {
+  return pick(target, ray, tolerance, jointRadius);
 }
 
-function scenePoint(
-  { display, worldFromJoint }: PickTarget,
-  joint: number,
-  point: readonly [number, number, number],
-): vec3 {
-  const matrix = worldFromJoint.subarray(joint * 16, joint * 16 + 16);
-  const posed = vec3.transformMat4(new Float64Array(3), point, matrix);
-  return vec3.transformMat4(posed, posed, display.sceneFromCharacter);
+/** As `pickJoint`, with bones alone: what can be turned by its far end. */
+export function pickBone(target: PickTarget, ray: Ray, tolerance: number): BoneHit | null {
+  return pick(target, ray, tolerance, 0);
 }
 
-/**
- * How far along the ray it enters the capsule, or Infinity: from the points of ray and segment that
- * are closest (Ericson 2005, "Real-time collision detection", 5.1.9), back by half the chord there.
- */
-function capsuleEntry(
-  { origin, direction }: Ray,
-  from: vec3,
-  to: vec3,
-  radius: number,
-  tolerance: number,
-): number {
-  const axis = vec3.subtract(new Float64Array(3), to, from);
-  const offset = vec3.subtract(new Float64Array(3), origin, from);
-  const [a, b] = [vec3.dot(axis, axis), vec3.dot(axis, direction)];
-  const [c, d] = [vec3.dot(axis, offset), vec3.dot(direction, offset)];
-  const divisor = a - b * b; // the direction is unit
-  const along = divisor > 1e-12 ? clamp01((c - b * d) / divisor) : 0;
-  const distance = Math.max(0, along * b - d);
-  // The segment's point closest to the ray's, now that the ray is bounded too.
-  const part = a > 1e-12 ? clamp01((c + distance * b) / a) : 0;
-  const onAxis = vec3.scaleAndAdd(new Float64Array(3), from, axis, part);
-  const onRay = vec3.scaleAndAdd(new Float64Array(3), origin, direction, distance);
-  const gap = vec3.distance(onAxis, onRay);
-  const reach = Math.max(radius, distance * tolerance);
-  return gap > reach ? Infinity : distance - Math.sqrt(reach * reach - gap * gap);
-}
-
-function clamp01(value: number): number {
-  return Math.min(1, Math.max(0, value));
+function pick(target: PickTarget, ray: Ray, tolerance: number, sphere: number): BoneHit | null {
+  const { character, display, worldFromJoint } = target;
+  const { skeleton, bones } = character;
+  return pickPosedBone({ skeleton, bones, worldFromJoint }, characterRay(display, ray), {
+    boneRadius: boneReach / display.scale,
+    jointRadius: sphere / display.scale,
+    tolerance,
+  });
 }

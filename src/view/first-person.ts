@@ -1,0 +1,48 @@
+import { vec3 } from 'gl-matrix';
+import { axesOf, type Camera, eyeOf, highest } from './camera.ts';
+
+/**
+ * A camera that stands where its eye is and looks around, scene space, radians. It is drawn as the
+ * orbit camera that sees the same (`orbitFrom`), so that nothing else needs to know of it.
+ */
+export interface FirstPerson {
+  readonly eye: readonly [number, number, number];
+  /** Around +y, counter-clockwise from above; 0 looks along -z. */
+  readonly yaw: number;
+  /** Above the horizon. */
+  readonly pitch: number;
+  readonly fieldOfView: number;
+  /** How far ahead the orbit camera's target is: that of the camera it came from. */
+  readonly distance: number;
+}
+
+/** What the orbit camera sees, from its eye. */
+export function firstPersonFrom(camera: Camera): FirstPerson {
+  const [x, y, z] = eyeOf(camera) as [number, number, number];
+  const { azimuth, elevation, fieldOfView, distance } = camera;
+  return { eye: [x, y, z], yaw: azimuth, pitch: -elevation, fieldOfView, distance };
+}
+
+/** The orbit camera that sees the same, its target ahead at the former distance. */
+export function orbitFrom({ eye, yaw, pitch, fieldOfView, distance }: FirstPerson): Camera {
+  const camera = { distance, azimuth: yaw, elevation: -pitch, fieldOfView };
+  const { look } = axesOf({ ...camera, target: eye });
+  return {
+    ...camera,
+    target: [eye[0] + distance * look[0], eye[1] + distance * look[1], eye[2] + distance * look[2]],
+  };
+}
+
+/** Moves the eye: ahead along the line of sight, sideways, and straight up. Scene units. */
+export function walk(view: FirstPerson, ahead: number, right: number, up: number): FirstPerson {
+  const axes = axesOf(orbitFrom(view));
+  const eye = vec3.scaleAndAdd(new Float64Array(3), view.eye, axes.look, ahead);
+  vec3.scaleAndAdd(eye, eye, axes.right, right);
+  return { ...view, eye: [eye[0], eye[1] + up, eye[2]] };
+}
+
+/** Turns the head to the left and up; never over the pole. */
+export function lookAround(view: FirstPerson, left: number, up: number): FirstPerson {
+  const pitch = Math.min(highest, Math.max(-highest, view.pitch + up));
+  return { ...view, yaw: view.yaw + left, pitch };
+}
