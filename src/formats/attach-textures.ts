@@ -12,12 +12,13 @@ export function findTexture(files: readonly FileEntry[], name: string): FileEntr
   return files.find(({ path }) => isImage(path) && baseName(path).toLowerCase() === wanted);
 }
 
-/** The images that a character's materials name, each once. */
-export function texturesOf({ materials }: Character, files: readonly FileEntry[]): FileEntry[] {
-  const found = materials.flatMap(({ texture }) => {
-    const file = texture === undefined ? undefined : findTexture(files, texture);
-    return file ? [file] : [];
-  });
+/** The images that a character's materials name, and those that shade them, each once. */
+export function texturesOf(
+  { materials, mmd }: Character,
+  files: readonly FileEntry[],
+): FileEntry[] {
+  const names = materials.flatMap(({ texture }) => (texture === undefined ? [] : [texture]));
+  const found = [...names, ...(mmd?.toons ?? [])].flatMap((name) => findTexture(files, name) ?? []);
   return [...new Set(found)];
 }
 
