@@ -1,8 +1,6 @@
 import type { DiagnosticLog } from '../../core/diagnostics.ts';
 import type { BinaryReader } from '../binary/binary-reader.ts';
 
-const ascii = new TextDecoder('latin1');
-
 /** What other files begin with, and what to say of them. */
 const others: readonly (readonly [pattern: RegExp, hint: string])[] = [
   [/^PMX /i, 'PMX is not supported'],
@@ -22,11 +20,16 @@ export function readSignature(
 ): boolean {
   const record = reader.record(3, '"Pmd"');
   if (!record) return false;
-  const found = ascii.decode(record.bytes(0, 3));
+  const found = characters(record.bytes(0, 3));
   if (found === 'Pmd') return true;
-  const start = ascii.decode(bytes.subarray(0, 64));
+  const start = characters(bytes.subarray(0, 64));
   const hint = others.find(([pattern]) => pattern.test(start))?.[1];
   const expected = hint === undefined ? '"Pmd"' : `"Pmd" (${hint})`;
   log.error({ code: 'pmd/magic', offset: 0, expected, found, effect });
   return false;
+}
+
+/** One a byte. */
+function characters(bytes: Uint8Array): string {
+  return String.fromCharCode(...bytes);
 }
