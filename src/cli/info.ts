@@ -133,7 +133,7 @@ function summary(character: Description): string {
     ),
     ...(character.bones ?? []).map(
       ({ source, destination, length, vertices: own }) =>
-        `  bone #${source} to #${destination}: length ${writeFloat32(length)}, ${own.length} vertices`,
+        `  bone #${source} to #${destination}: length ${writeFloat32(Math.fround(length))}, ${own.length} vertices`,
     ),
     ...character.morphs.map(
       (morph) => `  morph ${printable(morph.name, longestName)}: ${morph.vertices} vertices`,

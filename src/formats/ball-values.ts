@@ -1,4 +1,3 @@
-import { quat } from 'gl-matrix';
 import { DofKind, type Skeleton } from '../core/skeleton.ts';
 
 export type Triple = [x: number, y: number, z: number];
@@ -22,12 +21,16 @@ const unitTolerance = 1e-12;
 export function quaternionOf(value: BallJson): Quaternion {
   if (value.length === 4) {
     const length = Math.hypot(...value);
-    const scale = Math.abs(length - 1) <= unitTolerance ? 1 : 1 / length;
-    return value.map((each) => each * scale) as Quaternion;
+    const divisor = Math.abs(length - 1) <= unitTolerance ? 1 : length;
+    return value.map((each) => each / divisor) as Quaternion;
   }
-  const product: Quaternion = [0, 0, 0, 1];
-  quat.rotateX(product, product, value[0]);
-  quat.rotateY(product, product, value[1]);
-  quat.rotateZ(product, product, value[2]);
-  return product;
+  // Written out, so that the first picture does not wait for a library of quaternions.
+  const [sx, sy, sz] = value.map((angle) => Math.sin(angle / 2)) as Triple;
+  const [cx, cy, cz] = value.map((angle) => Math.cos(angle / 2)) as Triple;
+  return [
+    sx * cy * cz + cx * sy * sz,
+    cx * sy * cz - sx * cy * sz,
+    cx * cy * sz + sx * sy * cz,
+    cx * cy * cz - sx * sy * sz,
+  ];
 }

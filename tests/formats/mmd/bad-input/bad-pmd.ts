@@ -40,7 +40,7 @@ export const bonesOnly: Left = { joints: 4, vertices: 0, triangles: 0, bound: fa
 export const { at } = pmdFile(square);
 
 /** Bytes of a record of each kind. */
-export const size = { vertex: 38, material: 70, bone: 39, body: 83, spring: 124 } as const;
+const size = { vertex: 38, material: 70, bone: 39, body: 83, spring: 124 } as const;
 
 /** Where a record of the sound file starts: past the section's count. */
 export function vertexAt(index: number): number {
