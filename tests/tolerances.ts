@@ -10,6 +10,10 @@ export const tolerances = {
   normals: 1e-5,
   /** Posed reference files, model units: the models are about one unit tall. */
   referenceFiles: 1e-6,
+  /** The same of the Virtual Mannequin's: its characters are about twenty units tall. */
+  mannequinFiles: 2e-4,
+  /** Reference frames of bones, an element. */
+  boneFrames: 1e-5,
   /** Reference matrices, an element. */
   referenceMatrices: 1e-6,
   /** Geometry that is exact but for the rounding of float32 (areas, unit lengths). */

@@ -1,4 +1,6 @@
 import { parseArgs } from 'node:util';
+import { boneFrames } from '../core/bone-frames.ts';
+import { boneWeights } from '../core/bone-weights.ts';
 import type { Character } from '../core/character.ts';
 import { printable } from '../core/diagnostics.ts';
 import { worldMatrices } from '../core/forward-kinematics.ts';
@@ -12,15 +14,15 @@ import { printDiagnostics, readFiles } from './files.ts';
 import { parseWords } from './parse-words.ts';
 import { UsageError } from './usage-error.ts';
 
-/** `info FILES [--json]`: what is in the files. */
+/** `info FILES [--bones] [--json]`: what is in the files. */
 export const info: Command = {
   name: 'info',
-  usage: 'info FILES [--json]',
+  usage: 'info FILES [--bones] [--json]',
   async run(words) {
     const { values, positionals } = parseWords(() =>
       parseArgs({
         args: [...words],
-        options: { json: { type: 'boolean' } },
+        options: { json: { type: 'boolean' }, bones: { type: 'boolean' } },
         allowPositionals: true,
       }),
     );
@@ -28,7 +30,9 @@ export const info: Command = {
     const { files, diagnostics: unreadable } = readFiles(positionals);
     const outcome = await readCharacters(files);
     const diagnostics = [...unreadable, ...outcome.diagnostics];
-    const characters = outcome.characters.map(({ character }) => describe(character));
+    const characters = outcome.characters.map(({ character }) => {
+      return { ...describe(character), ...(values.bones ? describeBones(character) : {}) };
+    });
     if (values.json) console.log(JSON.stringify({ characters, diagnostics }, null, 2));
     else characters.forEach((character) => console.log(summary(character)));
     printDiagnostics(diagnostics);
@@ -39,14 +43,15 @@ export const info: Command = {
 /** Names come from files, and may hold what a terminal acts on. */
 const longestName = 200;
 
-type Description = ReturnType<typeof describe>;
+type Description = ReturnType<typeof describe> & Partial<ReturnType<typeof describeBones>>;
 
 function describe(character: Character) {
-  const { name, skeleton, mesh, skin, bounds, missing } = character;
+  const { name, skeleton, mesh, skin, bounds, missing, meta } = character;
   const worldFromJoint = worldMatrices(skeleton, skeleton.qRest);
   return {
     name,
     missing,
+    fileSpace: meta.fileSpace,
     vertices: mesh.pointCount,
     triangles: mesh.indices.length / 3,
     largestInfluenceCount: largestInfluenceCount(skin),
@@ -68,6 +73,31 @@ function describe(character: Character) {
         ...describeDofs(skeleton, joint),
         /** Column-major, at the file's pose. */
         worldFromJoint: [...worldFromJoint.subarray(joint * 16, joint * 16 + 16)],
+      };
+    }),
+  };
+}
+
+/**
+ * Bones as the Virtual Mannequin has them, joints by their index in the file: T and R, 4 × 4 and
+ * column-major, and each bone's row of the weights: vertices, and their weights in the same order.
+ */
+function describeBones({ skeleton, skin }: Character) {
+  const frames = boneFrames(skeleton);
+  const { start, points, weights } = boneWeights(frames, skin);
+  return {
+    bones: frames.map((frame, bone) => {
+      const row = [start[bone]!, start[bone + 1]!] as const;
+      return {
+        source: skeleton.sourceIndex[frame.source]!,
+        destination: skeleton.sourceIndex[frame.destination]!,
+        /** Of the bone that ends at its source, in this list. */
+        parent: frame.parent,
+        length: frame.length,
+        T: [...frame.translation],
+        R: [...frame.rotation],
+        vertices: [...points.subarray(...row)],
+        weights: [...weights.subarray(...row)],
       };
     }),
   };
@@ -100,6 +130,10 @@ function summary(character: Description): string {
     ...joints.map(
       ({ index, name: own, parent }) =>
         `  #${index} ${printable(own, longestName)} (parent ${parent})`,
+    ),
+    ...(character.bones ?? []).map(
+      ({ source, destination, length, vertices: own }) =>
+        `  bone #${source} to #${destination}: length ${writeFloat32(Math.fround(length))}, ${own.length} vertices`,
     ),
     ...character.morphs.map(
       (morph) => `  morph ${printable(morph.name, longestName)}: ${morph.vertices} vertices`,

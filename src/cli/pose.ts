@@ -2,6 +2,7 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { parseArgs } from 'node:util';
 import type { Character } from '../core/character.ts';
 import { type Diagnostic, hasErrors } from '../core/diagnostics.ts';
+import type { Mesh } from '../core/mesh.ts';
 import type { Pose } from '../core/pose.ts';
 import { normalizeSkin } from '../core/skin.ts';
 import { extensionOf } from '../formats/file-entry.ts';
@@ -17,10 +18,15 @@ import { UsageError } from './usage-error.ts';
 
 const methodIds = methods.map(({ id }) => id).join('|');
 
-/** `pose FILES --pose POSE.json --out OUT`: posed vertices, in the file's order and units. */
+/**
+ * `pose FILES --pose POSE.json --out OUT`: posed vertices, in the file's order and units, in Sinew's
+ * right-handed space or with `--keep-file-space` in the file's.
+ */
 export const pose: Command = {
   name: 'pose',
-  usage: `pose FILES --pose POSE.json [--method ${methodIds}] [--normalize] --out OUT.obj|OUT.f32`,
+  usage:
+    `pose FILES --pose POSE.json [--method ${methodIds}] [--normalize] [--keep-file-space]` +
+    ' --out OUT.obj|OUT.f32',
   async run(words) {
     const options = parseOptions(words);
     const { files, diagnostics: missing } = readFiles(options.files);
@@ -50,6 +56,7 @@ function parseOptions(words: readonly string[]) {
         pose: { type: 'string' },
         method: { type: 'string' },
         normalize: { type: 'boolean', default: false },
+        'keep-file-space': { type: 'boolean', default: false },
         out: { type: 'string' },
       },
       allowPositionals: true,
@@ -64,7 +71,8 @@ function parseOptions(words: readonly string[]) {
   if (out === undefined || (extension !== '.obj' && extension !== '.f32')) {
     throw new UsageError('expected --out with a name that ends in .obj or .f32');
   }
-  return { files, pose: posePath, method, normalize, out };
+  const keepFileSpace = values['keep-file-space'];
+  return { files, pose: posePath, method, normalize, keepFileSpace, out };
 }
 
 function readPose(
@@ -79,14 +87,29 @@ function readPose(
 }
 
 function poseMesh(character: Character, posed: Pose, options: Options): Uint8Array {
-  const { mesh, skin } = character;
-  const used = options.normalize ? normalizeSkin(skin) : skin;
+  const used = options.normalize ? normalizeSkin(character.skin) : character.skin;
   const method = options.method ? methodById(options.method) : defaultMethod(character);
-  const { positions } = skinVertices(character, used, posed, method);
+  const skinned = skinVertices(character, used, posed, method);
+  const isMirrored = options.keepFileSpace && character.meta.fileSpace === 'left-handed';
+  const { mesh, positions } = isMirrored
+    ? mirrored(character.mesh, skinned.positions)
+    : { mesh: character.mesh, positions: skinned.positions };
   if (extensionOf(options.out) === '.obj') return writeObj(mesh, positions);
   const bytes = new DataView(new ArrayBuffer(mesh.pointCount * 12));
   for (let i = 0; i < mesh.pointCount * 3; i++) bytes.setFloat32(i * 4, positions[i]!, true);
   return new Uint8Array(bytes.buffer);
+}
+
+/** In the left-handed space that the file has: z negated, and triangles turned round. */
+function mirrored(mesh: Mesh, positions: Float32Array): { mesh: Mesh; positions: Float32Array } {
+  const indices = mesh.indices.slice();
+  for (let i = 0; i < indices.length; i += 3) {
+    [indices[i + 1], indices[i + 2]] = [indices[i + 2]!, indices[i + 1]!];
+  }
+  return {
+    mesh: { ...mesh, indices },
+    positions: positions.map((value, i) => (i % 3 === 2 ? 0 - value : value)),
+  };
 }
 
 function writeOut(path: string, bytes: Uint8Array): boolean {

@@ -71,6 +71,8 @@ function assemble(
     bones: deriveBones(skeleton, skin, mesh),
     bounds: restBounds(skeleton, mesh),
     missing: parts.missing,
+    meta: { fileSpace: parts.fileSpace ?? 'right-handed' },
+    ...(parts.mmd ? { mmd: parts.mmd } : {}),
   };
 }
 

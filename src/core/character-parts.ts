@@ -1,4 +1,5 @@
 import type { Place } from './diagnostics.ts';
+import type { MmdParts } from './mmd-parts.ts';
 import type { DofKind } from './skeleton.ts';
 
 /**
@@ -14,7 +15,17 @@ export interface CharacterParts {
   readonly clips?: readonly ClipParts[];
   /** Kinds of file that the format has and that were not there, for the user: ".attach". */
   readonly missing: readonly string[];
+  /** Of the files' own coordinates; right-handed where absent. */
+  readonly fileSpace?: FileSpace;
+  /** What an MMD file has beyond the other formats. */
+  readonly mmd?: MmdParts;
 }
+
+/**
+ * Sinew is right-handed. What a left-handed file has was mirrored when it was read, z negated and
+ * triangles turned round; writers undo it.
+ */
+export type FileSpace = 'right-handed' | 'left-handed';
 
 export interface SkeletonParts {
   readonly file: string;
@@ -87,6 +98,26 @@ export interface MaterialParts {
   readonly name: string;
   /** Name of an image file, as the file has it. */
   readonly texture?: string;
+  /** Absent where the file has none. */
+  readonly colours?: MaterialColours;
+  /** An image that the normal looks up, added to the colour or multiplied with it. */
+  readonly sphere?: { readonly texture: string; readonly blend: 'add' | 'multiply' };
+  /** Index of the ramp that shades it, or -1 for none. */
+  readonly toon?: number;
+  /** Whether an outline is drawn. */
+  readonly hasEdge?: boolean;
+}
+
+export type Colour = readonly [number, number, number];
+
+/** As the file has them, 0 to 1 as a rule, in the file's (sRGB) encoding. */
+export interface MaterialColours {
+  readonly diffuse: Colour;
+  readonly alpha: number;
+  readonly specular: Colour;
+  /** Exponent of the highlight. */
+  readonly shininess: number;
+  readonly ambient: Colour;
 }
 
 /** A shape that is added, by a weight, to the mesh at rest: offsets of some of its points. */

@@ -1,8 +1,9 @@
 import type { Bone } from './bones.ts';
 import type { Bounds } from './bounds.ts';
-import type { MaterialParts } from './character-parts.ts';
+import type { FileSpace, MaterialParts } from './character-parts.ts';
 import type { Clip } from './clip.ts';
 import type { Mesh } from './mesh.ts';
+import type { MmdParts } from './mmd-parts.ts';
 import type { Morph } from './morph.ts';
 import type { Skeleton } from './skeleton.ts';
 import type { Skin } from './skin.ts';
@@ -35,4 +36,12 @@ export interface Character {
   readonly bounds: Bounds;
   /** What was not there, for the user: kinds of file (".attach") and images ("head.bmp"). */
   readonly missing: readonly string[];
+  readonly meta: CharacterMeta;
+  /** What an MMD file has beyond the other formats; joints and points by their index in the file. */
+  readonly mmd?: MmdParts;
+}
+
+/** About the files that a character came from, for writers; nothing further down asks for it. */
+export interface CharacterMeta {
+  readonly fileSpace: FileSpace;
 }

@@ -15,6 +15,7 @@ type DiagnosticArea =
   | 'morph'
   | 'anim'
   | 'rig'
+  | 'pmd'
   | 'pose'
   | 'character'
   | 'image';
@@ -24,7 +25,7 @@ type DiagnosticKind =
   | 'binary' // text expected, other bytes found
   | 'box' // corners in the wrong order
   | 'case' // a word in other letters than the format's
-  | 'coincident' // joints that all stand on one point
+  | 'coincident' // joints that stand on one point
   | 'continuation' // a line to be continued by one that is not there
   | 'count' // two numbers of things that must agree
   | 'cycle' // joints that are their own ancestors
@@ -45,6 +46,7 @@ type DiagnosticKind =
   | 'limit' // larger than Sinew takes
   | 'limits' // of a joint, in the wrong order
   | 'lost' // has no place in the format that is written
+  | 'magic' // a file of another kind, by its first bytes
   | 'matrix' // not of the shape
   | 'mirrored' // turns a right hand into a left one
   | 'missing' // a part of the character is not there
@@ -66,6 +68,7 @@ type DiagnosticKind =
   | 'unknown-joint' // a joint name that no joint has, or that several have
   | 'unwritable' // a place where no file can be put
   | 'uv' // texture coordinates that do not fit
+  | 'version' // of the format, one that Sinew does not know
   | 'weight-negative'
   | 'weight-sum'
   | 'weight-zero';
@@ -76,6 +79,8 @@ export interface Place {
   readonly line?: number;
   /** One-based, in bytes of the line; absent where the whole line is meant. */
   readonly column?: number;
+  /** Of a binary file: bytes before the place. */
+  readonly offset?: number;
   /** The line itself, shortened, for the Problems panel. */
   readonly source?: string;
 }
@@ -107,12 +112,19 @@ export function printable(text: string, maximum = maximumFound): string {
   return characters.length > maximum ? `${characters.slice(0, maximum).join('')}…` : safe;
 }
 
-/** `FILE:LINE:COL: expected EXPECTED, found "FOUND"`, the form of every message. */
+/** `FILE:LINE:COL`, of a binary file `FILE @ byte N (0xN)`. */
+export function formatPlace(diagnostic: Diagnostic, maximum = 200): string {
+  const { file, line, column, offset } = diagnostic;
+  const name = printable(file, maximum);
+  if (offset !== undefined) return `${name} @ byte ${offset} (0x${offset.toString(16)})`;
+  return [name, line, column].filter((part) => part !== undefined).join(':');
+}
+
+/** `PLACE: expected EXPECTED, found "FOUND"`, the form of every message. */
 export function formatDiagnostic(diagnostic: Diagnostic): string {
-  const { file, line, column, expected, found } = diagnostic;
-  const place = [printable(file, 200), line, column].filter((part) => part !== undefined).join(':');
+  const { expected, found } = diagnostic;
   // What was expected may name a joint or a file.
-  return `${place}: expected ${printable(expected, 200)}, found "${printable(found)}"`;
+  return `${formatPlace(diagnostic)}: expected ${printable(expected, 200)}, found "${printable(found)}"`;
 }
 
 export function hasErrors(diagnostics: readonly Diagnostic[]): boolean {

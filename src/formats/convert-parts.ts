@@ -3,7 +3,7 @@ import type { Character } from '../core/character.ts';
 import { noParent } from '../core/skeleton.ts';
 import { noJoint } from '../core/skin.ts';
 import { ballHinges, rootSlides } from './cse169/joint-dofs.ts';
-import { uniqueNames } from './cse169/joint-names.ts';
+import { uniqueNames } from './unique-names.ts';
 import { oneWord } from './cse169/write-skel.ts';
 import { bindMatrix } from './cse169/write-skin.ts';
 import { jointNames } from './mit/joint-names.ts';

@@ -5,10 +5,11 @@
 export const formatExtensions = {
   mit: ['.skel', '.obj', '.attach'],
   cse169: ['.skel', '.skin', '.morph', '.anim', '.rig'],
+  mmd: ['.pmd'],
 } as const;
 
 /** Endings of the images that materials may name. */
-export const textureExtensions: readonly string[] = ['.bmp', '.png', '.jpg', '.jpeg'];
+export const textureExtensions: readonly string[] = ['.bmp', '.png', '.jpg', '.jpeg', '.tga'];
 
 /** Endings of files that add to a character that is open, whatever else it has. */
 export const companionExtensions: readonly string[] = ['.morph', '.anim', '.rig'];

@@ -2,15 +2,23 @@ import { DiagnosticLog, type Parsed } from '../core/diagnostics.ts';
 import { defaultLimits } from '../core/limits.ts';
 import { axisDofs, type Pose, restPose } from '../core/pose.ts';
 import { setAxisValues } from './axis-values.ts';
+import {
+  ballValue,
+  type BallJson,
+  type Quaternion,
+  quaternionOf,
+  type Triple,
+} from './ball-values.ts';
 import { boundText } from './text/write-number.ts';
 import { DofKind, firstRoot, type Skeleton } from '../core/skeleton.ts';
 
 /**
  * A pose as people write and exchange it: angles x, y, z in radians by joint name or `#` and the
- * joint's index in the file; `root` displaces the first root from its place in the file.
+ * joint's index in the file; `root` displaces the first root from its place in the file. A ball joint
+ * takes a quaternion x, y, z, w instead, or angles of R = Rx · Ry · Rz. In Sinew's right-handed space.
  */
 export interface PoseJson {
-  joints?: Record<string, [number, number, number]>;
+  joints?: Record<string, BallJson>;
   root?: [number, number, number];
 }
 
@@ -54,10 +62,23 @@ export function poseFromJson(file: string, json: unknown, skeleton: Skeleton): P
 
   function setAngles(name: string, value: unknown): void {
     const joint = findJoint(skeleton, name);
+    const ball = typeof joint === 'string' ? -1 : ballValue(skeleton, joint);
     if (typeof joint === 'string') fail('unknown-joint', joint, name);
+    else if (ball >= 0) setBall(name, value, ball);
     else if (isTripleOf(`"${name}"`, value)) {
       setAxisValues(skeleton, pose, joint, DofKind.hinge, value, log);
     }
+  }
+
+  function setBall(name: string, value: unknown, at: number): void {
+    if (!isNumbers(value, 4)) {
+      if (isTripleOf(`"${name}"`, value, 'three or four')) pose.q.set(quaternionOf(value), at);
+      return;
+    }
+    if (!isWithin(`"${name}"`, value)) return;
+    const unit = quaternionOf(value);
+    if (unit.every(Number.isFinite)) pose.q.set(unit, at);
+    else fail('range', `a quaternion with a length for "${name}"`, display(value));
   }
 
   function setRoot(value: unknown): void {
@@ -65,11 +86,16 @@ export function poseFromJson(file: string, json: unknown, skeleton: Skeleton): P
     setAxisValues(skeleton, pose, firstRoot(skeleton), DofKind.slide, value, log);
   }
 
-  function isTripleOf(what: string, value: unknown): value is [number, number, number] {
+  function isTripleOf(what: string, value: unknown, count = 'three'): value is Triple {
+    if (isNumbers(value, 3)) return isWithin(what, value);
+    fail('json', `${count} numbers for ${what}`, display(value));
+    return false;
+  }
+
+  function isWithin(what: string, values: readonly number[]): boolean {
     const largest = defaultLimits.coordinate;
-    if (!isTriple(value)) fail('json', `three numbers for ${what}`, display(value));
-    else if (value.every((item) => Math.abs(item) <= largest)) return true;
-    else fail('range', `numbers within ±${boundText(largest)} for ${what}`, display(value));
+    if (values.every((item) => Math.abs(item) <= largest)) return true;
+    fail('range', `numbers within ±${boundText(largest)} for ${what}`, display(values));
     return false;
   }
 
@@ -80,15 +106,25 @@ export function poseFromJson(file: string, json: unknown, skeleton: Skeleton): P
 
 /** The pose as JSON: only joints that differ from the file's pose, by name. */
 export function poseToJson(skeleton: Skeleton, pose: Pose): PoseJson {
-  const joints: [string, [number, number, number]][] = [];
+  const joints: [string, BallJson][] = [];
   for (let joint = 0; joint < skeleton.jointCount; joint++) {
-    const angles = axisValues(skeleton, pose, joint, DofKind.hinge);
-    if (angles) joints.push([skeleton.names[joint]!, angles]);
+    const values =
+      ballValues(skeleton, pose, joint) ?? axisValues(skeleton, pose, joint, DofKind.hinge);
+    if (values) joints.push([skeleton.names[joint]!, values]);
   }
   const root = firstRoot(skeleton);
   const displacement = root >= 0 && axisValues(skeleton, pose, root, DofKind.slide);
   // From entries, since a joint may have any name, "__proto__" too.
   return { joints: Object.fromEntries(joints), ...(displacement ? { root: displacement } : {}) };
+}
+
+/** The quaternion of a joint's ball, or nothing where it has none or it is as in the file. */
+function ballValues(skeleton: Skeleton, { q }: Pose, joint: number): Quaternion | undefined {
+  const at = ballValue(skeleton, joint);
+  const values = at < 0 ? [] : [...q.subarray(at, at + 4)];
+  return values.some((value, i) => value !== skeleton.qRest[at + i])
+    ? (values as Quaternion)
+    : undefined;
 }
 
 /** x, y, z of a joint's hinges or slides, or nothing where they are as in the file. */
@@ -97,8 +133,8 @@ function axisValues(
   pose: Pose,
   joint: number,
   kind: DofKind,
-): [number, number, number] | undefined {
-  const values: [number, number, number] = [0, 0, 0];
+): Triple | undefined {
+  const values: Triple = [0, 0, 0];
   let changed = false;
   for (const dof of axisDofs(skeleton, joint)) {
     if (dof.kind !== kind) continue;
@@ -139,6 +175,10 @@ function isRecord(value: unknown): value is Record<string, unknown> {
   return typeof value === 'object' && value !== null && !Array.isArray(value);
 }
 
-function isTriple(value: unknown): value is [number, number, number] {
-  return Array.isArray(value) && value.length === 3 && value.every((item) => Number.isFinite(item));
+function isNumbers(value: unknown, count: 3): value is Triple;
+function isNumbers(value: unknown, count: 4): value is Quaternion;
+function isNumbers(value: unknown, count: number): boolean {
+  return (
+    Array.isArray(value) && value.length === count && value.every((item) => Number.isFinite(item))
+  );
 }

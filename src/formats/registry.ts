@@ -31,6 +31,11 @@ export const formats: readonly FormatEntry[] = [
     loadReader: async () => (await import('./cse169/reader.ts')).cse169Reader,
     loadWriter: async () => (await import('./cse169/write-character.ts')).writeCse169,
   },
+  {
+    id: 'mmd',
+    label: 'MikuMikuDance',
+    loadReader: async () => (await import('./mmd/reader.ts')).mmdReader,
+  },
 ];
 
 /** The writer of a format that has one. */

@@ -9,6 +9,7 @@ import { readObj } from '../../src/formats/obj/read-obj.ts';
 import { methods } from '../../src/skinning/registry.ts';
 import { leg, legAnim, legSkel, legSkin } from '../support/cse169-files.ts';
 import type { FileContents } from '../support/files.ts';
+import { squarePmd } from '../support/pmd-files.ts';
 import { zipOf } from '../support/zip.ts';
 import { folderWith } from './run-sinew.ts';
 
@@ -83,6 +84,31 @@ describe('pose', () => {
     expect(text).toMatch(/^v 0 1 0\nv 0 2 0\nv -1 (0|[-\d.]+e-\d+) 0\n/);
   });
 
+  it('keeps the left-handed space of a file with --keep-file-space, triangles too', async () => {
+    const pose = '{"root":[0,0,5],"joints":{"#3":[0,0,0,1]}}';
+    const contents = { 'a.pmd': squarePmd, 'p.json': pose };
+    const words = ['a.pmd', '--pose', 'p.json', '--out', 'o.obj'];
+    const text = async (...options: string[]): Promise<string> => {
+      const { folder, code } = run('pose', contents, ...words, ...options);
+      expect(await code).toBe(0);
+      return readFileSync(join(folder, 'o.obj'), 'utf8');
+    };
+    const faces = (obj: string): string[] =>
+      obj.match(/^f .*$/gm)!.map((f) => f.replace(/\/\d+/g, ''));
+    const inSinew = await text();
+    expect(inSinew).toMatch(/^v -1 0 3\nv 1 0 3\nv 1 2 3\nv -1 2 3\n/);
+    expect(faces(inSinew)).toEqual(['f 1 2 3', 'f 1 3 4']);
+    const inFile = await text('--keep-file-space');
+    expect(inFile).toMatch(/^v -1 0 -3\nv 1 0 -3\nv 1 2 -3\nv -1 2 -3\n/);
+    expect(faces(inFile)).toEqual(['f 1 3 2', 'f 1 4 3']);
+  });
+
+  it('changes nothing with --keep-file-space where the file is right-handed', async () => {
+    expect(await posed('--keep-file-space', '--out', 'o.obj')).toEqual(
+      await posed('--out', 'o.obj'),
+    );
+  });
+
   it.each([
     ['the pose is not there', {}, 'q.json', 'q.json: expected a file that can be read'],
     ['the pose names no joint', { 'p.json': '{"joints":{"x":[0,0,0]}}' }, 'p.json', 'found "x"'],
@@ -151,6 +177,25 @@ describe('info', () => {
       limits: [[-1, 2], [0, 0], null],
       box: { min: [-0.1, -0.5, -0.1], max: [0.1, 0, 0.1] },
     });
+  });
+
+  it('gives bones with T and R, and their weights in sparse rows, with --bones', async () => {
+    const contents = { 'a.pmd': squarePmd };
+    expect(await run('info', contents, 'a.pmd', '--bones', '--json').code).toBe(0);
+    const { characters } = JSON.parse(out[0]!) as { characters: Record<string, unknown>[] };
+    expect(characters[0]).toMatchObject({ fileSpace: 'left-handed' });
+    const [first, second] = characters[0]!['bones'] as Record<string, unknown>[];
+    expect(first).toMatchObject({ source: 0, destination: 1, parent: -1, vertices: [0, 1] });
+    expect(first!['weights']).toEqual([1, 0.25]);
+    expect(first!['length']).toBeCloseTo(Math.hypot(1, 0.5), 12);
+    expect((first!['T'] as number[]).slice(12)).toEqual([0, 0, -2, 1]);
+    // Joint 2, without child, gives its weights to the bone that ends at it.
+    expect(second).toMatchObject({ source: 1, destination: 2, parent: 0, vertices: [1, 2, 3] });
+    expect((second!['T'] as number[])[12]).toBeCloseTo(Math.hypot(1, 0.5), 12);
+    expect(second!['R']).toHaveLength(16);
+    expect(await run('info', contents, 'a.pmd', '--bones').code).toBe(0);
+    expect(out[1]).toContain('  bone #0 to #1: length 1.118034, 2 vertices\n');
+    expect(out[1]).not.toContain('bone #2 to #3');
   });
 
   it('names the joints and counts the rest', async () => {

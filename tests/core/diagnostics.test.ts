@@ -15,6 +15,7 @@ describe('formatDiagnostic', () => {
     [{ line: 3, column: 7 }, 'a.skel:3:7: expected x, found "y"'],
     [{ line: 3 }, 'a.skel:3: expected x, found "y"'],
     [{}, 'a.skel: expected x, found "y"'],
+    [{ offset: 283 }, 'a.skel @ byte 283 (0x11b): expected x, found "y"'],
   ])('names the place %j', (place, message) => {
     expect(formatDiagnostic({ ...problem, ...place })).toBe(message);
   });

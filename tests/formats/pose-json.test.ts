@@ -2,13 +2,16 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { hasErrors } from '../../src/core/diagnostics.ts';
 import { emptySkeleton } from '../../src/core/build-skeleton.ts';
+import { worldMatrices } from '../../src/core/forward-kinematics.ts';
 import type { Skeleton } from '../../src/core/skeleton.ts';
 import { poseFromJson, poseToJson, readPoseJson } from '../../src/formats/pose-json.ts';
 import { characterOfRig } from '../fixtures/character-of-rig.ts';
 import { rotatedTree } from '../fixtures/rigs.ts';
+import { largestDifference } from '../support/compare.ts';
 import { courseSkel } from '../support/course-skeleton.ts';
 import { shown } from '../support/diagnose.ts';
 import { readOne } from '../support/files.ts';
+import { squarePmd } from '../support/pmd-files.ts';
 
 const { skeleton } = await readOne({ 'a.skel': courseSkel });
 
@@ -152,6 +155,85 @@ describe('readPoseJson', () => {
     for (const value of unlike) {
       expect(shown(poseFromJson('p.json', value, skeleton).diagnostics)).toHaveLength(1);
     }
+  });
+});
+
+describe('ball joints', async () => {
+  const balls = (await readOne({ 'a.pmd': squarePmd })).skeleton;
+  const ofChild = (json: unknown): number[] => q({ joints: { '#1': json } }, balls).slice(7, 11);
+  const [half, cosine] = [Math.sin(0.25), Math.cos(0.25)];
+
+  it('take a quaternion, made unit', () => {
+    expect(ofChild([0, half, 0, cosine])).toEqual([0, half, 0, cosine]);
+    expect(ofChild([0, 0, -3, 4])).toEqual([0, 0, -0.6, 0.8]);
+    expect(ofChild([1e-300, 0, 0, 0])).toEqual([1, 0, 0, 0]);
+  });
+
+  it.each(['x', 'y', 'z'] as const)('take three angles: %s alone', (axis) => {
+    const index = 'xyz'.indexOf(axis);
+    const wanted = [0, 0, 0, cosine].with(index, half);
+    expect(largestDifference(ofChild([0, 0, 0].with(index, 0.5)), wanted)).toBeLessThan(1e-15);
+  });
+
+  it('turn by three angles as the hinges of 6.837 do, by Rx · Ry · Rz', () => {
+    const angles = [0.4, -1.1, 2.5];
+    const byBall = q({ joints: { '#0': angles } }, balls);
+    const byHinges = q({ joints: { '#0': angles } });
+    const turn = (of: Skeleton, values: number[]) =>
+      worldMatrices(of, Float64Array.from(values)).slice(0, 12);
+    const difference = largestDifference(turn(balls, byBall), turn(skeleton, byHinges));
+    expect(difference).toBeLessThan(1e-15);
+  });
+
+  it.each([
+    ['[0,0,0,0]', 'a quaternion with a length for "#1", found "[0,0,0,0]" [pose/range]'],
+    [
+      '[1e19,0,0,0]',
+      'numbers within ±1e18 for "#1", found "[10000000000000000000,0,0,0]" [pose/range]',
+    ],
+    [
+      '[1e19,0,0]',
+      'numbers within ±1e18 for "#1", found "[10000000000000000000,0,0]" [pose/range]',
+    ],
+    ['[1,2]', 'three or four numbers for "#1", found "[1,2]" [pose/json]'],
+    ['[0,0,0,"1"]', 'three or four numbers for "#1", found "[0,0,0,"1"]" [pose/json]'],
+  ])('refuse %s', (value, message) => {
+    expect(messages(`{"joints":{"#1":${value}}}`, balls)).toEqual([
+      `error: p.json: expected ${message}; the pose is not used`,
+    ]);
+  });
+
+  it('are needed for four numbers', () => {
+    expect(messages('{"joints":{"Neck":[0,0,0,1]}}')[0]).toContain('three numbers for "Neck"');
+  });
+
+  it('are written as quaternions, where they are turned, and read again bit by bit', () => {
+    const posed = q(
+      { joints: { ﾈｸﾀｲ: [0.1, 0.2, 0.3], IK: [0, 0, 0, 1] }, root: [1, 2, 3] },
+      balls,
+    );
+    const json = poseToJson(balls, { q: Float64Array.from(posed) });
+    expect(Object.entries(json.joints!).map(([name, values]) => [name, values.length])).toEqual([
+      ['ﾈｸﾀｲ', 4],
+    ]);
+    expect(json.root).toEqual([1, 2, 3]);
+    expect(q(json, balls)).toEqual(posed);
+    const number = fc.double({ min: -1, max: 1, noNaN: true });
+    fc.assert(
+      fc.property(fc.tuple(number, number, number, number), (values) => {
+        fc.pre(Math.hypot(...values) > 1e-9);
+        const first = q({ joints: { IK: values } }, balls);
+        const text = poseToJson(balls, { q: Float64Array.from(first) });
+        // JSON has no −0.
+        expect(q(text, balls).map((each) => each + 0)).toEqual(first.map((each) => each + 0));
+      }),
+    );
+  });
+
+  it('of other trees than the first keep their places: "root" is the first root\'s', () => {
+    const moved = q({ root: [1, 2, 3] }, balls);
+    const changed = moved.flatMap((value, i) => (value === balls.qRest[i] ? [] : [i]));
+    expect(changed).toEqual([0, 1, 2]);
   });
 });
 

@@ -44,7 +44,7 @@ describe('readCharacters', () => {
     const { diagnostics } = await readContents(contents);
     expect(shown(diagnostics)).toEqual([
       'warning: readme.txt and 2 more: expected files that Sinew reads (.skel, .obj, .attach, ' +
-        '.skin, .morph, .anim, .rig, .zip), found ".txt, no ending" [file/unknown]; they are not used',
+        '.skin, .morph, .anim, .rig, .pmd, .zip), found ".txt, no ending" [file/unknown]; they are not used',
     ]);
   });
 

@@ -2,6 +2,7 @@ import { leg, legMorph, legRig, legSkel, legSkin } from '../support/cse169-files
 import { courseSkel } from '../support/course-skeleton.ts';
 import type { FileContents } from '../support/files.ts';
 import { golden, oddities } from '../support/golden.ts';
+import { pmdFile, square as squareContent, squarePmd } from '../support/pmd-files.ts';
 
 /** What a format is tested with; every format of the registry needs an entry here. */
 export interface FormatSamples {
@@ -68,4 +69,45 @@ const cse169: FormatSamples = {
   oddNumbers,
 };
 
-export const formatSamples: Readonly<Record<string, FormatSamples | undefined>> = { mit, cse169 };
+const mmd: FormatSamples = {
+  characters: {
+    'every section': { 'a.pmd': squarePmd },
+    'bones alone': {
+      'a.pmd': pmdFile({
+        ...squareContent,
+        ...{
+          vertices: [],
+          indices: [],
+          materials: [],
+          morphs: [],
+          shownMorphs: [],
+          last: 'display',
+        },
+      }).bytes,
+    },
+    'a mesh alone': {
+      'a.pmd': pmdFile({
+        ...squareContent,
+        ...{ bones: [], ik: [], listed: [], bodies: [], springs: [], last: 'toons' },
+      }).bytes,
+    },
+  },
+  tokens: [
+    'Pmd',
+    'PMX ',
+    'Vocaloid Motion Data 0002',
+    'PK',
+    '\0',
+    '\xff',
+    '\x80\x3f',
+    'a.bmp',
+    '*',
+  ],
+  oddNumbers,
+};
+
+export const formatSamples: Readonly<Record<string, FormatSamples | undefined>> = {
+  mit,
+  cse169,
+  mmd,
+};

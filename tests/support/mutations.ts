@@ -42,6 +42,9 @@ const copied = fc
     return splice(bytes, to, over ? piece.length : 0, piece);
   });
 
+/** A binary file may be one line, which must not grow without end. */
+const largestLines = 20_000;
+
 /** A line taken out, put elsewhere, or put there again and again. */
 const linesMoved = fc
   .tuple(fc.nat(), fc.nat(), fc.nat(20), fc.boolean())
@@ -49,7 +52,8 @@ const linesMoved = fc
     const lines = textOfBytes(bytes).split('\n');
     const line = lines[from % lines.length]!;
     if (!keep) lines.splice(from % lines.length, 1);
-    lines.splice(to % (lines.length + 1), 0, ...new Array<string>(times).fill(line));
+    const fitting = Math.min(times, Math.floor(largestLines / (line.length + 1)));
+    lines.splice(to % (lines.length + 1), 0, ...new Array<string>(fitting).fill(line));
     return bytesOfText(lines.join('\n'));
   });
 
@@ -63,7 +67,7 @@ function numberReplaced(oddNumbers: readonly string[]): fc.Arbitrary<Mutation> {
       const { index, 0: number } = numbers[which % numbers.length]!;
       const head = bytesOfText(text.slice(0, index));
       const tail = bytesOfText(text.slice(index + number.length));
-      return Uint8Array.of(...head, ...bytesOf(put), ...tail);
+      return joined(head, bytesOf(put), tail);
     });
 }
 
@@ -75,7 +79,17 @@ const cut = fc.nat().map(
 
 function splice(bytes: Uint8Array, at: number, removed: number, put: Uint8Array): Uint8Array {
   const start = at % (bytes.length + 1);
-  return Uint8Array.of(...bytes.slice(0, start), ...put, ...bytes.slice(start + removed));
+  return joined(bytes.slice(0, start), put, bytes.slice(start + removed));
+}
+
+function joined(...parts: readonly Uint8Array[]): Uint8Array {
+  const bytes = new Uint8Array(parts.reduce((sum, { length }) => sum + length, 0));
+  let at = 0;
+  for (const part of parts) {
+    bytes.set(part, at);
+    at += part.length;
+  }
+  return bytes;
 }
 
 /** A character a byte, so that bytes which are no text come through. */

@@ -3,7 +3,7 @@ import { DiagnosticLog, type Parsed } from '../../core/diagnostics.ts';
 import { defaultLimits, type Limits } from '../../core/limits.ts';
 import { noParent } from '../../core/skeleton.ts';
 import { ballHinges, rootSlides, type Triple } from './joint-dofs.ts';
-import { uniqueNames } from './joint-names.ts';
+import { uniqueNames } from '../unique-names.ts';
 import { largest, scan, type Scanner } from './scanner.ts';
 
 const about = { area: 'skel', effect: 'the skeleton is not used' } as const;

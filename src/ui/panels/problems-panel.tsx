@@ -1,4 +1,9 @@
-import { type Diagnostic, formatDiagnostic, printable } from '../../core/diagnostics.ts';
+import {
+  type Diagnostic,
+  formatDiagnostic,
+  formatPlace,
+  printable,
+} from '../../core/diagnostics.ts';
 import { copyText } from '../copy-text.ts';
 import type { Editor } from '../editor.ts';
 
@@ -31,11 +36,10 @@ export function ProblemsPanel({ editor }: { readonly editor: Editor }) {
 }
 
 function Problem({ problem }: { readonly problem: Diagnostic }) {
-  const { severity, file, line, column, source, expected, found, effect } = problem;
-  const place = [printable(file, 80), line, column].filter((part) => part !== undefined);
+  const { severity, source, expected, found, effect } = problem;
   return (
     <li class={severity}>
-      <strong>{place.join(':')}</strong>
+      <strong>{formatPlace(problem, 80)}</strong>
       {source !== undefined && source !== '' && <code>{printable(source, 120)}</code>}
       <dl>
         <dt>expected</dt>

@@ -4,10 +4,10 @@ const longestName = 256;
  * Names to show and to write poses with: those of the file, cut where they are endless, "knee (2)"
  * for the second of a name, "joint 03" where there is none. Unique; same length and order.
  */
-export function uniqueNames(fileNames: readonly string[]): string[] {
+export function uniqueNames(fileNames: readonly string[], kind = 'joint'): string[] {
   const digits = Math.max(2, String(fileNames.length - 1).length);
   const wanted = fileNames.map(
-    (name, index) => cut(name) || `joint ${String(index).padStart(digits, '0')}`,
+    (name, index) => cut(name) || `${kind} ${String(index).padStart(digits, '0')}`,
   );
   const taken = new Set(wanted);
   const seen = new Set<string>();

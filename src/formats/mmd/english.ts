@@ -1,0 +1,48 @@
+import type { DiagnosticLog } from '../../core/diagnostics.ts';
+import type { MmdEnglish } from '../../core/mmd-parts.ts';
+import type { BinaryReader } from '../binary/binary-reader.ts';
+import { decodeName } from './decode-name.ts';
+
+/** How many names there are: as many as in Japanese, but for the base morph's. */
+export interface NameCounts {
+  readonly bones: number;
+  readonly morphs: number;
+  readonly groups: number;
+}
+
+/** Reads whether there are names in English, and them; `null` where there are none. */
+export function readEnglish(
+  reader: BinaryReader,
+  counts: NameCounts,
+  log: DiagnosticLog,
+  effect: string,
+): MmdEnglish | null | undefined {
+  const { offset } = reader;
+  const flag = reader.integer(1, 'whether there are English names');
+  if (flag === 0) return null;
+  if (flag !== 1) {
+    if (flag !== undefined) {
+      const expected = '0 or 1, whether there are English names';
+      log.warn({ code: 'pmd/section', offset, expected, found: `${flag}`, effect });
+    }
+    return undefined;
+  }
+  const head = reader.record(276, 'the English name and comment');
+  const boneNames = head && readNames(counts.bones, 20, 'bones');
+  const morphNames = boneNames && readNames(Math.max(0, counts.morphs - 1), 20, 'morphs');
+  const groupNames = morphNames && readNames(counts.groups, 50, 'groups');
+  if (!groupNames) return undefined;
+  return {
+    modelName: decodeName(head.bytes(0, 20)),
+    comment: decodeName(head.bytes(20, 256)),
+    boneNames,
+    morphNames,
+    groupNames,
+  };
+
+  function readNames(count: number, size: number, of: string): string[] | undefined {
+    const names = reader.record(count * size, `the English names of ${of}`);
+    if (!names) return undefined;
+    return Array.from({ length: count }, (_, index) => decodeName(names.bytes(index * size, size)));
+  }
+}

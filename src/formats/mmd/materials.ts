@@ -1,0 +1,157 @@
+import type {
+  Colour,
+  MaterialColours,
+  MaterialParts,
+  MeshParts,
+} from '../../core/character-parts.ts';
+import type { DiagnosticLog } from '../../core/diagnostics.ts';
+import type { BinaryReader } from '../binary/binary-reader.ts';
+import type { BinaryRecord } from '../binary/binary-record.ts';
+import { extensionOf } from '../file-entry.ts';
+import { uniqueNames } from '../unique-names.ts';
+import { decodeName } from './decode-name.ts';
+import { Findings } from './findings.ts';
+
+export interface PmdMaterials {
+  readonly materials: readonly MaterialParts[];
+  readonly submeshes: NonNullable<MeshParts['submeshes']>;
+}
+
+const size = 70;
+
+/** Past this a number is no colour, and light would overflow with it. */
+const largestColour = 1e6;
+
+/** In place of colours that are no numbers: plain grey. */
+const fallback: MaterialColours = {
+  diffuse: [0.8, 0.8, 0.8],
+  alpha: 1,
+  specular: [0, 0, 0],
+  shininess: 5,
+  ambient: [0.4, 0.4, 0.4],
+};
+
+/** Reads the materials, each of the next so many corners; triangles past them get one of their own. */
+export function readMaterials(
+  reader: BinaryReader,
+  cornerCount: number,
+  log: DiagnosticLog,
+  effect: string,
+): PmdMaterials | undefined {
+  const array = reader.array(4, size, 'materials');
+  if (!array) return undefined;
+  const { count, offset, records } = array;
+  const findings = new MaterialFindings();
+  const materials: Omit<MaterialParts, 'name'>[] = [];
+  const firstTriangles: number[] = [];
+  let corners = 0;
+  for (let index = 0; index < count; index++) {
+    const at = index * size;
+    firstTriangles.push(corners / 3);
+    materials.push(readMaterial(records, at, index, findings));
+    const own = records.u32(at + 46);
+    corners += own;
+    if (own % 3 === 0 && corners <= cornerCount) continue;
+    const expected =
+      own % 3 === 0
+        ? `at most ${cornerCount - corners + own} indices for material ${index}, those that are left`
+        : `three indices for each triangle of material ${index}`;
+    const place = { offset: records.offset + at + 46 };
+    log.error({ code: 'pmd/count', ...place, expected, found: `${own}`, effect });
+    return undefined;
+  }
+  findings.warn(log);
+  if (corners < cornerCount) {
+    const expected = `materials for all ${cornerCount} indices`;
+    const rest = 'the other triangles get a material of their own';
+    log.warn({ code: 'pmd/count', offset, expected, found: `${corners}`, effect: rest });
+    firstTriangles.push(corners / 3);
+    materials.push({ colours: fallback, toon: -1, hasEdge: false });
+  }
+  const names = uniqueNames(
+    materials.map(() => ''),
+    'material',
+  );
+  return {
+    materials: materials.map((material, index) => ({ name: names[index]!, ...material })),
+    submeshes: firstTriangles.map((firstTriangle, index) => {
+      return { material: names[index]!, firstTriangle };
+    }),
+  };
+}
+
+class MaterialFindings {
+  readonly colours = new Findings();
+  readonly alphas = new Findings();
+  readonly toons = new Findings();
+
+  warn(log: DiagnosticLog): void {
+    this.colours.warn(log, 'pmd/number', 'colours that are numbers', 'grey is used');
+    this.alphas.warn(log, 'pmd/range', 'alpha from 0 to 1', 'the nearest of them is used');
+    this.toons.warn(log, 'pmd/index', 'a toon from 0 to 9, or none (255)', 'none is used');
+  }
+}
+
+function readMaterial(
+  records: BinaryRecord,
+  at: number,
+  index: number,
+  findings: MaterialFindings,
+): Omit<MaterialParts, 'name'> {
+  const offset = records.offset + at;
+  const toon = records.u8(at + 44);
+  if (toon > 9 && toon !== 255) findings.toons.add(offset + 44, `${toon}, material ${index}`);
+  return {
+    colours: readColours(records, at, index, findings),
+    toon: toon > 9 ? -1 : toon,
+    hasEdge: records.u8(at + 45) !== 0,
+    ...readTextures(decodeName(records.bytes(at + 50, 20))),
+  };
+}
+
+function readColours(
+  records: BinaryRecord,
+  at: number,
+  index: number,
+  { colours, alphas }: MaterialFindings,
+): MaterialColours {
+  const offset = records.offset + at;
+  const alpha = records.f32(at + 12);
+  if (!(alpha >= 0 && alpha <= 1)) alphas.add(offset + 12, `${alpha}, material ${index}`);
+  const power = records.f32(at + 16);
+  const isPower = Math.abs(power) <= largestColour;
+  if (!isPower) colours.add(offset + 16, `specular power ${power}, material ${index}`);
+  return {
+    diffuse: colour(0, fallback.diffuse),
+    alpha: Number.isNaN(alpha) ? fallback.alpha : Math.min(Math.max(alpha, 0), 1),
+    shininess: isPower ? Math.max(power, 0) : fallback.shininess,
+    specular: colour(20, fallback.specular),
+    ambient: colour(32, fallback.ambient),
+  };
+
+  function colour(start: number, otherwise: Colour): Colour {
+    const found = records.triple(at + start);
+    if (found.every((value) => Math.abs(value) <= largestColour)) return found;
+    colours.add(offset + start, `${found.join(' ')}, material ${index}`);
+    return otherwise;
+  }
+}
+
+/** "skin.bmp*shine.spa": an image, one that the normal looks up (`.sph` multiplies, `.spa` adds), or both. */
+function readTextures(field: string): Pick<MaterialParts, 'texture' | 'sphere'> {
+  const names = field.split('*').filter((name) => name.trim() !== '');
+  const isSphere = (name: string): boolean => ['.sph', '.spa'].includes(extensionOf(name));
+  const texture = names.find((name) => !isSphere(name));
+  const sphere = names.find(isSphere);
+  return {
+    ...(texture === undefined ? {} : { texture }),
+    ...(sphere === undefined
+      ? {}
+      : {
+          sphere: {
+            texture: sphere,
+            blend: extensionOf(sphere) === '.spa' ? 'add' : 'multiply',
+          },
+        }),
+  };
+}

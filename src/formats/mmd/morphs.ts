@@ -1,0 +1,147 @@
+import type { MorphParts } from '../../core/character-parts.ts';
+import type { DiagnosticLog } from '../../core/diagnostics.ts';
+import type { MmdMorphs } from '../../core/mmd-parts.ts';
+import type { BinaryReader } from '../binary/binary-reader.ts';
+import type { BinaryRecord } from '../binary/binary-record.ts';
+import { uniqueNames } from '../unique-names.ts';
+import { decodeName } from './decode-name.ts';
+import { Findings } from './findings.ts';
+import { mirrorPoint } from './mirror.ts';
+
+const [headSize, entrySize] = [25, 16];
+const basePanel = 0;
+
+/** A morph as it stands in the file. */
+interface Section {
+  readonly name: string;
+  readonly panel: number;
+  readonly count: number;
+  readonly entries: BinaryRecord;
+}
+
+export interface PmdMorphs {
+  readonly morphs: readonly MorphParts[];
+  readonly mmd: MmdMorphs;
+}
+
+export const noMorphs: PmdMorphs = {
+  morphs: [],
+  mmd: { basePoints: new Uint32Array(0), basePositions: new Float32Array(0), listed: [] },
+};
+
+/**
+ * Reads the morphs. The first of panel 0, the base, is none itself: it lists the vertices that morphs
+ * move, and the others count in that list, with offsets.
+ */
+export function readMorphs(
+  reader: BinaryReader,
+  file: string,
+  pointCount: number,
+  largest: number,
+  log: DiagnosticLog,
+): PmdMorphs | undefined {
+  const sections = readSections(reader);
+  if (!sections) return undefined;
+  const findings = new Findings();
+  const baseIndex = sections.findIndex(({ panel }) => panel === basePanel);
+  if (sections.length > 0 && baseIndex === -1) {
+    const effect = 'the morphs are left out';
+    log.warn({ code: 'pmd/section', expected: 'a base morph', found: 'none', effect });
+  }
+  const base = readBase(sections[baseIndex], pointCount, largest, findings);
+  const isMorph = (_: Section, index: number): boolean => base !== undefined && index !== baseIndex;
+  const chosen = sections.filter(isMorph);
+  const names = uniqueNames(
+    chosen.map(({ name }) => name),
+    'morph',
+  );
+  const morphs = chosen.map((section, index): MorphParts => {
+    const moved = offsetsOf(section, base!.pointOf, largest, findings);
+    const normals = { normalPoints: new Uint32Array(0), normalOffsets: new Float32Array(0) };
+    return { file, name: names[index]!, ...moved, ...normals };
+  });
+  const expected = 'morphs of vertices that are there, by numbers';
+  findings.warn(log, 'pmd/index', expected, 'what is not is left out of them');
+  let next = 0;
+  const listed = sections.map((section, index) => {
+    const morph = isMorph(section, index) ? next++ : -1;
+    return { fileName: section.name, panel: section.panel, morph };
+  });
+  const { basePoints, basePositions } = base ?? noMorphs.mmd;
+  return { morphs, mmd: { basePoints, basePositions, listed } };
+}
+
+function readSections(reader: BinaryReader): Section[] | undefined {
+  const { offset } = reader;
+  const count = reader.integer(2, 'the number of morphs');
+  if (count === undefined || !reader.fits(count, headSize, 'morphs', offset)) return undefined;
+  const sections: Section[] = [];
+  for (let index = 0; index < count; index++) {
+    const head = reader.record(headSize, `morph ${index}`);
+    if (!head) return undefined;
+    const size = head.u32(20);
+    const what = `vertices of morph ${index}`;
+    if (!reader.fits(size, entrySize, what, head.offset + 20)) return undefined;
+    const entries = reader.record(size * entrySize, what)!;
+    sections.push({
+      name: decodeName(head.bytes(0, 20)),
+      panel: head.u8(24),
+      count: size,
+      entries,
+    });
+  }
+  return sections;
+}
+
+/** The points of the base, and for each of its entries its point, or -1 where it has none. */
+function readBase(
+  section: Section | undefined,
+  pointCount: number,
+  largest: number,
+  findings: Findings,
+): (Pick<MmdMorphs, 'basePoints' | 'basePositions'> & { pointOf: Int32Array }) | undefined {
+  if (!section) return undefined;
+  const pointOf = new Int32Array(section.count).fill(-1);
+  const kept = entriesOf(section, pointCount, largest, findings, 'base');
+  for (const { index, target } of kept) pointOf[index] = target;
+  return {
+    basePoints: Uint32Array.from(kept, ({ target }) => target),
+    basePositions: Float32Array.from(kept.flatMap(({ vector }) => vector)),
+    pointOf,
+  };
+}
+
+function offsetsOf(
+  section: Section,
+  pointOf: Int32Array,
+  largest: number,
+  findings: Findings,
+): Pick<MorphParts, 'points' | 'offsets'> {
+  const kept = entriesOf(section, pointOf.length, largest, findings, `"${section.name}"`).filter(
+    ({ target }) => pointOf[target] !== -1,
+  );
+  return {
+    points: Uint32Array.from(kept, ({ target }) => pointOf[target]!),
+    offsets: Float32Array.from(kept.flatMap(({ vector }) => vector)),
+  };
+}
+
+/** The entries that name something there is, by numbers that are some; mirrored. */
+function entriesOf(
+  { count, entries }: Section,
+  targetCount: number,
+  largest: number,
+  findings: Findings,
+  name: string,
+): { index: number; target: number; vector: [number, number, number] }[] {
+  const kept = [];
+  for (let index = 0; index < count; index++) {
+    const at = index * entrySize;
+    const target = entries.u32(at);
+    const vector = entries.triple(at + 4);
+    const isSound = vector.every((value) => Math.abs(value) <= largest);
+    if (target < targetCount && isSound) kept.push({ index, target, vector: mirrorPoint(vector) });
+    else findings.add(entries.offset + at, `${isSound ? target : vector.join(' ')}, morph ${name}`);
+  }
+  return kept;
+}
