@@ -89,6 +89,8 @@ export class FileOpener {
     this.session.clipTime.value = read.character.clips[0]?.start ?? 0;
     this.session.selectedJoint.value = null;
     this.session.hoveredJoint.value = null;
+    this.session.hoveredBone.value = null;
+    this.session.hoverPlace.value = null;
     this.session.activeDof.value = null;
   }
 

@@ -10,7 +10,6 @@ import { StatusLine } from '../ui/panels/status-line.tsx';
 import { Timeline } from '../ui/panels/timeline.tsx';
 import { ViewOverlay } from '../ui/panels/view-overlay.tsx';
 import { listenToPointer } from '../ui/pointer.ts';
-import { orbitTool } from '../ui/tools/orbit.ts';
 import { passes } from '../view/passes/registry.ts';
 import { createEditor } from './create-editor.ts';
 import type { Layout } from './layout.ts';
@@ -36,7 +35,12 @@ export function startInterface(layout: Layout, opening: Opening, ready: Promise<
   );
   listenToKeys(editor);
   runClock(editor.session, editor.transport);
-  listenToPointer(layout.canvas, orbitTool, editor);
+  listenToPointer(layout.canvas, editor);
+  const { boneMode, hoveredJoint } = opening.session;
+  effect(() => {
+    const over = boneMode.value && hoveredJoint.value !== null;
+    layout.canvas.classList.toggle('over-bone', over);
+  });
   effect(() => {
     layout.root.dataset['drawer'] = editor.drawer.value ?? '';
   });

@@ -54,4 +54,17 @@ export const workspaces: readonly Workspace[] = [
     framed: true,
     look: { ...skinAlone, showSkin: false, showSkeleton: true, skeletonStyle: 'boxes' },
   },
+  {
+    id: 'mannequin',
+    label: 'Virtual Mannequin',
+    camera: {
+      target: [0, 0.5, 0],
+      distance: 2.4,
+      azimuth: 20 * degrees,
+      elevation: 8 * degrees,
+      fieldOfView: 45 * degrees,
+    },
+    framed: true,
+    look: { ...skinAlone, showSkeleton: true, skeletonStyle: 'lines', translucent: true },
+  },
 ];

@@ -40,6 +40,13 @@ export function axisDofs(skeleton: Skeleton, joint: number): AxisDof[] {
   return found;
 }
 
+/** The joint that a value of q belongs to. */
+export function jointOfValue(skeleton: Skeleton, index: number): number {
+  let joint = 0;
+  while (joint < skeleton.jointCount && jointRange(skeleton, joint)[1] <= index) joint++;
+  return joint;
+}
+
 /** The range of q that a joint's degrees of freedom take up, end exclusive. */
 export function jointRange(skeleton: Skeleton, joint: number): [number, number] {
   const valueStart = (dof: number): number =>

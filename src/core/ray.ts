@@ -110,6 +110,20 @@ export function distanceOfClosest(
   return Math.max(0, Math.min(1, Math.max(0, part)) * b - d);
 }
 
+/** From a point to the nearest of a segment. */
+export function distanceToSegment(
+  point: ReadonlyVec3,
+  from: ReadonlyVec3,
+  to: ReadonlyVec3,
+): number {
+  const axis = vec3.subtract(new Float64Array(3), to, from);
+  const offset = vec3.subtract(new Float64Array(3), point, from);
+  const squared = vec3.squaredLength(axis);
+  const part = squared > 0 ? vec3.dot(offset, axis) / squared : 0;
+  vec3.scaleAndAdd(offset, offset, axis, -Math.min(1, Math.max(0, part)));
+  return vec3.length(offset);
+}
+
 function firstAhead(
   span: readonly [number, number] | null,
   isGood: (distance: number) => boolean,

@@ -1,4 +1,5 @@
 import { signal } from '@preact/signals-core';
+import type { Bone } from '../core/bones.ts';
 import type { Diagnostic } from '../core/diagnostics.ts';
 import type { PlayMode } from '../posing/playhead.ts';
 
@@ -33,8 +34,11 @@ export interface ActiveDof {
   readonly isAngle: boolean;
 }
 
-/** How a character's skeleton is drawn: spheres and bones, the boxes of its file, or both. */
-export type SkeletonStyle = 'sticks' | 'boxes' | 'both';
+/** How a skeleton is drawn: spheres and bones, the boxes of its file, both, or a line a bone. */
+export type SkeletonStyle = 'sticks' | 'boxes' | 'both' | 'lines';
+
+/** How a dragged bone turns: its grabbed point follows the pointer, or as CS354's program does it. */
+export type BoneDrag = 'follow' | 'course';
 
 /** What is shown of characters, and how. */
 export interface Look {
@@ -60,6 +64,15 @@ export class Session {
   readonly selectedJoint = signal<number | null>(null);
   /** The joint under the pointer. */
   readonly hoveredJoint = signal<number | null>(null);
+  /** The bone under the pointer, which is drawn as a cylinder; it starts at the hovered joint. */
+  readonly hoveredBone = signal<Bone | null>(null);
+  /** Where the pointer is over the view, CSS pixels from its top left, while it lights a joint. */
+  readonly hoverPlace = signal<readonly [number, number] | null>(null);
+  /** Whether dragging a lit bone turns it. */
+  readonly boneMode = signal(false);
+  readonly boneDrag = signal<BoneDrag>('follow');
+  /** The camera stands where it is and looks around. */
+  readonly firstPerson = signal(false);
   /** The degree of freedom last touched, for the text in the view. */
   readonly activeDof = signal<ActiveDof | null>(null);
   /** Of the character's clips, the one that Play binds. */

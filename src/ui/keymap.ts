@@ -1,4 +1,9 @@
+import { resetJoint, setPose } from '../document/commands.ts';
 import { selectedCharacter } from '../document/document.ts';
+import type { Session } from '../document/session.ts';
+import { shownSelected } from '../document/shown-pose.ts';
+import { rollJoint } from '../posing/roll-joint.ts';
+import { firstPersonFrom, orbitFrom, walk } from '../view/first-person.ts';
 import { orbit } from '../view/camera.ts';
 import type { Editor } from './editor.ts';
 
@@ -14,9 +19,36 @@ export interface KeyBinding {
 }
 
 const orbitStep = Math.PI / 12;
+/** Radians, as CS354's program. */
+const rollStep = 0.1;
+/** Scene units, in which a character is one tall. */
+const walkStep = 0.05;
+
+/** First person: the eye walks, in the scene's units. */
+const firstPerson: readonly KeyBinding[] = [
+  { key: 'w', label: 'Walk ahead', run: (editor) => step(editor, 1, 0) },
+  { key: 's', label: 'Walk back', run: (editor) => step(editor, -1, 0) },
+  { key: 'a', label: 'Walk left', run: (editor) => step(editor, 0, -1) },
+  { key: 'd', label: 'Walk right', run: (editor) => step(editor, 0, 1) },
+  { key: 'ArrowUp', label: 'Walk ahead', run: (editor) => step(editor, 1, 0) },
+  { key: 'ArrowDown', label: 'Walk back', run: (editor) => step(editor, -1, 0) },
+  { key: 'ArrowLeft', label: 'Walk left', run: (editor) => step(editor, 0, -1) },
+  { key: 'ArrowRight', label: 'Walk right', run: (editor) => step(editor, 0, 1) },
+];
+
+/** Bone mode, with a joint that is lit or selected. */
+const boneMode: readonly KeyBinding[] = [
+  { key: 'ArrowLeft', label: 'Roll the bone to the left', run: (editor) => rollBone(editor, 1) },
+  { key: 'ArrowRight', label: 'Roll the bone to the right', run: (editor) => rollBone(editor, -1) },
+];
+
+/** A joint is selected. */
+const jointSelected: readonly KeyBinding[] = [
+  { key: 'r', shift: true, label: 'Reset the joint', run: resetSelected },
+];
 
 /** Keys that act everywhere but in text fields. */
-export const everywhere: readonly KeyBinding[] = [
+const everywhere: readonly KeyBinding[] = [
   { key: 'a', label: 'Axes on, off', run: ({ session }) => toggle(session.showAxes) },
   { key: 's', label: 'Skin, skeleton, both', run: cycleDrawn },
   { key: 't', label: 'Translucent skin', run: ({ session }) => toggle(session.translucent) },
@@ -24,6 +56,12 @@ export const everywhere: readonly KeyBinding[] = [
   { key: 'r', label: 'Reset the pose', run: (editor) => editor.resetAll() },
   { key: '[', label: 'Previous joint', run: (editor) => stepJoint(editor, -1) },
   { key: ']', label: 'Next joint', run: (editor) => stepJoint(editor, 1) },
+  {
+    key: 'm',
+    label: 'Bone mode: drags turn bones',
+    run: ({ session }) => toggle(session.boneMode),
+  },
+  { key: 'c', label: 'First person on, off', run: ({ session }) => toggle(session.firstPerson) },
   { key: 'p', label: 'Play, pause the clip', run: ({ transport }) => transport.togglePlay() },
   { key: 'Home', label: 'Frame the character', run: ({ viewer }) => viewer.frameAll() },
   {
@@ -38,7 +76,7 @@ export const everywhere: readonly KeyBinding[] = [
   { key: 'ArrowRight', label: 'Orbit right', run: (editor) => turn(editor, 1, 0) },
   { key: 'ArrowUp', label: 'Orbit up', run: (editor) => turn(editor, 0, 1) },
   { key: 'ArrowDown', label: 'Orbit down', run: (editor) => turn(editor, 0, -1) },
-  { key: 'Escape', label: 'Cancel a drag', run: ({ store }) => void store.cancelGesture() },
+  { key: 'Escape', label: 'Cancel a drag; let the active value go', run: escape },
   { key: '?', label: 'These keys', run: ({ helpOpen }) => toggle(helpOpen) },
 ];
 
@@ -48,9 +86,36 @@ export const withCommand: readonly KeyBinding[] = [
   { key: 'z', command: true, shift: true, label: 'Redo', run: ({ store }) => store.redo() },
 ];
 
+/** Keys that act in one state of the editor, before those that act everywhere. */
+export interface KeyContext {
+  readonly label: string;
+  isActive(editor: Editor): boolean;
+  readonly keys: readonly KeyBinding[];
+}
+
+/** Every context without Ctrl or Cmd; the first match wins. */
+export const contexts: readonly KeyContext[] = [
+  {
+    label: 'First person',
+    isActive: ({ session }) => session.firstPerson.value,
+    keys: firstPerson,
+  },
+  {
+    label: 'Bone mode, on a lit or selected joint',
+    isActive: ({ session }) => session.boneMode.value && rolledJoint(session) !== null,
+    keys: boneMode,
+  },
+  {
+    label: 'A selected joint',
+    isActive: ({ session }) => session.selectedJoint.value !== null,
+    keys: jointSelected,
+  },
+  { label: '', isActive: () => true, keys: everywhere },
+];
+
 /** What the pointer does on the view. */
 export const pointerHelp: readonly (readonly [string, string])[] = [
-  ['Left drag', 'Orbit'],
+  ['Left drag', 'Orbit; in bone mode, on a bone, turn it (Alt: roll)'],
   ['Middle drag', 'Move sideways'],
   ['Right drag, wheel', 'Zoom'],
 ];
@@ -65,7 +130,7 @@ export function keyName({ key, command, shift }: KeyBinding): string {
     ArrowDown: '↓',
     Escape: 'Esc',
   };
-  const shown = names[key] ?? (command ? key.toUpperCase() : key);
+  const shown = names[key] ?? (command || shift ? key.toUpperCase() : key);
   return [command ? 'Ctrl/Cmd' : '', shift ? 'Shift' : '', shown].filter(Boolean).join('+');
 }
 
@@ -80,6 +145,39 @@ export function stepJoint({ store, session }: Editor, step: 1 | -1): void {
   const { selectedJoint } = session;
   const from = selectedJoint.value ?? (step > 0 ? -1 : count);
   selectedJoint.value = (from + step + count) % count;
+}
+
+/** The joint that the arrows roll: the lit one, else the selected. */
+function rolledJoint({ hoveredJoint, selectedJoint }: Session): number | null {
+  return hoveredJoint.value ?? selectedJoint.value;
+}
+
+function rollBone({ store, session }: Editor, direction: 1 | -1): void {
+  const shown = shownSelected(store, session);
+  const joint = rolledJoint(session);
+  if (!shown || joint === null) return;
+  const { id, character } = shown.state;
+  const { skeleton, bones } = character;
+  const bone = session.hoveredBone.value ?? bones.find((each) => each.joint === joint);
+  if (bone?.joint !== joint) return;
+  const q = rollJoint(skeleton, shown.pose.q, joint, bone.vector, direction * rollStep);
+  store.dispatch(setPose(id, q, `Roll ${skeleton.names[joint]!}`));
+}
+
+function resetSelected({ store, session }: Editor): void {
+  const shown = shownSelected(store, session);
+  const joint = session.selectedJoint.value;
+  if (shown && joint !== null) store.dispatch(resetJoint(shown.state, shown.pose.q, joint));
+}
+
+/** Takes back the nearest thing: a drag, else the active value, which drags would set alone. */
+function escape({ store, session }: Editor): void {
+  if (!store.cancelGesture()) session.activeDof.value = null;
+}
+
+function step({ viewer: { camera } }: Editor, ahead: number, right: number): void {
+  const view = firstPersonFrom(camera.value);
+  camera.value = orbitFrom(walk(view, ahead * walkStep, right * walkStep, 0));
 }
 
 function toggle(flag: { value: boolean }): void {

@@ -1,5 +1,5 @@
 import type { Editor } from './editor.ts';
-import { everywhere, type KeyBinding, withCommand } from './keymap.ts';
+import { contexts, type KeyBinding, withCommand } from './keymap.ts';
 
 /** What has keys of its own: there only those with Ctrl or Cmd act. */
 const ownKeys = 'input, select, textarea, dialog, [role="tree"], [role="slider"]';
@@ -8,8 +8,9 @@ const ownKeys = 'input, select, textarea, dialog, [role="tree"], [role="slider"]
 export function listenToKeys(editor: Editor): void {
   const onKey = (event: KeyboardEvent): void => {
     if (event.defaultPrevented) return;
-    const bindings = hasOwnKeys(event) ? withCommand : [...withCommand, ...everywhere];
-    const binding = bindings.find((each) => matches(each, event));
+    const active = contexts.filter((context) => context.isActive(editor));
+    const letters = hasOwnKeys(event) ? [] : active.flatMap(({ keys }) => keys);
+    const binding = [...withCommand, ...letters].find((each) => matches(each, event));
     if (!binding || (isLetter(binding) && !editor.letterKeys.value)) return;
     event.preventDefault();
     binding.run(editor);
@@ -27,8 +28,8 @@ function matches({ key, command = false, shift }: KeyBinding, event: KeyboardEve
   const pressed = event.key.length === 1 ? event.key.toLowerCase() : event.key;
   if (pressed !== key || event.altKey) return false;
   if (command !== (event.ctrlKey || event.metaKey)) return false;
-  // "?" needs Shift on many keyboards; with a command key Shift tells two bindings apart.
-  return !command || (shift ?? false) === event.shiftKey;
+  // "?" needs Shift on many keyboards; where a binding says so, and with a command key, it counts.
+  return shift === true ? event.shiftKey : !command || !event.shiftKey;
 }
 
 function isLetter({ key, command }: KeyBinding): boolean {

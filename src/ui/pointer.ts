@@ -1,7 +1,9 @@
 import { zoom } from '../view/camera.ts';
-import type { PickPlace } from '../view/pick.ts';
+import { boneAt } from '../view/pick.ts';
 import type { Editor } from './editor.ts';
-import type { Tool } from './tool.ts';
+import { showHover } from './hover.ts';
+import type { ToolDrag, ToolPlace } from './tool.ts';
+import { tools } from './tools/registry.ts';
 
 const zoomPerWheelPixel = 0.0012;
 const pixelsPerLine = 24;
@@ -11,56 +13,58 @@ const stillDistance = 4;
 const mouseTolerance = 6;
 const touchTolerance = 20;
 
-interface Place {
-  readonly x: number;
-  readonly y: number;
-}
-
 /**
- * Feeds drags on the canvas to the tool, and the wheel to the camera. One finger drags like the left
- * button; two pan with their middle and zoom with their distance.
+ * Feeds drags on the canvas to the first tool that takes them, and the wheel to the camera. Hovering
+ * lights a joint, a click selects it. One finger drags like the left button; two pan with their middle
+ * and zoom with their distance, whatever the first had begun.
  */
-export function listenToPointer(canvas: HTMLCanvasElement, tool: Tool, editor: Editor): void {
+export function listenToPointer(canvas: HTMLCanvasElement, editor: Editor): void {
   const { camera } = editor.viewer;
-  const places = new Map<number, Place>();
-  let button = 0;
-  let pressed: Place | null = null;
+  const { session } = editor;
+  const places = new Map<number, ToolPlace>();
+  let drag: ToolDrag | null = null;
+  let pressed: ToolPlace | null = null;
 
   canvas.addEventListener('pointerdown', (event) => {
-    if (places.size === 0) button = event.button;
     if (event.pointerType === 'mouse' && places.size > 0) return;
-    places.set(event.pointerId, placeOf(event));
-    pressed = places.size === 1 && event.button === 0 ? placeOf(event) : null;
+    const place = placeOf(event, canvas);
+    places.set(event.pointerId, place);
     canvas.setPointerCapture(event.pointerId);
     canvas.focus({ preventScroll: true });
     event.preventDefault();
+    const isFirst = places.size === 1;
+    if (!isFirst) drag?.cancel();
+    drag = press(place, isFirst ? event.button : panButton);
+    pressed = isFirst && event.button === 0 ? place : null;
   });
   canvas.addEventListener('pointermove', (event) => {
-    const before = places.get(event.pointerId);
-    if (!before) {
-      tool.hover(toolPlace(event, canvas), editor);
+    const place = placeOf(event, canvas);
+    if (!places.has(event.pointerId)) {
+      hover(place);
       return;
     }
-    if (pressed && distance(pressed, placeOf(event)) > stillDistance) pressed = null;
+    if (pressed && distance(pressed, place) > stillDistance) pressed = null;
     const [oldMiddle, oldSpread] = gather(places);
-    places.set(event.pointerId, placeOf(event));
+    places.set(event.pointerId, place);
     const [middle, spread] = gather(places);
     const [deltaX, deltaY] = [middle.x - oldMiddle.x, middle.y - oldMiddle.y];
-    const pinching = places.size > 1;
-    const viewHeight = canvas.clientHeight;
-    tool.drag({ button: pinching ? panButton : button, deltaX, deltaY, viewHeight }, editor);
-    if (pinching && spread > 0) camera.value = zoom(camera.value, oldSpread / spread);
+    drag?.move({ place, deltaX, deltaY });
+    if (places.size > 1 && spread > 0) camera.value = zoom(camera.value, oldSpread / spread);
   });
-  const release = (event: PointerEvent): void => {
-    places.delete(event.pointerId);
-  };
   canvas.addEventListener('pointerup', (event) => {
-    release(event);
-    if (pressed) tool.click(toolPlace(event, canvas), editor);
+    if (!places.delete(event.pointerId)) return;
+    drag?.end();
+    drag = null;
+    if (pressed) click(placeOf(event, canvas));
     pressed = null;
   });
-  canvas.addEventListener('pointerleave', () => tool.hover(null, editor));
-  canvas.addEventListener('pointercancel', release);
+  canvas.addEventListener('pointercancel', (event) => {
+    places.delete(event.pointerId);
+    drag?.cancel();
+    drag = null;
+    pressed = null;
+  });
+  canvas.addEventListener('pointerleave', () => showHover(editor, null, null));
   canvas.addEventListener('contextmenu', (event) => event.preventDefault());
   canvas.addEventListener(
     'wheel',
@@ -71,31 +75,58 @@ export function listenToPointer(canvas: HTMLCanvasElement, tool: Tool, editor: E
     },
     { passive: false },
   );
+
+  function press(place: ToolPlace, button: number): ToolDrag | null {
+    for (const tool of tools) {
+      const begun = tool.press(place, button, editor);
+      if (begun) return begun;
+    }
+    return null;
+  }
+
+  /** Where neither bones nor bone mode are on, nothing lights: the pointer is for looking. */
+  function hover(place: ToolPlace): void {
+    const lights = session.showSkeleton.value || session.boneMode.value;
+    showHover(editor, place, lights && !session.playing.value ? boneAt(editor, place) : null);
+  }
+
+  function click(place: ToolPlace): void {
+    const target = boneAt(editor, place);
+    const { selectedJoint, activeDof } = session;
+    if (!target) return;
+    if (selectedJoint.value !== target.joint) activeDof.value = null;
+    selectedJoint.value = target.joint;
+  }
 }
 
-function placeOf({ clientX: x, clientY: y }: PointerEvent): Place {
-  return { x, y };
-}
-
-function distance(a: Place, b: Place): number {
-  return Math.hypot(a.x - b.x, a.y - b.y);
-}
-
-function toolPlace(event: PointerEvent, canvas: HTMLCanvasElement): PickPlace {
+function placeOf(event: PointerEvent, canvas: HTMLCanvasElement): ToolPlace {
   const { left, top, width, height } = canvas.getBoundingClientRect();
+  const [pixelX, pixelY] = [event.clientX - left, event.clientY - top];
   return {
-    x: ((event.clientX - left) / width) * 2 - 1,
-    y: 1 - ((event.clientY - top) / height) * 2,
+    x: (pixelX / width) * 2 - 1,
+    y: 1 - (pixelY / height) * 2,
+    pixelX,
+    pixelY,
     tolerance: event.pointerType === 'mouse' ? mouseTolerance : touchTolerance,
     viewHeight: height,
+    alt: event.altKey,
   };
 }
 
-/** The middle of all pointers, and their mean distance from it. */
-function gather(places: ReadonlyMap<number, Place>): [Place, number] {
+function distance(a: ToolPlace, b: ToolPlace): number {
+  return Math.hypot(a.pixelX - b.pixelX, a.pixelY - b.pixelY);
+}
+
+/** The middle of all pointers, and their mean distance from it; CSS pixels. */
+function gather(
+  places: ReadonlyMap<number, ToolPlace>,
+): [{ readonly x: number; readonly y: number }, number] {
   const all = [...places.values()];
-  const sum = all.reduce((a, b) => ({ x: a.x + b.x, y: a.y + b.y }), { x: 0, y: 0 });
-  const middle = { x: sum.x / all.length, y: sum.y / all.length };
-  const spread = all.reduce((total, { x, y }) => total + Math.hypot(x - middle.x, y - middle.y), 0);
-  return [middle, spread / all.length];
+  const mean = (values: number[]): number => values.reduce((a, b) => a + b, 0) / values.length;
+  const middle = {
+    x: mean(all.map(({ pixelX }) => pixelX)),
+    y: mean(all.map(({ pixelY }) => pixelY)),
+  };
+  const spread = mean(all.map((at) => Math.hypot(at.pixelX - middle.x, at.pixelY - middle.y)));
+  return [middle, spread];
 }

@@ -1,22 +1,33 @@
 import type { PickPlace } from '../view/pick.ts';
 import type { Editor } from './editor.ts';
 
-/** A pointer on the view; positions and changes in CSS pixels, y down. */
-export interface ToolPointer {
-  /** 0 left, 1 middle, 2 right. */
-  readonly button: number;
+/** A place of the pointer on the view. */
+export interface ToolPlace extends PickPlace {
+  /** CSS pixels from the view's left, and from its top. */
+  readonly pixelX: number;
+  readonly pixelY: number;
+  /** Whether Alt is held. */
+  readonly alt: boolean;
+}
+
+/** A step of a drag; changes in CSS pixels, y down. */
+export interface ToolMove {
+  readonly place: ToolPlace;
   readonly deltaX: number;
   readonly deltaY: number;
-  /** Height of the view, to which moves are relative. */
-  readonly viewHeight: number;
+}
+
+/** A drag under way. */
+export interface ToolDrag {
+  move(move: ToolMove): void;
+  end(): void;
+  /** Takes everything back: the pointer was lost, or a second finger came. */
+  cancel(): void;
 }
 
 /** A seam: what a pointer does on the view. A new tool is one file and one line in the registry. */
 export interface Tool {
   readonly id: string;
-  drag(pointer: ToolPointer, editor: Editor): void;
-  /** The pointer moves over the view without a button, or leaves it (null). */
-  hover(place: PickPlace | null, editor: Editor): void;
-  /** Pressed and let go at one place. */
-  click(place: PickPlace, editor: Editor): void;
+  /** Begins a drag, or leaves it to the next tool. @param button 0 left, 1 middle, 2 right */
+  press(place: ToolPlace, button: number, editor: Editor): ToolDrag | null;
 }

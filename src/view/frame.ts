@@ -1,3 +1,4 @@
+import type { Bone } from '../core/bones.ts';
 import type { Light, SkeletonStyle } from '../document/session.ts';
 import type { UniformValue } from '../gl/program.ts';
 import { type Camera, clipFromScene, eyeOf } from './camera.ts';
@@ -19,6 +20,8 @@ export interface ViewOptions {
   /** Of the selected character, or null. */
   readonly selectedJoint: number | null;
   readonly hoveredJoint: number | null;
+  /** Of the selected character, or null: one of its own bones. */
+  readonly hoveredBone: Bone | null;
   /** Key, fill and rim. */
   readonly lights: readonly Light[];
 }

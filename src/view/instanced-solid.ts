@@ -65,6 +65,7 @@ export class InstancedSolid {
     const attributes = {
       position: { buffer: this.buffers.positions, size: 3 },
       normal: { buffer: this.buffers.normals, size: 3 },
+      otherEnd: { buffer: this.buffers.normals, size: 3 },
       instanceRow0: attribute(4, 0),
       instanceRow1: attribute(4, 4),
       instanceRow2: attribute(4, 8),

@@ -2,30 +2,36 @@ import { mat4, vec3 } from 'gl-matrix';
 import type { Ray } from '../core/ray.ts';
 import type { PickTarget } from './picking.ts';
 
-/** The joint whose box the ray enters first; null where it meets none. */
+/** A joint whose box was met, and how far along the ray. */
+export interface BoxHit {
+  readonly joint: number;
+  /** In the character's units. */
+  readonly distance: number;
+}
+
+/**
+ * The joint whose box the ray enters first; null where it meets none.
+ * @param ray in the character's space
+ */
 export function pickBox(
-  { character: { skeleton }, display, worldFromJoint }: PickTarget,
+  { character: { skeleton }, worldFromJoint }: PickTarget,
   { origin, direction }: Ray,
-): number | null {
+): BoxHit | null {
   const { displayBoxes, jointCount } = skeleton;
   if (!displayBoxes) return null;
-  let nearest = Infinity;
-  let picked: number | null = null;
+  let nearest: BoxHit | null = null;
   for (let joint = 0; joint < jointCount; joint++) {
     const posed = worldFromJoint.subarray(joint * 16, joint * 16 + 16);
-    const sceneFromJoint = mat4.multiply(new Float64Array(16), display.sceneFromCharacter, posed);
-    const jointFromScene = mat4.invert(new Float64Array(16), sceneFromJoint);
-    if (!jointFromScene) continue;
-    // The direction is not made unit again, so that distances stay those of the scene.
-    const from = vec3.transformMat4(new Float64Array(3), origin, jointFromScene);
+    const jointFromWorld = mat4.invert(new Float64Array(16), posed);
+    if (!jointFromWorld) continue;
+    // The direction is not made unit again, so that distances stay those of the character.
+    const from = vec3.transformMat4(new Float64Array(3), origin, jointFromWorld);
     const tip = vec3.add(new Float64Array(3), origin, direction);
-    const along = vec3.subtract(tip, vec3.transformMat4(tip, tip, jointFromScene), from);
-    const entry = boxEntry(from, along, displayBoxes.subarray(joint * 6, joint * 6 + 6));
-    if (entry >= nearest) continue;
-    nearest = entry;
-    picked = joint;
+    const along = vec3.subtract(tip, vec3.transformMat4(tip, tip, jointFromWorld), from);
+    const distance = boxEntry(from, along, displayBoxes.subarray(joint * 6, joint * 6 + 6));
+    if (distance < (nearest?.distance ?? Infinity)) nearest = { joint, distance };
   }
-  return picked;
+  return nearest;
 }
 
 /** How far along the ray it enters the box, or Infinity (Kay and Kajiya 1986, slabs). */

@@ -1,10 +1,16 @@
+import { vec3 } from 'gl-matrix';
+import type { Bone } from '../core/bones.ts';
 import { worldMatrices } from '../core/forward-kinematics.ts';
+import { distanceToSegment, pointOnRay, type Ray } from '../core/ray.ts';
 import type { Session } from '../document/session.ts';
 import { shownSelected } from '../document/shown-pose.ts';
 import type { Store } from '../document/store.ts';
+import { skinInUse } from '../document/document.ts';
+import { pickSkin } from '../posing/pick-skin.ts';
 import { displayTransform } from './display-transform.ts';
 import { pickBox } from './pick-box.ts';
-import { pickJoint, rayThrough, sizeOfPixel } from './picking.ts';
+import { characterRay, pickJoint, type PickTarget, rayThrough, sizeOfPixel } from './picking.ts';
+import { posedPositions } from './posed-skin.ts';
 import type { Viewer } from './viewer.ts';
 
 /** A place in the view, and how near to it is near enough. */
@@ -18,23 +24,80 @@ export interface PickPlace {
   readonly viewHeight: number;
 }
 
-/** The joint of the selected character at a place of the view, where its skeleton is shown. */
-export function pickAt(
-  { store, session, viewer }: { store: Store; session: Session; viewer: Viewer },
-  { x, y, tolerance, viewHeight }: PickPlace,
-): number | null {
+/** What is under a place of the view. */
+export interface BoneTarget {
+  readonly joint: number;
+  /** Of the bones that start at the joint, the one that was met, or is nearest to it; or none. */
+  readonly bone: Bone | null;
+  /** The place itself, character space. */
+  readonly grabbed: readonly [number, number, number];
+  /** From the eye, in the character's units. */
+  readonly distance: number;
+}
+
+/** Where it is picked: what the interface and the tools have at hand. */
+interface Scene {
+  readonly store: Store;
+  readonly session: Session;
+  readonly viewer: Viewer;
+}
+
+/** The ray of sight through a place of the view, in the selected character's space. */
+export function characterRayAt({ store, session, viewer }: Scene, { x, y }: PickPlace): Ray {
+  const ray = rayThrough(viewer.camera.value, viewer.aspect, x, y);
   const shown = shownSelected(store, session);
-  if (!shown || !session.showSkeleton.value) return null;
-  const { character } = shown.state;
-  const target = {
-    character,
-    display: displayTransform(character),
-    worldFromJoint: worldMatrices(character.skeleton, shown.pose.q),
-  };
+  return shown ? characterRay(displayTransform(shown.state.character), ray) : ray;
+}
+
+/**
+ * The joint of the selected character at a place of the view: of its bones or boxes where they are shown,
+ * and where the skin hides them, the one that owns the skin there.
+ */
+export function boneAt(scene: Scene, place: PickPlace): BoneTarget | null {
+  const { store, session, viewer } = scene;
+  const shown = shownSelected(store, session);
+  if (!shown) return null;
+  const { state, pose } = shown;
+  const { character } = state;
+  const display = displayTransform(character);
+  const worldFromJoint = worldMatrices(character.skeleton, pose.q);
+  const target = { character, display, worldFromJoint };
+  const ray = characterRayAt(scene, place);
+  if (session.showSkin.value && !session.translucent.value) {
+    const positions = posedPositions(state, session.clipTime.value);
+    const hit = pickSkin(character.mesh, skinInUse(state), positions, ray);
+    if (hit) return hit.joint === null ? null : atJoint(target, hit.joint, ray, hit.distance);
+  }
+  if (!session.showSkeleton.value) return null;
   const camera = viewer.camera.value;
-  const ray = rayThrough(camera, viewer.aspect, x, y);
   const style = session.skeletonStyle.value;
-  const inBox = style === 'sticks' ? null : pickBox(target, ray);
-  if (style === 'boxes' && character.skeleton.displayBoxes) return inBox;
-  return pickJoint(target, ray, tolerance * sizeOfPixel(camera, viewHeight))?.joint ?? inBox;
+  if (style === 'boxes' || style === 'both') {
+    const box = pickBox(target, ray);
+    if (box) return atJoint(target, box.joint, ray, box.distance);
+    if (style === 'boxes' && character.skeleton.displayBoxes) return null;
+  }
+  const sceneRay = rayThrough(camera, viewer.aspect, place.x, place.y);
+  const pixel = sizeOfPixel(camera, place.viewHeight);
+  const hit = pickJoint(target, sceneRay, place.tolerance * pixel);
+  if (!hit) return null;
+  const found = atJoint(target, hit.joint, ray, hit.distance);
+  return hit.bone ? { ...found, bone: hit.bone } : found;
+}
+
+function atJoint(
+  { character, worldFromJoint }: PickTarget,
+  joint: number,
+  ray: Ray,
+  distance: number,
+): BoneTarget {
+  const [x, y, z] = pointOnRay(ray, distance) as [number, number, number];
+  const matrix = worldFromJoint.subarray(joint * 16, joint * 16 + 16);
+  const own = character.bones.filter((bone) => bone.joint === joint);
+  const gaps = own.map(({ vector }) => {
+    const start = vec3.transformMat4(new Float64Array(3), [0, 0, 0], matrix);
+    const end = vec3.transformMat4(new Float64Array(3), vector, matrix);
+    return distanceToSegment([x, y, z], start, end);
+  });
+  const bone = own[gaps.indexOf(Math.min(...gaps))] ?? null;
+  return { joint, bone, grabbed: [x, y, z], distance };
 }

@@ -1,8 +1,9 @@
 import { mat4 } from 'gl-matrix';
+import { tangentAxes } from '../core/bone-frames.ts';
 import type { Bone } from '../core/bones.ts';
 import type { CharacterView } from './character-view.ts';
 import { instanceSize } from './instanced-solid.ts';
-import { boneRadius, jointRadius } from './solid-sizes.ts';
+import { boneRadius, boneReach, jointRadius } from './solid-sizes.ts';
 import { palette } from './theme.ts';
 
 /** Scene units. */
@@ -18,9 +19,9 @@ export interface JointMarks {
   readonly hovered: number | null;
 }
 
-function colorOf(joint: number, { selected, hovered }: JointMarks): Color {
+function colorOf(joint: number, { selected, hovered }: JointMarks, plain: Color): Color {
   if (joint === selected) return palette.selected;
-  return joint === hovered ? palette.hovered : palette.bone;
+  return joint === hovered ? palette.hovered : plain;
 }
 
 /** A sphere at every joint. */
@@ -30,18 +31,61 @@ export function jointInstances(view: CharacterView, marks: JointMarks): Float32A
   const radius = jointRadius / view.display.scale;
   const jointFromSphere = mat4.fromScaling(new Float64Array(16), [radius, radius, radius]);
   for (let joint = 0; joint < jointCount; joint++) {
-    writeInstance(view, joint, jointFromSphere, colorOf(joint, marks), instances, joint);
+    writeInstance(
+      view,
+      joint,
+      jointFromSphere,
+      colorOf(joint, marks, palette.bone),
+      instances,
+      joint,
+    );
   }
   return instances;
 }
 
 /** A cylinder along every bone, in the frame of the joint that turns it. */
 export function boneInstances(view: CharacterView, marks: JointMarks): Float32Array {
-  const { bones } = view.state.character;
+  return instancesAlong(view, view.state.character.bones, marks, boneRadius, palette.bone);
+}
+
+/** A line along every bone. */
+export function boneLineInstances(view: CharacterView, marks: JointMarks): Float32Array {
+  return instancesAlong(view, view.state.character.bones, marks, boneRadius, palette.boneLine);
+}
+
+/** The cylinder, as thick as it is for picking, about the bone that is lit. */
+export function litBoneInstance(view: CharacterView, bone: Bone): Float32Array {
+  const marks = { selected: null, hovered: null };
+  return instancesAlong(view, [bone], marks, boneReach, palette.litBone);
+}
+
+function instancesAlong(
+  view: CharacterView,
+  bones: readonly Bone[],
+  marks: JointMarks,
+  radius: number,
+  plain: Color,
+): Float32Array {
   const instances = new Float32Array(bones.length * instanceSize);
   bones.forEach((bone, index) => {
-    const matrix = jointFromBone(bone, boneRadius / view.display.scale);
-    writeInstance(view, bone.joint, matrix, colorOf(bone.joint, marks), instances, index);
+    const matrix = frameAlong(bone.vector, radius / view.display.scale);
+    writeInstance(view, bone.joint, matrix, colorOf(bone.joint, marks, plain), instances, index);
+  });
+  return instances;
+}
+
+/** The handout's t, n and b of every bone, a quarter of its length, at its origin. */
+export function boneAxisInstances(view: CharacterView): Float32Array {
+  const { bones } = view.state.character;
+  const instances = new Float32Array(bones.length * 3 * instanceSize);
+  bones.forEach(({ joint, vector }, index) => {
+    const axes = tangentAxes([...vector]);
+    const length = Math.hypot(...vector) / 4;
+    for (let axis = 0; axis < 3; axis++) {
+      const along = [0, 1, 2].map((i) => axes[axis * 4 + i]! * length);
+      const matrix = frameAlong(along, length * axisThickness);
+      writeInstance(view, joint, matrix, palette.axes[axis]!, instances, index * 3 + axis);
+    }
   });
   return instances;
 }
@@ -57,7 +101,14 @@ export function boxInstances(view: CharacterView, marks: JointMarks): Float32Arr
     const half = [0, 1, 2].map((i) => (box[i + 3]! - box[i]!) / 2) as [number, number, number];
     const jointFromCube = mat4.fromTranslation(new Float64Array(16), middle);
     mat4.scale(jointFromCube, jointFromCube, half);
-    writeInstance(view, joint, jointFromCube, colorOf(joint, marks), instances, joint);
+    writeInstance(
+      view,
+      joint,
+      jointFromCube,
+      colorOf(joint, marks, palette.bone),
+      instances,
+      joint,
+    );
   }
   return instances;
 }
@@ -75,10 +126,6 @@ export function axisInstances(view: CharacterView, withJoints: boolean): Float32
     }
   }
   return instances;
-}
-
-function jointFromBone({ vector }: Bone, radius: number): mat4 {
-  return frameAlong(vector, radius);
 }
 
 /** Takes the unit cylinder to one from the origin to `vector`; its frame turns by no NaN. */

@@ -8,6 +8,42 @@ export interface SolidShape {
   readonly indices: Uint16Array;
 }
 
+/** A line along +y from 0 to 1, for the line shader: each vertex has the line's other end as its normal. */
+export function segment(): SolidShape {
+  return lines([
+    [
+      [0, 0, 0],
+      [0, 1, 0],
+    ],
+  ]);
+}
+
+/** The handout's n × n grid of lines, x and y from 0 to 1; the line shader wraps it to a cylinder. */
+export function lineGrid(n: number): SolidShape {
+  const ends: Line[] = [];
+  for (let row = 0; row <= n; row++) {
+    for (let column = 0; column <= n; column++) {
+      const here: Place = [column / n, row / n, 0];
+      if (column > 0) ends.push([[(column - 1) / n, row / n, 0], here]);
+      if (row > 0) ends.push([[column / n, (row - 1) / n, 0], here]);
+    }
+  }
+  return lines(ends);
+}
+
+type Place = readonly [number, number, number];
+type Line = readonly [Place, Place];
+
+/** Two triangles a line. */
+function lines(ends: readonly Line[]): SolidShape {
+  const corners = [0, 1, 2, 0, 2, 3];
+  return {
+    positions: Float32Array.from(ends.flatMap(([a, b]) => [...a, ...a, ...b, ...b])),
+    normals: Float32Array.from(ends.flatMap(([a, b]) => [...b, ...b, ...a, ...a])),
+    indices: Uint16Array.from(ends.flatMap((_, line) => corners.map((i) => line * 4 + i))),
+  };
+}
+
 /** The handout's drawSphere(…, 12, 12): a unit sphere of 12 slices and 12 stacks. */
 export function sphere(slices = 12, stacks = 12): SolidShape {
   const positions: number[] = [];

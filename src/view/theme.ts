@@ -37,6 +37,8 @@ export const themes: Readonly<Record<ThemeName, Theme>> = {
 export const palette = {
   clay: linear('#a5a29c'),
   bone: linear('#e4dccb'),
+  boneLine: linear('#2f5d8c'),
+  litBone: linear('#d9480f'),
   hovered: linear('#fff6d6'),
   selected: linear('#ffab2e'),
   axes: [linear('#e5484d'), linear('#46a758'), linear('#3b82f6')],

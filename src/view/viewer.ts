@@ -221,6 +221,7 @@ export class Viewer {
         faceted: session.shading.value === 'faceted',
         selectedJoint: session.selectedJoint.value,
         hoveredJoint: session.hoveredJoint.value,
+        hoveredBone: session.hoveredBone.value,
         lights: session.lights.value,
       },
       theme: this.theme.value,

@@ -2,6 +2,7 @@ import GUI from 'lil-gui';
 // lil-gui's package does not export its style; injecting it would be an innerHTML write.
 import '../../../node_modules/lil-gui/dist/lil-gui.min.css';
 import type { Editor } from '../editor.ts';
+import { addBoneFolder } from './bone-folder.ts';
 import { addLightsFolder } from './lights-folder.ts';
 import { addMorphFolder } from './morph-folder.ts';
 import { addPictureFolder } from './picture-folder.ts';
@@ -15,6 +16,7 @@ export function createControls(container: HTMLElement, editor: Editor): void {
   const gui = new GUI({ container, injectStyles: false, title: 'Controls' });
   addPoseFolder(gui, editor);
   addMorphFolder(gui, editor);
+  addBoneFolder(gui, editor);
   addSkinFolder(gui, editor);
   addViewFolder(gui, editor);
   addLightsFolder(gui, editor);

@@ -1,7 +1,7 @@
-import type { Signal } from '@preact/signals-core';
 import type { GUI } from 'lil-gui';
 import type { SkeletonStyle } from '../../document/session.ts';
 import type { Editor, ThemeChoice } from '../editor.ts';
+import { field, signalField } from './signal-field.ts';
 import { watch } from '../watch.ts';
 
 const degreesPerRadian = 180 / Math.PI;
@@ -12,24 +12,29 @@ export function addViewFolder(gui: GUI, editor: Editor): void {
   const { camera } = viewer;
   const folder = gui.addFolder('View');
   const angle = (key: 'azimuth' | 'elevation') =>
-    property(
+    field(
       () => camera.value[key] * degreesPerRadian,
       (degrees: number) => (camera.value = { ...camera.value, [key]: degrees / degreesPerRadian }),
     );
-  const distance = property(
+  const distance = field(
     () => camera.value.distance,
     (value: number) => (camera.value = { ...camera.value, distance: value }),
   );
   const themes: Record<string, ThemeChoice> = { System: 'system', Light: 'light', Dark: 'dark' };
-  const styles: Record<string, SkeletonStyle> = { Sticks: 'sticks', Boxes: 'boxes', Both: 'both' };
+  const styles: Record<string, SkeletonStyle> = {
+    Sticks: 'sticks',
+    Boxes: 'boxes',
+    Both: 'both',
+    Lines: 'lines',
+  };
   const rows = [
-    folder.add(flag(session.showSkin), 'value').name('Skin'),
-    folder.add(flag(session.translucent), 'value').name('Translucent'),
-    folder.add(flag(session.showSkeleton), 'value').name('Skeleton'),
-    folder.add(flag(session.skeletonStyle), 'value', styles).name('Skeleton as'),
-    folder.add(flag(session.showAxes), 'value').name('Axes'),
-    folder.add(flag(session.showTextures), 'value').name('Textures'),
-    folder.add(flag(theme), 'value', themes).name('Colours'),
+    folder.add(signalField(session.showSkin), 'value').name('Skin'),
+    folder.add(signalField(session.translucent), 'value').name('Translucent'),
+    folder.add(signalField(session.showSkeleton), 'value').name('Skeleton'),
+    folder.add(signalField(session.skeletonStyle), 'value', styles).name('Skeleton as'),
+    folder.add(signalField(session.showAxes), 'value').name('Axes'),
+    folder.add(signalField(session.showTextures), 'value').name('Textures'),
+    folder.add(signalField(theme), 'value', themes).name('Colours'),
     folder.add(angle('azimuth'), 'value', -180, 180).name('Azimuth °').decimals(1),
     folder.add(angle('elevation'), 'value', -89, 89).name('Elevation °').decimals(1),
     folder.add(distance, 'value', 0.02, 10).name('Distance').decimals(2),
@@ -45,16 +50,4 @@ export function addViewFolder(gui: GUI, editor: Editor): void {
   watch([...flags, theme, camera], () => {
     for (const row of rows) row.updateDisplay();
   });
-}
-
-/** What lil-gui reads and writes, over a signal. */
-function flag<T>(signal: Signal<T>): { value: T } {
-  return property(
-    () => signal.value,
-    (value) => (signal.value = value),
-  );
-}
-
-function property<T>(get: () => T, set: (value: T) => void): { value: T } {
-  return Object.defineProperty({} as { value: T }, 'value', { get, set, enumerable: true });
 }

@@ -1,6 +1,7 @@
+import { Fragment } from 'preact';
 import { useEffect, useRef } from 'preact/hooks';
 import type { Editor } from '../editor.ts';
-import { everywhere, keyName, pointerHelp, withCommand } from '../keymap.ts';
+import { contexts, type KeyBinding, keyName, pointerHelp, withCommand } from '../keymap.ts';
 
 /** The keys and what the pointer does. */
 export function HelpSheet({ editor }: { readonly editor: Editor }) {
@@ -11,22 +12,34 @@ export function HelpSheet({ editor }: { readonly editor: Editor }) {
     if (open) dialog.current?.showModal();
     else dialog.current?.close();
   }, [open]);
-  const rows = [
-    ...pointerHelp,
-    ...[...everywhere, ...withCommand].map((key) => [keyName(key), key.label] as const),
+  const sections = [
+    { label: '', rows: pointerHelp },
+    ...contexts.map(({ label, keys }) => ({ label, rows: keys.map(rowOf) })).reverse(),
+    { label: '', rows: withCommand.map(rowOf) },
   ];
   return (
     <dialog ref={dialog} aria-labelledby="help-title" onClose={() => (helpOpen.value = false)}>
       <h2 id="help-title">Keys and pointer</h2>
       <table>
         <tbody>
-          {rows.map(([key, label]) => (
-            <tr key={key}>
-              <th scope="row">
-                <kbd>{key}</kbd>
-              </th>
-              <td>{label}</td>
-            </tr>
+          {sections.map(({ label: title, rows }, section) => (
+            <Fragment key={section}>
+              {title !== '' && (
+                <tr>
+                  <th scope="colgroup" colSpan={2}>
+                    {title}
+                  </th>
+                </tr>
+              )}
+              {rows.map(([key, label]) => (
+                <tr key={key}>
+                  <th scope="row">
+                    <kbd>{key}</kbd>
+                  </th>
+                  <td>{label}</td>
+                </tr>
+              ))}
+            </Fragment>
           ))}
         </tbody>
       </table>
@@ -43,4 +56,8 @@ export function HelpSheet({ editor }: { readonly editor: Editor }) {
       </button>
     </dialog>
   );
+}
+
+function rowOf(binding: KeyBinding): readonly [string, string] {
+  return [keyName(binding), binding.label];
 }

@@ -1,15 +1,23 @@
+import { printable } from '../../core/diagnostics.ts';
+import { selectedCharacter } from '../../document/document.ts';
 import { shownSelected } from '../../document/shown-pose.ts';
+import { ancestorsOf } from '../joint-rows.ts';
 import { formatDegrees } from '../angle-text.ts';
 import type { Drawer, Editor } from '../editor.ts';
+
+/** Of the joints above, those nearest are told. */
+const longestChain = 4;
 
 /** Over the view: what is under way, why there is no picture, and the drawers' buttons. */
 export function ViewOverlay({ editor }: { readonly editor: Editor }) {
   return (
     <>
       <DrawerButtons editor={editor} />
+      <BoneModeButton editor={editor} />
       <ProgressBox editor={editor} />
       <ViewMessage editor={editor} />
       <ActiveDofText editor={editor} />
+      <LitBoneLabel editor={editor} />
     </>
   );
 }
@@ -30,6 +38,22 @@ function DrawerButtons({ editor: { drawer } }: { readonly editor: Editor }) {
       {button('left', 'Characters')}
       {button('right', 'Controls')}
     </div>
+  );
+}
+
+/** Within reach of a thumb, since a finger has no keys. */
+function BoneModeButton({ editor: { session } }: { readonly editor: Editor }) {
+  const { boneMode } = session;
+  return (
+    <button
+      type="button"
+      class="bone-mode"
+      aria-pressed={boneMode.value}
+      title="Drags turn bones (m)"
+      onClick={() => (boneMode.value = !boneMode.value)}
+    >
+      Bone mode
+    </button>
   );
 }
 
@@ -59,6 +83,26 @@ function ActiveDofText({ editor: { store, session } }: { readonly editor: Editor
       {dof.name} {value.toFixed(3)}
       {dof.isAngle && ` (${formatDegrees(value)})`}
     </output>
+  );
+}
+
+/** The lit bone's name and the chain that it hangs on, beside the pointer. */
+function LitBoneLabel({ editor: { store, session } }: { readonly editor: Editor }) {
+  const place = session.hoverPlace.value;
+  const joint = session.hoveredJoint.value;
+  const skeleton = selectedCharacter(store.document.value)?.character.skeleton;
+  if (!place || joint === null || !skeleton) return null;
+  const end = session.hoveredBone.value?.child ?? -1;
+  const chain = ancestorsOf(skeleton, joint).slice(0, longestChain).reverse();
+  const nameOf = (each: number): string => printable(skeleton.names[each] ?? '', 40);
+  return (
+    <p class="lit-bone" style={{ left: `${place[0] + 14}px`, top: `${place[1] + 14}px` }}>
+      <strong>
+        {nameOf(joint)}
+        {end >= 0 && ` → ${nameOf(end)}`}
+      </strong>
+      {chain.length > 0 && <span>{chain.map(nameOf).join(' › ')}</span>}
+    </p>
   );
 }
 

@@ -1,9 +1,12 @@
 import { InstancedSolid } from '../instanced-solid.ts';
 import type { Pass } from '../pass.ts';
-import { axisInstances } from '../solid-instances.ts';
+import { axisInstances, boneAxisInstances } from '../solid-instances.ts';
 import { cylinder } from '../solid-shapes.ts';
 
-/** Axes of the file's space and, with the skeleton, of every joint: X red, Y green, Z blue. */
+/**
+ * Axes of the file's space and, with the skeleton, of every joint: X red, Y green, Z blue; where bones are
+ * lines, the frame t, n, b of each bone in these colours.
+ */
 export const axesPass: Pass = {
   id: 'axes',
   create(gpu, programs) {
@@ -12,10 +15,12 @@ export const axesPass: Pass = {
     const axes = new InstancedSolid(gpu, program, cylinder());
     return {
       draw(frame) {
-        const { showAxes, showSkeleton } = frame.options;
+        const { showAxes, showSkeleton, skeletonStyle } = frame.options;
         if (!showAxes) return;
+        const ofBones = showSkeleton && skeletonStyle === 'lines';
         const instances = frame.characters.flatMap((view) => [
-          ...axisInstances(view, showSkeleton),
+          ...axisInstances(view, showSkeleton && !ofBones),
+          ...(ofBones ? boneAxisInstances(view) : []),
         ]);
         axes.write(Float32Array.from(instances));
         program.use();

@@ -1,6 +1,7 @@
 import type { Pass } from '../pass.ts';
 import { axesPass } from './axes.ts';
 import { backdropPass } from './backdrop.ts';
+import { boneLinesPass } from './bone-lines.ts';
 import { floorPass } from './floor.ts';
 import { meshPass } from './mesh.ts';
 import { hiddenSkeletonPass, skeletonPass } from './skeleton.ts';
@@ -12,5 +13,6 @@ export const passes: readonly Pass[] = [
   skeletonPass,
   meshPass,
   hiddenSkeletonPass,
+  boneLinesPass,
   axesPass,
 ];

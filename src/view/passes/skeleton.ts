@@ -110,11 +110,14 @@ class SkeletonSolids {
 
 /** A character without boxes shows sticks in their place. */
 function showsSticks(view: CharacterView, { options }: Frame): boolean {
+  if (options.skeletonStyle === 'lines') return false;
   return options.skeletonStyle !== 'boxes' || !view.state.character.skeleton.displayBoxes;
 }
 
 function showsBoxes(view: CharacterView, { options }: Frame): boolean {
-  return options.skeletonStyle !== 'sticks' && view.state.character.skeleton.displayBoxes !== null;
+  const { skeletonStyle } = options;
+  if (skeletonStyle !== 'boxes' && skeletonStyle !== 'both') return false;
+  return view.state.character.skeleton.displayBoxes !== null;
 }
 
 function concatenate(

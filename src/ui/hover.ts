@@ -1,0 +1,14 @@
+import type { BoneTarget } from '../view/pick.ts';
+import type { Editor } from './editor.ts';
+import type { ToolPlace } from './tool.ts';
+
+/** Lights what is under the pointer, or nothing. */
+export function showHover(
+  { session }: Editor,
+  place: ToolPlace | null,
+  target: BoneTarget | null,
+): void {
+  session.hoveredJoint.value = target?.joint ?? null;
+  session.hoveredBone.value = target?.bone ?? null;
+  session.hoverPlace.value = place && target ? [place.pixelX, place.pixelY] : null;
+}

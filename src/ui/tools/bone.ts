@@ -1,0 +1,92 @@
+import { setPose } from '../../document/commands.ts';
+import { jointOfValue } from '../../core/pose.ts';
+import { shownSelected } from '../../document/shown-pose.ts';
+import { beginDrag, type DragMode, type DragPointer } from '../../posing/drag.ts';
+import { canTurn } from '../../posing/joint-frames.ts';
+import { axesOf } from '../../view/camera.ts';
+import { type BoneTarget, boneAt, characterRayAt } from '../../view/pick.ts';
+import { sizeOfPixel } from '../../view/picking.ts';
+import type { Editor } from '../editor.ts';
+import { showHover } from '../hover.ts';
+import type { Tool, ToolDrag, ToolPlace } from '../tool.ts';
+
+/** A pointer that moves less has clicked; CSS pixels. */
+const stillDistance = 4;
+/** A grabbed point nearer to its joint than this does not follow; CSS pixels. */
+const leastReach = 8;
+
+/** Bone mode: a left drag on a bone, or on the skin of a joint, turns it. */
+export const boneTool: Tool = {
+  id: 'bone',
+  press(place, button, editor) {
+    const { store, session } = editor;
+    if (!session.boneMode.value || button !== 0) return null;
+    const target = boneAt(editor, place);
+    const shown = shownSelected(store, session);
+    if (!target || !shown || !canTurn(shown.state.character.skeleton, target.joint)) return null;
+    showHover(editor, place, target);
+    return turnBone(editor, place, target);
+  },
+};
+
+/**
+ * A drag is counted from its start, so that returning the pointer returns the pose. With Alt it rolls
+ * the bone; each time that Alt comes or goes, the drag goes on from the pose of the moment.
+ */
+function turnBone(editor: Editor, from: ToolPlace, target: BoneTarget): ToolDrag {
+  const { store, session, viewer } = editor;
+  const { state, pose } = shownSelected(store, session)!;
+  const { skeleton } = state.character;
+  const label = `Turn ${skeleton.names[target.joint]!}`;
+  const gesture = store.begin(label);
+  let present: Float64Array = pose.q.slice();
+  let { alt } = from;
+  let drag = start(from, target.grabbed);
+  let moved = false;
+
+  return {
+    move({ place }) {
+      const distance = Math.hypot(place.pixelX - from.pixelX, place.pixelY - from.pixelY);
+      moved ||= distance > stillDistance;
+      // Cancelled, or ended by an undo: nothing more until the button is let go.
+      if (!moved || !gesture.isOpen) return;
+      if (place.alt !== alt) {
+        alt = place.alt;
+        drag = start(place, drag.grabbedAt(present));
+      }
+      present = drag.move(pointerAt(place), present);
+      session.hoverPlace.value = [place.pixelX, place.pixelY];
+      gesture.preview(setPose(state.id, present, label));
+    },
+    end: () => gesture.commit(),
+    cancel: () => gesture.cancel(),
+  };
+
+  function start(place: ToolPlace, grabbed: readonly [number, number, number]) {
+    const camera = viewer.camera.value;
+    const pixel = sizeOfPixel(camera, place.viewHeight) * target.distance;
+    return beginDrag({
+      skeleton,
+      q: present,
+      joint: target.joint,
+      grabbed,
+      pointer: pointerAt(place),
+      view: axesOf(camera),
+      mode: modeOf(),
+      leastReach: leastReach * pixel,
+    });
+  }
+
+  function modeOf(): DragMode {
+    if (alt && target.bone) return { kind: 'roll', farEnd: target.bone.vector };
+    const active = session.activeDof.value;
+    if (active && jointOfValue(skeleton, active.index) === target.joint) {
+      return { kind: 'value', index: active.index };
+    }
+    return { kind: session.boneDrag.value };
+  }
+
+  function pointerAt(place: ToolPlace): DragPointer {
+    return { ray: characterRayAt(editor, place), x: place.pixelX, y: -place.pixelY };
+  }
+}

@@ -1,0 +1,70 @@
+import type { Frame } from '../frame.ts';
+import { InstancedSolid } from '../instanced-solid.ts';
+import type { Pass } from '../pass.ts';
+import { boneLineInstances, litBoneInstance } from '../solid-instances.ts';
+import { lineGrid, segment } from '../solid-shapes.ts';
+
+/** Of the grid that is wrapped to a cylinder. */
+const gridSize = 8;
+/** Of what an opaque skin hides, and a translucent one. */
+const [hiddenOpacity, innerOpacity] = [0.35, 0.8];
+/** Pixels. */
+const [boneWidth, gridWidth] = [2.5, 1.25];
+
+/**
+ * CS354's bones: a line each, all in one draw, and a wireframe cylinder about the bone under the pointer.
+ * What is hidden shows through.
+ */
+export const boneLinesPass: Pass = {
+  id: 'bone-lines',
+  create(gpu, programs) {
+    const { gl } = gpu;
+    const program = programs.pass('line');
+    const bones = new InstancedSolid(gpu, program, segment());
+    const lit = new InstancedSolid(gpu, program, lineGrid(gridSize));
+    return {
+      draw(frame) {
+        const { showSkeleton, skeletonStyle, selectedJoint, hoveredJoint, translucent } =
+          frame.options;
+        const marks = { selected: selectedJoint, hovered: hoveredJoint };
+        const withLines = showSkeleton && skeletonStyle === 'lines' ? frame.characters : [];
+        bones.write(joined(withLines.map((view) => boneLineInstances(view, marks))));
+        lit.write(litBone(frame));
+        program.use();
+        program.set(frame.uniforms);
+        gl.depthMask(false);
+        gl.enable(gl.BLEND);
+        gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
+        drawBoth(gl.GREATER, translucent ? innerOpacity : hiddenOpacity);
+        drawBoth(gl.LEQUAL, 1);
+        gl.disable(gl.BLEND);
+        gl.depthMask(true);
+        gl.depthFunc(gl.LESS);
+      },
+      dispose() {
+        bones.dispose();
+        lit.dispose();
+      },
+    };
+
+    function drawBoth(depthFunction: number, opacity: number): void {
+      gl.depthFunc(depthFunction);
+      program.set({ opacity, wrapped: false, lineWidth: boneWidth });
+      bones.draw();
+      program.set({ wrapped: true, lineWidth: gridWidth });
+      lit.draw();
+    }
+  },
+};
+
+/** Of the character that has the bone: hovering is of the selected one alone. */
+function litBone({ characters, options: { hoveredBone } }: Frame): Float32Array {
+  const view = characters.find(
+    ({ state }) => hoveredBone !== null && state.character.bones.includes(hoveredBone),
+  );
+  return view && hoveredBone ? litBoneInstance(view, hoveredBone) : new Float32Array(0);
+}
+
+function joined(parts: readonly Float32Array[]): Float32Array {
+  return Float32Array.from(parts.flatMap((part) => [...part]));
+}
