@@ -7,7 +7,7 @@ needModel1();
 
 // Elbows have no child in the course's skeleton: where there is no bone to a next joint, the skin tells.
 test('Model1’s forearm is picked by its skin and dragged', async ({ page }) => {
-  await page.setViewportSize({ width: 1000, height: 700 });
+  await page.setViewportSize({ width: 900, height: 500 });
   await openApp(page, 'workspace=6.837');
   await drop(page, model1Files());
   await expect(page.locator('.notice')).toHaveText('Model1 opened');
@@ -16,8 +16,8 @@ test('Model1’s forearm is picked by its skin and dragged', async ({ page }) =>
   const lit = async (): Promise<string> =>
     (await page.locator('.lit-bone').allTextContents()).join();
   const places: { x: number; y: number }[] = [];
-  for (let down = 0.2; down < 0.7; down += 0.04) {
-    for (let across = 0.02; across < 0.5; across += 0.02) {
+  for (let down = 0.38; down < 0.46; down += 0.02) {
+    for (let across = 0.22; across < 0.38; across += 0.02) {
       const place = { x: box.x + across * box.width, y: box.y + down * box.height };
       await page.mouse.move(place.x, place.y);
       if ((await lit()).startsWith('Right elbow')) places.push(place);
@@ -27,7 +27,7 @@ test('Model1’s forearm is picked by its skin and dragged', async ({ page }) =>
   const from = places[Math.floor(places.length / 2)]!;
   await page.mouse.move(from.x, from.y);
   await page.mouse.down();
-  const to = { x: from.x + 12, y: from.y - 22 };
+  const to = { x: from.x - 8, y: from.y - 18 };
   await page.mouse.move(to.x, to.y, { steps: 5 });
   await page.mouse.up();
   const pose = await getPose(page);
