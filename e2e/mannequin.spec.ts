@@ -32,7 +32,7 @@ async function placeAt(across: number, down: number): Promise<Place> {
 
 /** Looks for a bone from the left to the right, and stays on it. */
 async function findBone(name: string, down: number): Promise<Place> {
-  for (let across = 0.2; across < 0.8; across += 0.006) {
+  for (let across = 0.26; across < 0.6; across += 0.01) {
     const place = await placeAt(across, down);
     await page().mouse.move(place.x, place.y);
     const text = (await label().count()) > 0 ? await label().textContent() : '';
@@ -265,7 +265,7 @@ test.describe('pictures', () => {
   test('a lit bone in its cylinder', async () => {
     await openView(view(), 'workspace=mannequin');
     const box = (await view().locator('canvas').boundingBox())!;
-    for (let across = 0.3; across < 0.6; across += 0.005) {
+    for (let across = 0.32; across < 0.6; across += 0.01) {
       await view().mouse.move(box.x + across * box.width, box.y + box.height * 0.6);
       const text = (await view().locator('.lit-bone').allTextContents()).join();
       if (text.startsWith('Right upper leg')) break;

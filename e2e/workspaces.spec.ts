@@ -30,7 +30,7 @@ test('a first visit opens the studio, the menu goes to the course and back', asy
   await openApp(page());
   await expectStudio();
   const labels = await menu().locator('option').allTextContents();
-  expect(labels).toEqual(['Studio', 'MIT 6.837', 'UCSD CSE169']);
+  expect(labels).toEqual(['Studio', 'MIT 6.837', 'UCSD CSE169', 'Virtual Mannequin']);
   const pose = await setPose(page(), { joints: { Head: [0.5, 0, 0] } });
   await menu().selectOption('MIT 6.837');
   await expectCourse();
