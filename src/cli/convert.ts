@@ -11,7 +11,7 @@ import type { OutputFile } from '../formats/format.ts';
 import { poseToJson, readPoseJson } from '../formats/pose-json.ts';
 import { readCharacters } from '../formats/read-characters.ts';
 import { loadWriter } from '../formats/registry.ts';
-import type { Command } from './commands.ts';
+import type { Command } from './command.ts';
 import { printDiagnostics, readFiles, unreadable, unwritable, userPath } from './files.ts';
 import { parseWords } from './parse-words.ts';
 import { UsageError } from './usage-error.ts';

@@ -9,7 +9,7 @@ import { DofKind, noParent, type Skeleton } from '../core/skeleton.ts';
 import { largestInfluenceCount } from '../core/skin.ts';
 import { readCharacters } from '../formats/read-characters.ts';
 import { writeFloat32 } from '../formats/text/write-number.ts';
-import type { Command } from './commands.ts';
+import type { Command } from './command.ts';
 import { printDiagnostics, readFiles } from './files.ts';
 import { parseWords } from './parse-words.ts';
 import { UsageError } from './usage-error.ts';

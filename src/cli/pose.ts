@@ -11,7 +11,7 @@ import { readPoseJson } from '../formats/pose-json.ts';
 import { readCharacters } from '../formats/read-characters.ts';
 import { defaultMethod, isMethodId, methodById, methods } from '../skinning/registry.ts';
 import { skinVertices } from '../skinning/skin-vertices.ts';
-import type { Command } from './commands.ts';
+import type { Command } from './command.ts';
 import { printDiagnostics, readFiles, unreadable, unwritable, userPath } from './files.ts';
 import { parseWords } from './parse-words.ts';
 import { UsageError } from './usage-error.ts';

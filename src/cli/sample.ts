@@ -2,7 +2,7 @@ import { parseArgs } from 'node:util';
 import { compileChannel, evaluateChannel } from '../core/channel.ts';
 import { readAnim } from '../formats/cse169/anim.ts';
 import { baseName } from '../formats/file-entry.ts';
-import type { Command } from './commands.ts';
+import type { Command } from './command.ts';
 import { printDiagnostics, readFiles } from './files.ts';
 import { parseWords } from './parse-words.ts';
 import { UsageError } from './usage-error.ts';

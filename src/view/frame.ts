@@ -3,7 +3,6 @@ import type { Light, SkeletonStyle } from '../document/session.ts';
 import type { UniformValue } from '../gl/program.ts';
 import { type Camera, clipFromScene, eyeOf } from './camera.ts';
 import type { CharacterView } from './character-view.ts';
-import type { Pass } from './pass.ts';
 import type { Theme } from './theme.ts';
 
 /** What is shown of the scene, beside the document. */
@@ -28,8 +27,6 @@ export interface ViewOptions {
 
 /** All that passes read to draw one picture. */
 export interface Frame {
-  /** In the order of drawing. */
-  readonly passes: readonly Pass[];
   readonly characters: readonly CharacterView[];
   readonly options: ViewOptions;
   readonly theme: Theme;
@@ -38,7 +35,6 @@ export interface Frame {
 }
 
 export function createFrame(
-  passes: readonly Pass[],
   characters: readonly CharacterView[],
   options: ViewOptions,
   theme: Theme,
@@ -53,5 +49,5 @@ export function createFrame(
     backdropTop: theme.backdropTop,
     backdropBottom: theme.backdropBottom,
   };
-  return { passes, characters, options, theme, uniforms };
+  return { characters, options, theme, uniforms };
 }

@@ -15,6 +15,8 @@ import type { OnImage } from './surface-textures.ts';
 /** Everything that lives on one WebGL2 context; after a lost context a new one takes its place. */
 export class Renderer {
   readonly gpu: Gpu;
+  /** What is drawn, in order; each is made at its first picture. */
+  passes: readonly Pass[] = [];
   private readonly programs: Programs;
   private readonly lighting: Lighting;
   private readonly instances = new Map<Pass, PassInstance>();
@@ -110,7 +112,7 @@ export class Renderer {
     target.begin();
     gl.clearColor(0, 0, 0, 0);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-    for (const pass of frame.passes) this.instanceOf(pass).draw(litFrame);
+    for (const pass of this.passes) this.instanceOf(pass).draw(litFrame);
     gl.bindVertexArray(null);
     target.resolve();
   }

@@ -194,13 +194,14 @@ export class Viewer {
   private createFrame(width: number, height: number, showStudio: boolean): Frame {
     const { passes, document, time, device, options, theme, camera } = this.readState();
     const renderer = this.present();
+    renderer.passes = passes;
     const views = renderer.sync(document, device, time);
     const selected = selectedCharacter(document);
     this.refusal.value = selected ? renderer.refusalOf(selected) : null;
     const shown = views.find(({ state }) => state === selected);
     if (shown) this.poseMilliseconds.value = shown.poseMilliseconds;
     const all = { ...options, showStudio };
-    return createFrame(passes, views, all, themes[theme], camera, width, height);
+    return createFrame(views, all, themes[theme], camera, width, height);
   }
 
   /** All signals that the picture depends on. */

@@ -1,0 +1,7 @@
+/** A seam: a new command is one file and one line in commands.ts. */
+export interface Command {
+  readonly name: string;
+  readonly usage: string;
+  /** The exit code. */
+  run(words: readonly string[]): Promise<number>;
+}
