@@ -1,3 +1,4 @@
+import { readFileSync } from 'node:fs';
 import { expect } from '@playwright/test';
 import { leg, legSkel } from '../tests/support/cse169-files.ts';
 import { controlRow, drop, getPose, openApp, openJoint, vertices, verify } from './support/app.ts';
@@ -9,7 +10,10 @@ test.use({ viewport: { width: 1100, height: 720 } });
 const page = sharedPage((page) => openApp(page, 'model=insect&workspace=cse169'));
 
 const insectOf = async (): Promise<void> => {
+  // Every opening gives a new list; the notice may be the last one's.
+  const before = await page().evaluateHandle(() => window.sinew.problems);
   await page().getByRole('button', { name: 'Insect', exact: true }).click();
+  await page().waitForFunction((before) => window.sinew.problems !== before, before);
   await expect(page().locator('.notice')).toHaveText('Insect opened');
 };
 const timeline = () => page().getByRole('region', { name: 'Timeline' });
@@ -132,6 +136,75 @@ test('the range of a clip has its modes, and its curves are those of the selecte
     .click({ position: { x: 200, y: 20 } });
   expect(await clipTime()).toBeGreaterThan(0);
   await timeline().getByRole('button', { name: 'Own pose' }).click();
+});
+
+test('in the timeline arrows step and Home and End seek, wherever its focus is', async () => {
+  await insectOf();
+  await timeline().getByRole('button', { name: 'Play' }).focus();
+  await page().keyboard.press('ArrowRight');
+  expect(await clipTime()).toBeCloseTo(1 / 30, 6);
+  await page().keyboard.press('End');
+  expect(await clipTime()).toBe(4);
+  await page().keyboard.press('Home');
+  expect(await clipTime()).toBe(0);
+  const mode = timeline().getByRole('combobox', { name: 'At the end' });
+  await mode.focus();
+  await page().keyboard.press('End');
+  expect(await clipTime(), 'a list keeps its keys').toBe(0);
+  await mode.selectOption('Loop');
+  await timeline().getByRole('slider', { name: 'Time' }).focus();
+  await page().keyboard.press('Space');
+  await expect(timeline().getByRole('button', { name: 'Pause' })).toBeVisible();
+  await page().keyboard.press('Space');
+  await expect(timeline().getByRole('button', { name: 'Play' })).toBeVisible();
+});
+
+test('files that come once more keep shape, clip and time, and it plays on', async () => {
+  await insectOf();
+  await page().evaluate(() => window.sinew.morphs({ insect_breathe: 0.5 }));
+  await page().evaluate(() => window.sinew.seek(1.25));
+  const shown = await getPose(page());
+  const image = readFileSync('public/data/insect/insect.png');
+  await drop(page(), [{ name: 'insect.png', content: image }]);
+  await expect(page().locator('.notice')).toHaveText('insect updated; pose and camera kept');
+  expect(await page().evaluate(() => window.sinew.morphs())).toMatchObject({ insect_breathe: 0.5 });
+  expect(await clipTime()).toBe(1.25);
+  expect(await getPose(page())).toEqual(shown);
+  await timeline().getByRole('button', { name: 'Play' }).click();
+  await drop(page(), [{ name: 'insect.png', content: image }]);
+  const time = await clipTime();
+  await expect.poll(clipTime).not.toBe(time);
+  await timeline().getByRole('button', { name: 'Own pose' }).click();
+  await page().getByRole('button', { name: 'Reset all' }).click();
+});
+
+test('a character that is chosen again opens as its files have it', async () => {
+  await insectOf();
+  const own = await getPose(page());
+  await page().evaluate(() => window.sinew.morphs({ insect_alert: 1 }));
+  await page().evaluate(() => window.sinew.pose({ joints: { head: [0.3, 0, 0] } }));
+  await page().evaluate(() => window.sinew.seek(2));
+  await insectOf();
+  expect(await getPose(page())).toEqual(own);
+  expect(await page().evaluate(() => window.sinew.morphs())).toMatchObject({ insect_alert: 0 });
+  expect(await clipTime()).toBe(0);
+});
+
+test('undo gives back a character’s clip, whichever was chosen of the next', async () => {
+  await insectOf();
+  const second = String(leg['leg_walk.anim']).replace('range 0 2', 'range 0 1');
+  await drop(
+    page(),
+    Object.entries({ ...leg, 'leg_second.anim': second }).map(([name, content]) => ({
+      name,
+      content: content as string,
+    })),
+  );
+  await timeline().getByRole('combobox', { name: 'Clip' }).selectOption({ index: 1 });
+  await page().locator('canvas').focus();
+  await page().keyboard.press('Control+z');
+  await expect(timeline().getByRole('combobox', { name: 'Clip' })).toHaveValue('0');
+  await expect(timeline().locator('output')).toContainText('/ 4.00 s');
 });
 
 test('a skeleton alone is completed by skin, morph and clip that come later', async () => {

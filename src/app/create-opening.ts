@@ -43,7 +43,7 @@ export function createOpening(
     theme: signal<ThemeChoice>('system'),
 
     async openFiles(files) {
-      const outcome = await whileOpening('Reading', (signal) => open(files, signal));
+      const outcome = await whileOpening('Reading', (signal) => open(files, signal, false));
       if (!outcome) return;
       const { found, opened, reopened, posed } = outcome;
       if (opened) {
@@ -61,7 +61,7 @@ export function createOpening(
         return;
       }
       const outcome = await whileOpening(`Loading ${entry.label}`, async (signal) =>
-        open(await fetchBundled(entry, signal), signal),
+        open(await fetchBundled(entry, signal), signal, true),
       );
       if (!outcome?.opened) return;
       openedId.value = id;
@@ -92,8 +92,8 @@ export function createOpening(
   };
   return opening;
 
-  function open(files: readonly FileEntry[], signal: AbortSignal) {
-    return opener.open(files, signal, meter.report, (id) => opening.openBundled(id));
+  function open(files: readonly FileEntry[], signal: AbortSignal, fresh: boolean) {
+    return opener.open(files, signal, meter.report, (id) => opening.openBundled(id), fresh);
   }
 
   /** Ends what is being opened, and opens; what fails becomes a word, and the page stays as it was. */

@@ -1,6 +1,6 @@
 import type { Character } from '../core/character.ts';
 import type { Diagnostic } from '../core/diagnostics.ts';
-import { openCharacter, setPose } from '../document/commands.ts';
+import { type KeptState, openCharacter, setPose } from '../document/commands.ts';
 import { type CharacterState, selectedCharacter } from '../document/document.ts';
 import type { Session } from '../document/session.ts';
 import type { Store } from '../document/store.ts';
@@ -41,6 +41,7 @@ export class FileOpener {
   /**
    * @param signal aborted where the user cancels, or where later files take over
    * @param openBundled opens a bundled character, for pictures that remember one
+   * @param fresh for a bundled character, which neither completes nor renews what is open
    * @returns nothing where it was aborted; the page is then as it was
    */
   async open(
@@ -48,9 +49,10 @@ export class FileOpener {
     signal: AbortSignal,
     onProgress: ReadProgress,
     openBundled: (id: string) => Promise<void>,
+    fresh: boolean,
   ): Promise<OpenOutcome | undefined> {
     const { poses, notes, parts } = await sortFiles(files);
-    const completed = this.completed(parts);
+    const completed = fresh ? parts : this.completed(parts);
     const onlyPictures = completed.every(isPicture);
     const { characters, diagnostics } = onlyPictures
       ? { characters: [], diagnostics: completed.map(plainPicture) }
@@ -60,11 +62,11 @@ export class FileOpener {
     const first = characters[0];
     const remembered = notes.at(-1)?.bundled;
     if (!first && remembered !== undefined) await openBundled(remembered);
-    const reopened = first !== undefined && this.renews(first);
+    const renewed = first && !fresh && this.renews(first) ? this.selected : undefined;
     const character = first?.character ?? this.selected?.character;
     const q = character && readPoses({ poses, notes }, character, problems);
     if (first) {
-      this.show(first, q);
+      this.show(first, q, renewed);
       problems.push(...missingParts(first.character));
     } else if (q && this.selected) {
       this.store.dispatch(setPose(this.selected.id, q, 'Open a pose'));
@@ -73,20 +75,27 @@ export class FileOpener {
     return {
       found: characters,
       opened: first?.character ?? null,
-      reopened,
+      reopened: renewed !== undefined,
       posed: q !== undefined,
     };
   }
 
-  /** Opens a character that was read, at the given pose, its own as it stands, or the file's. */
-  show(read: ReadCharacter, q?: Float64Array): void {
-    const kept = this.renews(read) ? this.selected?.q : undefined;
-    this.filesOf.set(read.character, read.files);
-    this.store.dispatch(openCharacter(read.character, this.methodFor(read.character), q ?? kept));
-    this.session.playing.value = false;
-    if (kept) return;
-    this.session.clipIndex.value = 0;
-    this.session.clipTime.value = read.character.clips[0]?.start ?? 0;
+  /**
+   * Opens a character that was read, at the given pose or the file's.
+   *
+   * @param before the open one, of the same files: its pose, shape and clip go on, and it plays on
+   */
+  show(read: ReadCharacter, q?: Float64Array, before?: CharacterState): void {
+    const { character } = read;
+    const kept = { ...(before && keptState(before, character)), ...(q && { q, clip: null }) };
+    this.filesOf.set(character, read.files);
+    this.store.dispatch(openCharacter(character, this.methodFor(character), kept));
+    if (typeof kept.clip !== 'number') this.session.playing.value = false;
+    if (!before || before.character.clips.length === 0) {
+      this.session.clipIndex.value = 0;
+      this.session.clipTime.value = character.clips[0]?.start ?? 0;
+    }
+    if (before) return;
     this.session.selectedJoint.value = null;
     this.session.hoveredJoint.value = null;
     this.session.hoveredBone.value = null;
@@ -137,6 +146,20 @@ export class FileOpener {
       names.every((name, joint) => name === before.skeleton.names[joint]);
     return sameJoints && old.every(({ path }) => paths.has(baseName(path).toLowerCase()));
   }
+}
+
+/** What the character that is open hands on to the one that its files, read again, make. */
+function keptState(before: CharacterState, character: Character): KeptState {
+  const { q, morphWeights, normalizeWeights, clip } = before;
+  const { morphs, clips } = before.character;
+  const weights = new Map(morphs.map(({ name }, index) => [name, morphWeights[index]!]));
+  const bound = character.clips.findIndex(({ name }) => name === clips[clip ?? -1]?.name);
+  return {
+    q,
+    morphWeights: Float64Array.from(character.morphs, ({ name }) => weights.get(name) ?? 0),
+    clip: bound === -1 ? null : bound,
+    normalizeWeights,
+  };
 }
 
 /** What the character's files leave out, with the way to add it. */

@@ -107,11 +107,11 @@ export function createScripting(editor: Editor, ready: Promise<void>): Scripting
     },
     seek(time, clip) {
       const { clips } = this;
-      const index = clip === undefined ? session.clipIndex.value : clips.indexOf(clip);
+      const index = clip === undefined ? editor.transport.clipIndex : clips.indexOf(clip);
       if (clips[index] === undefined) {
         throw new Error(`expected one of ${clips.join(', ') || 'no clips'}`);
       }
-      if (index !== session.clipIndex.value) editor.transport.choose(index);
+      if (index !== editor.transport.clipIndex) editor.transport.choose(index);
       editor.transport.seek(time);
     },
     togglePlay: () => editor.transport.togglePlay(),

@@ -48,8 +48,8 @@ function parseOptions(words: readonly string[]) {
   );
   const [file] = positionals;
   if (file === undefined || positionals.length > 1) throw new UsageError('expected one .anim file');
-  const channel = Number(values.channel ?? NaN);
-  if (!Number.isInteger(channel) || channel < 0) {
+  const channel = /^\d+$/.test(values.channel ?? '') ? Number(values.channel) : NaN;
+  if (Number.isNaN(channel)) {
     throw new UsageError('expected --channel with a whole number, 0 or more');
   }
   const times = (values.times ?? '').split(',').map((word) => (word.trim() ? Number(word) : NaN));

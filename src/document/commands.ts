@@ -91,8 +91,17 @@ export function setNormalizeWeights(id: CharacterId, normalizeWeights: boolean):
   return editCharacter(id, label, (state) => ({ ...state, normalizeWeights }));
 }
 
-/** Puts a character in the place of the selected one, at the given pose or the file's. */
-export function openCharacter(character: Character, method: MethodId, q?: Float64Array): Command {
+/** What of an edited character may go on where it is opened. */
+export type KeptState = Partial<
+  Pick<CharacterState, 'q' | 'morphWeights' | 'clip' | 'normalizeWeights'>
+>;
+
+/** Puts a character in the place of the selected one, as its file has it but for what is given. */
+export function openCharacter(
+  character: Character,
+  method: MethodId,
+  { q, morphWeights, clip = null, normalizeWeights = false }: KeptState = {},
+): Command {
   return {
     label: `Open ${character.name}`,
     apply(document) {
@@ -102,10 +111,10 @@ export function openCharacter(character: Character, method: MethodId, q?: Float6
         id,
         character,
         q: (q ?? character.skeleton.qRest).slice(),
-        morphWeights: new Float64Array(character.morphs.length),
-        clip: null,
+        morphWeights: morphWeights?.slice() ?? new Float64Array(character.morphs.length),
+        clip,
         method,
-        normalizeWeights: false,
+        normalizeWeights,
       };
       const kept = characters.filter((each) => each.id !== selectedId);
       return { ...document, characters: [...kept, opened], selectedId: id };

@@ -18,10 +18,19 @@ export class Transport {
     this.session = session;
   }
 
-  /** The clip that is bound, or the one that Play would bind; none where the character has none. */
-  get clip(): Clip | undefined {
+  /**
+   * Of the character's clips, the one that is bound, or that Play would bind. What was chosen last may
+   * have been another character's, which undo took away: then it is the first.
+   */
+  get clipIndex(): number {
     const { state } = this;
-    return state?.character.clips[state.clip ?? this.session.clipIndex.value];
+    const chosen = this.session.clipIndex.value;
+    return state?.clip ?? (state?.character.clips[chosen] ? chosen : 0);
+  }
+
+  /** That clip; none where the character has none. */
+  get clip(): Clip | undefined {
+    return this.state?.character.clips[this.clipIndex];
   }
 
   get isBound(): boolean {
@@ -91,7 +100,7 @@ export class Transport {
   private bind(): Clip | undefined {
     const { state, clip } = this;
     if (state && clip && state.clip === null) {
-      this.store.dispatch(bindClip(state.id, this.session.clipIndex.value));
+      this.store.dispatch(bindClip(state.id, this.clipIndex));
     }
     return clip;
   }

@@ -263,6 +263,7 @@ describe('sample', () => {
   it.each([
     [['--channel', '0', '--times', '1'], 'expected one .anim'],
     [['a.anim', '--times', '1'], 'expected --channel'],
+    [['a.anim', '--channel', '', '--times', '1'], 'expected --channel'],
     [['a.anim', '--channel', '0'], 'expected --times'],
     [['a.anim', '--channel', '99', '--times', '1'], 'from 0 to 11'],
   ])('is used wrongly as %j', async (words, message) => {

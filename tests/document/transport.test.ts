@@ -90,6 +90,18 @@ describe('the transport', () => {
     expect(session.playing.value).toBe(false);
   });
 
+  it('has a clip of the character that undo brings back, whichever was chosen of another', async () => {
+    const { store, session, transport } = await open(files);
+    const two = await readOne({ ...files, 'leg_two.anim': anim.replace('range 0 2', 'range 1 2') });
+    store.dispatch(openCharacter(two, 'linear-blend'));
+    transport.choose(1);
+    expect(transport.clip).toBe(two.clips[1]);
+    store.undo();
+    expect(transport.clip?.end).toBe(2);
+    transport.togglePlay();
+    expect([transport.isBound, session.playing.value]).toEqual([true, true]);
+  });
+
   it('does nothing for a character without clips', async () => {
     const { store, session, transport } = await open({ 'leg.skel': skel });
     const before = store.document.value;

@@ -1,5 +1,5 @@
 import type { JointParts, SkeletonParts } from '../../core/character-parts.ts';
-import { DiagnosticLog, type Parsed } from '../../core/diagnostics.ts';
+import { DiagnosticLog, type Parsed, type Place } from '../../core/diagnostics.ts';
 import { defaultLimits, type Limits } from '../../core/limits.ts';
 import { noParent } from '../../core/skeleton.ts';
 import { ballHinges, rootSlides, type Triple } from './joint-dofs.ts';
@@ -13,7 +13,8 @@ interface Draft {
   readonly name: string;
   readonly line: number;
   readonly parent: number;
-  readonly seen: Set<string>;
+  /** Where each of its properties stands; the last one where it is given several times. */
+  readonly places: Map<string, Place>;
   offset: Triple;
   boxmin: Triple;
   boxmax: Triple;
@@ -23,10 +24,8 @@ interface Draft {
 
 type Range = readonly [number, number];
 
-const keywords = new Set([
-  ...['balljoint', 'offset', 'boxmin', 'boxmax', 'pose'],
-  ...['rotxlimit', 'rotylimit', 'rotzlimit'],
-]);
+const limitWords = ['rotxlimit', 'rotylimit', 'rotzlimit'];
+const keywords = new Set([...['balljoint', 'offset', 'boxmin', 'boxmax', 'pose'], ...limitWords]);
 const isKeyword = (word: string): boolean => keywords.has(word);
 
 /**
@@ -99,7 +98,7 @@ function openJoint(scanner: Scanner, drafts: Draft[], open: number[]): void {
     name,
     line,
     parent,
-    seen: new Set(),
+    places: new Map(),
     offset: [0, 0, 0],
     boxmin: [-box, -box, -box],
     boxmax: [box, box, box],
@@ -116,11 +115,11 @@ function finishTree(scanner: Scanner, drafts: readonly Draft[], open: readonly n
 }
 
 function readProperty(scanner: Scanner, word: string, joint: Draft): void {
-  if (joint.seen.has(word)) {
+  if (joint.places.has(word)) {
     const what = `one "${word}" a joint`;
     scanner.warnOnce(`duplicate ${word}`, 'duplicate', what, 'another', 'the last one counts');
   }
-  joint.seen.add(word);
+  joint.places.set(word, scanner.reader.place);
   if (word === 'offset' || word === 'boxmin' || word === 'boxmax') {
     joint[word] = scanner.triple(word);
   } else if (word === 'pose') joint.pose = scanner.triple(word, largest.angle);
@@ -128,7 +127,7 @@ function readProperty(scanner: Scanner, word: string, joint: Draft): void {
     const low = scanner.number(`${word} min`, largest.angle);
     if (!scanner.sound()) return;
     const high = scanner.number(`${word} max`, largest.angle);
-    const axis = ['rotxlimit', 'rotylimit', 'rotzlimit'].indexOf(word);
+    const axis = limitWords.indexOf(word);
     if (low > high) {
       const effect = 'they are swapped';
       scanner.warn('limits', `${word} with min below max`, `${low} ${high}`, effect);
@@ -138,17 +137,21 @@ function readProperty(scanner: Scanner, word: string, joint: Draft): void {
 }
 
 function finishJoint(draft: Draft, name: string, log: DiagnosticLog): JointParts {
-  const { line, parent, offset, boxmin, boxmax, pose, limits } = draft;
+  const { places, parent, offset, boxmin, boxmax, pose, limits } = draft;
   if ([0, 1, 2].some((axis) => boxmin[axis]! > boxmax[axis]!)) {
     log.warn({
       code: 'skel/box',
-      line,
+      ...(places.get('boxmin') ?? places.get('boxmax')),
       expected: `boxmin of "${name}" below its boxmax`,
       found: `${boxmin.join(' ')} and ${boxmax.join(' ')}`,
       effect: 'they are swapped where they are not',
     });
   }
-  const clamped = pose.map((value, axis) => clamp(value, limits[axis], name, axis, line, log));
+  const clamped = pose.map((value, axis) => {
+    // Without a pose it is the default that is outside, because of the limits.
+    const place = places.get('pose') ?? places.get(limitWords[axis]!);
+    return clamp(value, limits[axis], name, axis, place, log);
+  });
   const hinges = ballHinges([clamped[0]!, clamped[1]!, clamped[2]!], limits);
   return {
     name,
@@ -169,14 +172,14 @@ function clamp(
   range: Range | undefined,
   name: string,
   axis: number,
-  line: number,
+  place: Place | undefined,
   log: DiagnosticLog,
 ): number {
   if (!range || (value >= range[0] && value <= range[1])) return value;
   const clamped = value < range[0] ? range[0] : range[1];
   log.warn({
     code: 'skel/range',
-    line,
+    ...place,
     expected: `pose ${'xyz'[axis]!} of "${name}" within its limits, ${range[0]} to ${range[1]}`,
     found: String(value),
     effect: `it is clamped to ${clamped}`,
@@ -191,10 +194,10 @@ function reportDegrees(
 ): void {
   const joint = drafts.findIndex(({ pose }) => pose.some((angle) => Math.abs(angle) > 2 * Math.PI));
   if (joint === -1) return;
-  const { line, pose } = drafts[joint]!;
+  const { places, pose } = drafts[joint]!;
   log.warn({
     code: 'skel/degrees',
-    line,
+    ...places.get('pose'),
     expected: `angles in radians for "${names[joint]!}"`,
     found: pose.join(' '),
     effect: 'they are used as radians, more than a full turn',

@@ -11,6 +11,7 @@ import { rotationOrder } from './rotation-order.ts';
 /** All degrees of freedom of the selected character, and what can be done with its pose. */
 export function addPoseFolder(gui: GUI, editor: Editor): void {
   const folder = gui.addFolder('Pose');
+  // Two to a row, pairs side by side.
   const actions = {
     reset: () => editor.resetAll(),
     copy: () => void editor.copyPose(),
@@ -20,13 +21,13 @@ export function addPoseFolder(gui: GUI, editor: Editor): void {
     previous: () => stepJoint(editor, -1),
     next: () => stepJoint(editor, 1),
   };
-  folder.add(actions, 'reset').name('Reset all');
-  folder.add(actions, 'mesh').name('Export posed OBJ');
-  folder.add(actions, 'open').name('Open pose…');
-  folder.add(actions, 'save').name('Save pose');
-  folder.add(actions, 'copy').name('Copy pose');
   folder.add(actions, 'previous').name('Previous joint');
   folder.add(actions, 'next').name('Next joint');
+  folder.add(actions, 'reset').name('Reset all');
+  folder.add(actions, 'copy').name('Copy pose');
+  folder.add(actions, 'open').name('Open pose…');
+  folder.add(actions, 'save').name('Save pose');
+  folder.add(actions, 'mesh').name('Export posed OBJ');
   let joints: GUI | null = null;
   let folders: JointFolder[] = [];
   let shown: Character | null = null;

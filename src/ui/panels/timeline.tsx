@@ -15,22 +15,23 @@ const modes: Readonly<Record<PlayMode, string>> = {
 export function Timeline({ editor }: { readonly editor: Editor }) {
   const { store, session, transport } = editor;
   const state = selectedCharacter(store.document.value);
-  const { clipIndex, clipTime, playing, playSpeed, playMode } = session;
-  // Read, so that the panel follows it: which clip there is depends on it.
-  const index = state?.clip ?? clipIndex.value;
-  const clip = state?.character.clips[index];
+  const { clipTime, playing, playSpeed, playMode } = session;
+  const { clip, clipIndex } = transport;
   if (!state || !clip) return null;
   const { start, end } = clip;
   const time = clipTime.value;
   const bound = state.clip !== null;
   const onKey = (event: KeyboardEvent): void => {
+    const { target } = event;
     const actions: Record<string, () => void> = {
       ArrowLeft: () => transport.step(-1),
       ArrowRight: () => transport.step(1),
       Home: () => transport.seek(start),
       End: () => transport.seek(end),
+      // Of a button it is a click.
+      ...(target instanceof HTMLInputElement ? { ' ': () => transport.togglePlay() } : {}),
     };
-    const action = actions[event.key];
+    const action = target instanceof HTMLSelectElement ? undefined : actions[event.key];
     if (!action || event.ctrlKey || event.metaKey || event.altKey) return;
     event.preventDefault();
     event.stopPropagation();
@@ -42,11 +43,11 @@ export function Timeline({ editor }: { readonly editor: Editor }) {
     </button>
   );
   return (
-    <section class="timeline" aria-label="Timeline">
+    <section class="timeline" aria-label="Timeline" onKeyDown={onKey}>
       <div class="transport">
         <select
           aria-label="Clip"
-          value={index}
+          value={clipIndex}
           onChange={({ currentTarget }) => transport.choose(Number(currentTarget.value))}
         >
           {state.character.clips.map(({ name }, i) => (
@@ -77,7 +78,6 @@ export function Timeline({ editor }: { readonly editor: Editor }) {
           step="any"
           value={Math.min(Math.max(time, start), end)}
           onInput={({ currentTarget }) => transport.seek(Number(currentTarget.value))}
-          onKeyDown={onKey}
         />
         <output>
           {time.toFixed(2)} / {end.toFixed(2)} s

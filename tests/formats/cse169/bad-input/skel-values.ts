@@ -47,7 +47,7 @@ export const skelValues: readonly BadInput[] = [
     'B15 a box with min above max',
     joint('boxmin 1 0 0 boxmax 0 1 1'),
     [
-      ':1: expected boxmin of "a" below its boxmax, found "1 0 0 and 0 1 1" [skel/box]; ' +
+      ':1:15: expected boxmin of "a" below its boxmax, found "1 0 0 and 0 1 1" [skel/box]; ' +
         'they are swapped where they are not',
     ],
     1,
@@ -100,9 +100,9 @@ export const skelValues: readonly BadInput[] = [
     'B23 a pose outside of its limits',
     joint('rotxlimit -2 0 rotylimit 0 0 rotzlimit 0 0 pose -3 1 2'),
     [
-      ':1: expected pose x of "a" within its limits, -2 to 0, found "-3" [skel/range]; it is clamped to -2',
-      ':1: expected pose y of "a" within its limits, 0 to 0, found "1" [skel/range]; it is clamped to 0',
-      ':1: expected pose z of "a" within its limits, 0 to 0, found "2" [skel/range]; it is clamped to 0',
+      ':1:58: expected pose x of "a" within its limits, -2 to 0, found "-3" [skel/range]; it is clamped to -2',
+      ':1:58: expected pose y of "a" within its limits, 0 to 0, found "1" [skel/range]; it is clamped to 0',
+      ':1:58: expected pose z of "a" within its limits, 0 to 0, found "2" [skel/range]; it is clamped to 0',
     ],
     1,
     (character) =>
@@ -113,10 +113,19 @@ export const skelValues: readonly BadInput[] = [
       ]),
   ),
   readSkeleton(
+    'B23 limits that leave out the pose that is not given',
+    joint('\nrotxlimit 1 2\nrotylimit -1 1\n'),
+    [
+      ':2:1: expected pose x of "a" within its limits, 1 to 2, found "0" [skel/range]; it is clamped to 1',
+    ],
+    1,
+    (character) => expect(hingesOf(character)).toEqual([[1, 1, 2], [0, -1, 1], free]),
+  ),
+  readSkeleton(
     'B24 a pose in degrees',
     joint('pose 90 0 0'),
     [
-      ':1: expected angles in radians for "a", found "90 0 0" [skel/degrees]; ' +
+      ':1:15: expected angles in radians for "a", found "90 0 0" [skel/degrees]; ' +
         'they are used as radians, more than a full turn',
     ],
     1,
