@@ -4,7 +4,7 @@ import { insertPngText } from '../formats/png/text-chunk.ts';
 import { poseToJson } from '../formats/pose-json.ts';
 import { GpuLimitError } from '../gl/gpu.ts';
 import type { PictureOptions } from '../ui/editor.ts';
-import { encodePicture } from '../view/picture.ts';
+import { capturePicture, encodePicture } from '../view/picture.ts';
 import type { Viewer } from '../view/viewer.ts';
 import { download } from './download.ts';
 import { pictureKeyword, writePictureNote } from './picture-note.ts';
@@ -25,7 +25,7 @@ export async function savePicture(
   let blob: Blob;
   try {
     // JPEG has no transparency.
-    const picture = viewer.capture(size, background || format === 'jpeg');
+    const picture = capturePicture(viewer, size, background || format === 'jpeg');
     blob = await encodePicture(picture, format);
   } catch (error) {
     if (!(error instanceof GpuLimitError)) throw error;

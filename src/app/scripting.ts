@@ -9,7 +9,7 @@ import { formatDiagnostic } from '../core/diagnostics.ts';
 import type { Editor } from '../ui/editor.ts';
 import { fileEntry } from '../ui/file-entry.ts';
 import { decodeImage } from '../view/decode-image.ts';
-import { encodePicture, type PictureFormat } from '../view/picture.ts';
+import { capturePicture, encodePicture, type PictureFormat } from '../view/picture.ts';
 import { type Verification, verifyShown } from '../view/verify.ts';
 import { fetchFile } from './catalogue.ts';
 
@@ -120,7 +120,7 @@ export function createScripting(editor: Editor, ready: Promise<void>): Scripting
     async capture({ format = 'png', width, height, background = true } = {}) {
       await texturesShown(store);
       const size = width !== undefined && height !== undefined ? { width, height } : undefined;
-      return encodePicture(viewer.capture(size, background), format);
+      return encodePicture(capturePicture(viewer, size, background), format);
     },
     get problems() {
       return session.problems.value;

@@ -1,3 +1,5 @@
+import type { CaptureSize, Viewer } from './viewer.ts';
+
 export type PictureFormat = 'png' | 'jpeg';
 
 export interface Picture {
@@ -7,10 +9,20 @@ export interface Picture {
   readonly pixels: Uint8ClampedArray<ArrayBuffer>;
 }
 
+/** Exactly what the view shows; or the same view at another size, or without its studio. */
+export function capturePicture(
+  viewer: Viewer,
+  size: CaptureSize = viewer.size.value,
+  showStudio = true,
+): Picture {
+  const { width, height } = size;
+  return pictureFromGl(viewer.readPixels(size, showStudio), width, height);
+}
+
 /**
  * GL gives the bottom row first, and colours blended with nothing: they are divided by their alpha.
  */
-export function pictureFromGl(bottomUp: Uint8Array, width: number, height: number): Picture {
+function pictureFromGl(bottomUp: Uint8Array, width: number, height: number): Picture {
   const pixels = new Uint8ClampedArray(width * height * 4);
   const stride = width * 4;
   for (let row = 0; row < height; row++) {

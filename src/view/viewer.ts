@@ -11,7 +11,6 @@ import { type Camera, frameBox } from './camera.ts';
 import { createFrame, type Frame } from './frame.ts';
 import type { Pass } from './pass.ts';
 import { firstPasses } from './passes/first.ts';
-import { type Picture, pictureFromGl } from './picture.ts';
 import { posedBounds, unite } from './posed-bounds.ts';
 import { Renderer } from './renderer.ts';
 import type { LayoutChoice } from './skinned-mesh.ts';
@@ -98,13 +97,12 @@ export class Viewer {
   }
 
   /**
-   * Exactly what the view shows; or the same view at another size, or without its studio.
-   * A caller asks first whether the view is `available`.
+   * The pixels of the view at a size, with or without its studio; a caller asks first whether the view is
+   * `available`.
+   * @returns (width × height × 4) bytes RGBA as GL gives them, the bottom row first
    */
-  capture(size: CaptureSize = this.size.value, showStudio = true): Picture {
-    const { width, height } = size;
-    const frame = this.createFrame(width, height, showStudio);
-    return pictureFromGl(this.present().capture(frame, width, height), width, height);
+  readPixels({ width, height }: CaptureSize, showStudio: boolean): Uint8Array {
+    return this.present().capture(this.createFrame(width, height, showStudio), width, height);
   }
 
   /** (pointCount × 3) posed positions of the selected character, file order and units. */
