@@ -45,6 +45,23 @@ test('a lost context comes back with the same pixels, and the pose', async () =>
   expect(await verify(page())).toMatchObject({ identical: true });
 });
 
+test('a texture, a morph and the pose of a clip come back too', async () => {
+  await page().evaluate(() => window.sinew.open('insect'));
+  await page().evaluate(() => {
+    window.sinew.morphs({ insect_alert: 1, insect_breathe: 1 });
+    window.sinew.seek(0.7);
+  });
+  const before = await capture(page());
+  await page().evaluate(() => window.sinew.seek(0));
+  expect(await capture(page()), 'the clip shows').not.toEqual(before);
+  await lose(page());
+  // What changes meanwhile is there when the context is.
+  await page().evaluate(() => window.sinew.seek(0.7));
+  await restore(page());
+  expect(await capture(page())).toEqual(before);
+  expect(await verify(page())).toMatchObject({ identical: true });
+});
+
 test('lost while a character is read, the picture is the same as if it had not been', async () => {
   await page().evaluate(() => window.sinew.open('human'));
   const expected = await capture(page());

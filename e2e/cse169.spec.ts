@@ -1,6 +1,6 @@
 import { readFileSync } from 'node:fs';
 import { expect } from '@playwright/test';
-import { leg, legSkel } from '../tests/support/cse169-files.ts';
+import { leg, legAnim, legSkel } from '../tests/support/cse169-files.ts';
 import { controlRow, drop, getPose, openApp, openJoint, vertices, verify } from './support/app.ts';
 import { drawnOf } from './support/controls.ts';
 import { expectPicture } from './support/pictures.ts';
@@ -77,6 +77,12 @@ test('a locked angle is shown, can’t be changed, and says why', async () => {
   await expect(field).toBeDisabled();
   await expect(slider).toHaveAttribute('aria-disabled', 'true');
   await expect(row).toHaveAttribute('title', 'leg_l1_tibia Y is locked: its limits are equal');
+  await expect(slider).toHaveAttribute('aria-description', /is locked: its limits are equal$/);
+  // The words are there for a pointer that rests on the row.
+  const box = (await row.boundingBox())!;
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  const under = ([x, y]: number[]) => document.elementFromPoint(x!, y!)?.getAttribute('title');
+  expect(await page().evaluate(under, [x, y])).toMatch(/locked/);
 });
 
 test('morphs have sliders to 1, and typing goes beyond', async () => {
@@ -192,12 +198,12 @@ test('a character that is chosen again opens as its files have it', async () => 
 
 test('undo gives back a character’s clip, whichever was chosen of the next', async () => {
   await insectOf();
-  const second = String(leg['leg_walk.anim']).replace('range 0 2', 'range 0 1');
+  const second = legAnim.replace('range 0 2', 'range 0 1');
   await drop(
     page(),
     Object.entries({ ...leg, 'leg_second.anim': second }).map(([name, content]) => ({
       name,
-      content: content as string,
+      content,
     })),
   );
   await timeline().getByRole('combobox', { name: 'Clip' }).selectOption({ index: 1 });

@@ -38,6 +38,29 @@ test('fifty loads and unloads leave nothing behind', async ({ page }) => {
   expect(Object.keys(before.objects).length).toBeGreaterThan(4);
 });
 
+test('twenty times from a textured character with a clip that plays to another and back', async ({
+  page,
+}) => {
+  test.slow();
+  await page.addInitScript(countHoldings);
+  await openView(page, 'model=tube');
+  const round = async (): Promise<Holdings> => {
+    await page.evaluate(async () => {
+      await window.sinew.open('human');
+      await window.sinew.open('insect');
+      window.sinew.morphs({ insect_breathe: 1 });
+      window.sinew.togglePlay();
+      await window.sinew.capture({ width: 64, height: 48 });
+    });
+    const objects = await page.evaluate(() => window.sinew.liveObjects);
+    return { objects, ...(await page.evaluate(() => window.holdings())) };
+  };
+  const before = await round();
+  let after = before;
+  for (let i = 0; i < 20; i++) after = await round();
+  expect(after).toEqual(before);
+});
+
 test('large files are read in workers, which end', async ({ page }) => {
   await page.addInitScript(countHoldings);
   await openView(page, 'model=tube');

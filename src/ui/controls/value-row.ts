@@ -101,7 +101,7 @@ export function addValueRow(folder: GUI, options: ValueRowOptions): ValueRow {
   row.addEventListener(
     'mousedown',
     (event) => {
-      if (event.detail !== 2 || event.target === field) return;
+      if (options.locked || event.detail !== 2 || event.target === field) return;
       event.stopImmediatePropagation();
       options.reset();
     },
@@ -111,7 +111,9 @@ export function addValueRow(folder: GUI, options: ValueRowOptions): ValueRow {
     controller.disable();
     slider.tabIndex = -1;
     slider.setAttribute('aria-disabled', 'true');
+    row.classList.add('locked');
     row.title = `${options.fullName} is locked: its limits are equal`;
+    slider.setAttribute('aria-description', row.title);
   }
   refresh();
   return { refresh, show: (visible) => void controller.show(visible) };
