@@ -18,7 +18,14 @@ float wrapped(float cosine) {
   return max(0.0, (cosine + 0.12) / 1.12);
 }
 
-vec3 shadeMatte(vec3 albedo, vec3 normal, vec3 position) {
+// Blinn's highlight: how much of a light it sends to the eye.
+float highlight(vec3 toLight, vec3 view, vec3 normal, float shininess) {
+  float along = max(dot(normal, normalize(toLight + view)), 1e-4);
+  return pow(along, shininess) * step(0.0, dot(normal, toLight));
+}
+
+// A matte surface with a highlight of its own, of key and fill.
+vec3 shade(vec3 albedo, vec3 specular, float shininess, vec3 normal, vec3 position) {
   vec3 view = normalize(eye - position);
   float visibility = keyVisibility(position, normal);
   vec3 light = mix(groundColor, skyColor, 0.5 + 0.5 * normal.y);
@@ -29,5 +36,11 @@ vec3 shadeMatte(vec3 albedo, vec3 normal, vec3 position) {
   vec3 edge = rimColor * 0.35 * grazing * (0.5 + 0.5 * normal.y);
   vec3 halfway = normalize(keyDirection + view);
   vec3 sheen = keyColor * 0.06 * pow(max(dot(normal, halfway), 0.0), 28.0) * visibility;
-  return albedo * light + edge + sheen;
+  vec3 glint = keyColor * highlight(keyDirection, view, normal, shininess) * visibility;
+  glint += fillColor * highlight(fillDirection, view, normal, shininess);
+  return albedo * light + edge + sheen + specular * glint;
+}
+
+vec3 shadeMatte(vec3 albedo, vec3 normal, vec3 position) {
+  return shade(albedo, vec3(0.0), 1.0, normal, position);
 }

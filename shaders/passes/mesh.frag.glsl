@@ -7,6 +7,9 @@ in vec2 texturePosition;
 
 // Linear; a texture is multiplied in, repeated beyond its edges.
 uniform vec3 albedo;
+// Of the material's highlight, black where it has none, and its exponent.
+uniform vec3 specular;
+uniform float shininess;
 uniform bool textured;
 uniform sampler2D colorTexture;
 uniform bool faceted;
@@ -26,6 +29,8 @@ void main() {
   vec3 normal = faceted ? face : smoothed;
   vec4 base = vec4(albedo, opacity);
   if (textured) base *= texture(colorTexture, texturePosition);
-  vec3 lit = shadeMatte(base.rgb, normal, scenePosition);
+  // What can't be seen hides nothing either.
+  if (base.a < 0.002) discard;
+  vec3 lit = shade(base.rgb, specular, shininess, normal, scenePosition);
   color = vec4(dither(encodeSrgb(toneMap(lit))), base.a);
 }

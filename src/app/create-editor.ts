@@ -1,4 +1,5 @@
 import { signal } from '@preact/signals-core';
+import { BallAngles } from '../document/ball-angles.ts';
 import { resetPose } from '../document/commands.ts';
 import { selectedCharacter } from '../document/document.ts';
 import { shownSelected } from '../document/shown-pose.ts';
@@ -21,6 +22,7 @@ export function createEditor(opening: Opening): Editor {
   const editor: Editor = {
     ...opening,
     transport: new Transport(store, session),
+    ballAngles: new BallAngles(),
     helpOpen: signal(false),
     letterKeys: signal(true),
     drawer: signal<Drawer | null>(null),

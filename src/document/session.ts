@@ -29,9 +29,11 @@ export const studioLights: readonly Light[] = [
 /** A degree of freedom as the interface names it: "Left elbow X". */
 export interface ActiveDof {
   readonly name: string;
-  /** Its place in q. */
+  /** Its place in q; of an angle of a ball where the ball's four values start. */
   readonly index: number;
   readonly isAngle: boolean;
+  /** Which of a ball's three angles it is; absent where it has a value of its own in q. */
+  readonly ballAxis?: 0 | 1 | 2;
 }
 
 /** How a skeleton is drawn: spheres and bones, the boxes of its file, both, or a line a bone. */

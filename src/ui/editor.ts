@@ -1,4 +1,5 @@
 import type { ReadonlySignal, Signal } from '@preact/signals-core';
+import type { BallAngles } from '../document/ball-angles.ts';
 import type { Session } from '../document/session.ts';
 import type { Store } from '../document/store.ts';
 import type { Transport } from '../document/transport.ts';
@@ -67,6 +68,8 @@ export interface Opening {
 /** What the interface shows and can ask for; put together in app. */
 export interface Editor extends Opening {
   readonly transport: Transport;
+  /** By which balls are shown. */
+  readonly ballAngles: BallAngles;
   readonly helpOpen: Signal<boolean>;
   /** Whether single letters act; speech input and cats may want them off. */
   readonly letterKeys: Signal<boolean>;

@@ -5,6 +5,7 @@ import { type CharacterState, skinInUse } from '../document/document.ts';
 import type { SkinDevice } from '../document/session.ts';
 import { shownPose } from '../document/shown-pose.ts';
 import type { Gpu } from '../gl/gpu.ts';
+import type { Program } from '../gl/program.ts';
 import type { VertexStreams } from '../skinning/method.ts';
 import { methodById } from '../skinning/registry.ts';
 import { restMesh } from '../skinning/rest-mesh.ts';
@@ -12,12 +13,14 @@ import { type DisplayTransform, displayTransform } from './display-transform.ts'
 import type { Programs } from './programs.ts';
 import { type LayoutChoice, SkinnedMesh } from './skinned-mesh.ts';
 import { type OnImage, SurfaceTextures } from './surface-textures.ts';
+import { type Surface, surfacesOf } from './surfaces.ts';
 
 /** A character of the document with its objects on the GPU, brought up to date on demand. */
 export class CharacterView {
   readonly display: DisplayTransform;
   readonly skin: Skin;
   readonly skinned: SkinnedMesh;
+  readonly surfaces: readonly Surface[];
   readonly textures: SurfaceTextures;
   /** (jointCount × 16) of the state last shown. */
   readonly worldFromJoint: Float64Array;
@@ -45,6 +48,7 @@ export class CharacterView {
     this.skin = skinInUse(state);
     this.display = displayTransform(character);
     this.skinned = new SkinnedMesh(gpu, programs, character.mesh, this.skin, layout);
+    this.surfaces = surfacesOf(character);
     this.textures = new SurfaceTextures(gpu, character, onImage);
     this.worldFromJoint = new Float64Array(character.skeleton.jointCount * 16);
   }
@@ -78,6 +82,14 @@ export class CharacterView {
     this.shownDevice = device;
     this.version++;
     this.poseMilliseconds = performance.now() - begin;
+  }
+
+  /** Draws what throws shadows, with a program that is in use: all but what can't be seen. */
+  drawCaster(program: Program): void {
+    program.set({ sceneFromCharacter: this.display.sceneFromCharacter });
+    for (const { submesh, alpha } of this.surfaces) {
+      if (alpha > 0) this.skinned.draw(program, submesh);
+    }
   }
 
   dispose(): void {

@@ -58,10 +58,7 @@ export class ContactShadow {
     gl.blendEquation(gl.MAX);
     program.use();
     program.set({ contactSquare: this.square });
-    for (const { display, skinned } of casters) {
-      program.set({ sceneFromCharacter: display.sceneFromCharacter });
-      skinned.draw(program);
-    }
+    for (const caster of casters) caster.drawCaster(program);
     gl.blendEquation(gl.FUNC_ADD);
     gl.disable(gl.BLEND);
   }

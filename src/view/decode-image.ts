@@ -1,13 +1,19 @@
 import type { CharacterImage } from '../core/character.ts';
+import { extensionOf } from '../formats/file-entry.ts';
 
-/** The picture, its first row at the bottom; nothing where the browser can't read it. Kept. */
-export function decodeImage(image: CharacterImage): Promise<ImageBitmap | null> {
+/** The picture, its first row at the bottom, or why it can't be shown. Kept. */
+export function decodeImage(image: CharacterImage): Promise<ImageBitmap | ImageData | string> {
   let decoded = decodedImages.get(image);
   if (!decoded) decodedImages.set(image, (decoded = decode(image)));
   return decoded;
 }
 
-async function decode({ bytes }: CharacterImage): Promise<ImageBitmap | null> {
+async function decode({ name, bytes }: CharacterImage): Promise<ImageBitmap | ImageData | string> {
+  if (extensionOf(name) === '.tga') {
+    const { decodeTga } = await import('../formats/image/tga.ts');
+    const image = decodeTga(bytes);
+    return typeof image === 'string' ? image : new ImageData(image.pixels, image.width);
+  }
   try {
     return await createImageBitmap(new Blob([bytes as BlobPart]), {
       imageOrientation: 'flipY',
@@ -15,8 +21,8 @@ async function decode({ bytes }: CharacterImage): Promise<ImageBitmap | null> {
       colorSpaceConversion: 'none',
     });
   } catch {
-    return null;
+    return 'a picture that this browser can’t read';
   }
 }
 
-const decodedImages = new WeakMap<CharacterImage, Promise<ImageBitmap | null>>();
+const decodedImages = new WeakMap<CharacterImage, ReturnType<typeof decode>>();

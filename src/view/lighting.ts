@@ -78,10 +78,7 @@ export class Lighting {
     // Slope and step push the caster back, so that it does not shade itself.
     gl.enable(gl.POLYGON_OFFSET_FILL);
     gl.polygonOffset(2, 2);
-    for (const { display, skinned } of casters) {
-      program.set({ sceneFromCharacter: display.sceneFromCharacter });
-      skinned.draw(program);
-    }
+    for (const caster of casters) caster.drawCaster(program);
     gl.disable(gl.POLYGON_OFFSET_FILL);
   }
 }

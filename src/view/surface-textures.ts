@@ -32,8 +32,8 @@ export class SurfaceTextures {
   private async load(image: CharacterImage): Promise<void> {
     const picture = await decodeImage(image);
     if (this.disposed) return;
-    if (!picture) {
-      this.onImage(image, 'a picture that this browser can’t read');
+    if (typeof picture === 'string') {
+      this.onImage(image, picture);
       return;
     }
     try {

@@ -11,10 +11,12 @@ export interface Theme {
 
 /** From the display's #rrggbb to linear light. */
 export function linear(hex: string): number[] {
-  return [1, 3, 5].map((at) => {
-    const encoded = parseInt(hex.slice(at, at + 2), 16) / 255;
-    return encoded <= 0.04045 ? encoded / 12.92 : ((encoded + 0.055) / 1.055) ** 2.4;
-  });
+  return [1, 3, 5].map((at) => linearChannel(parseInt(hex.slice(at, at + 2), 16) / 255));
+}
+
+/** A channel from the display's encoding (sRGB, 0 to 1) to linear light. */
+export function linearChannel(encoded: number): number {
+  return encoded <= 0.04045 ? encoded / 12.92 : ((encoded + 0.055) / 1.055) ** 2.4;
 }
 
 export const themes: Readonly<Record<ThemeName, Theme>> = {

@@ -1,14 +1,11 @@
 import type { GUI } from 'lil-gui';
 import { diagonal } from '../../core/bounds.ts';
-import { axisDofs, type AxisDof } from '../../core/pose.ts';
-import { DofKind } from '../../core/skeleton.ts';
-import { resetJoint, setValue } from '../../document/commands.ts';
+import { type Command, resetJoint, setPose, setValue } from '../../document/commands.ts';
 import type { CharacterState } from '../../document/document.ts';
 import { shownSelected } from '../../document/shown-pose.ts';
 import type { Editor } from '../editor.ts';
+import { axisNames, type JointValue, jointValues, valueName } from '../joint-values.ts';
 import { addValueRow, type ValueRow } from './value-row.ts';
-
-const axisNames = ['X', 'Y', 'Z'] as const;
 
 /**
  * A folder with the sliders of one joint. Its rows are built when it is first opened: a character
@@ -62,7 +59,7 @@ export class JointFolder {
     const words = wanted.split(/\s+/);
     const matches = (name: string): boolean =>
       words.every((word) => name.toLowerCase().includes(word));
-    const found = this.dofs.filter((dof) => matches(this.nameOf(dof)));
+    const found = this.values.filter((value) => matches(this.nameOf(value)));
     this.folder.show(wanted === '' || found.length > 0);
     if (wanted !== '' && found.length > 0) this.openForShow();
     else if (wanted === '') this.conceal();
@@ -80,16 +77,13 @@ export class JointFolder {
     this.folder.open();
   }
 
-  /** Slides before hinges, each by axis, whatever the order in which they act. */
-  private get dofs(): readonly AxisDof[] {
-    return axisDofs(this.state.character.skeleton, this.joint).sort(
-      (a, b) => a.kind - b.kind || a.axis - b.axis,
-    );
+  private get values(): readonly JointValue[] {
+    return jointValues(this.state.character.skeleton, this.joint);
   }
 
   /** "Left knee X", "Hips Move Y". */
-  private nameOf({ kind, axis }: AxisDof): string {
-    return `${this.name} ${kind === DofKind.hinge ? '' : 'Move '}${axisNames[axis]}`;
+  private nameOf(value: JointValue): string {
+    return `${this.name} ${valueName(value)}`;
   }
 
   private get name(): string {
@@ -105,41 +99,56 @@ export class JointFolder {
   private build(): void {
     if (this.built) return;
     this.built = true;
-    for (const dof of this.dofs) {
-      this.rows.push({ row: this.addRow(dof), fullName: this.nameOf(dof) });
+    for (const value of this.values) {
+      this.rows.push({ row: this.addRow(value), fullName: this.nameOf(value) });
     }
     this.folder.add({ reset: () => this.reset() }, 'reset').name('Reset joint');
   }
 
-  private addRow(dof: AxisDof): ValueRow {
-    const { kind, axis, index } = dof;
-    const { store } = this.editor;
-    const { id, character } = this.state;
-    const { qMin, qMax, qRest } = character.skeleton;
-    const isAngle = kind === DofKind.hinge;
-    const reach = isAngle ? Math.PI : diagonal(character.bounds);
-    const name = `${isAngle ? '' : 'Move '}${axisNames[axis]}`;
+  private addRow(value: JointValue): ValueRow {
+    const { isAngle, axis, index, ofBall } = value;
+    const { store, session } = this.editor;
+    const { bounds, skeleton } = this.state.character;
+    const reach = isAngle ? Math.PI : diagonal(bounds);
+    const fullName = this.nameOf(value);
     const label = `${isAngle ? 'Turn' : 'Move'} ${this.name} ${axisNames[axis]}`;
-    const fullName = this.nameOf(dof);
-    const [least, most] = [qMin[index]!, qMax[index]!];
+    const [least, most] = ofBall
+      ? [-Infinity, Infinity]
+      : [skeleton.qMin[index]!, skeleton.qMax[index]!];
     return addValueRow(this.folder, {
-      name,
+      name: valueName(value),
       fullName,
       locked: least === most,
       minimum: Math.max(least, -reach),
       maximum: Math.min(most, reach),
       isAngle,
       legal: [least, most],
-      read: () => this.shown[index] ?? 0,
+      read: () => this.read(value, this.shown),
       begin: () => {
-        this.editor.session.activeDof.value = { name: fullName, index, isAngle };
+        const active = { name: fullName, index, isAngle };
+        session.activeDof.value = ofBall ? { ...active, ballAxis: axis } : active;
         return store.begin(label);
       },
-      preview: (gesture, value) => gesture.preview(setValue(id, this.shown, index, value, label)),
+      preview: (gesture, number) => gesture.preview(this.write(value, number, label)),
       reset: () => {
-        store.dispatch(setValue(id, this.shown, index, qRest[index]!, `Reset ${fullName}`));
+        const rest = this.read(value, skeleton.qRest);
+        store.dispatch(this.write(value, rest, `Reset ${fullName}`));
       },
     });
+  }
+
+  /** @param q a pose of the skeleton */
+  private read({ index, axis, ofBall }: JointValue, q: Float64Array): number {
+    if (!ofBall) return q[index] ?? 0;
+    return this.editor.ballAngles.of(this.state.character.skeleton, q, index)[axis];
+  }
+
+  private write({ index, axis, ofBall }: JointValue, number: number, label: string): Command {
+    const { id, character } = this.state;
+    if (!ofBall) return setValue(id, this.shown, index, number, label);
+    const { ballAngles } = this.editor;
+    const q = ballAngles.withAngle(character.skeleton, this.shown, index, axis, number);
+    return setPose(id, q, label);
   }
 
   private reset(): void {

@@ -1,4 +1,5 @@
 import type { Editor } from '../editor.ts';
+import { BonePanel } from './bone-panel.tsx';
 import { CharactersPanel } from './characters-panel.tsx';
 import { HelpSheet } from './help-sheet.tsx';
 import { JointTree } from './joint-tree.tsx';
@@ -17,6 +18,7 @@ export function LeftPanel({ editor }: { readonly editor: Editor }) {
       <ProblemsPanel editor={editor} />
       <WorkspacePanel editor={editor} />
       <JointTree editor={editor} />
+      <BonePanel editor={editor} />
       <HelpSheet editor={editor} />
     </>
   );

@@ -1,5 +1,6 @@
 import { printable } from '../../core/diagnostics.ts';
 import { selectedCharacter } from '../../document/document.ts';
+import type { ActiveDof } from '../../document/session.ts';
 import { shownSelected } from '../../document/shown-pose.ts';
 import { ancestorsOf } from '../joint-rows.ts';
 import { formatDegrees } from '../angle-text.ts';
@@ -74,10 +75,11 @@ function ProgressBox({ editor }: { readonly editor: Editor }) {
 }
 
 /** The degree of freedom last touched, with its value, in a corner of the picture. */
-function ActiveDofText({ editor: { store, session } }: { readonly editor: Editor }) {
-  const dof = session.activeDof.value;
-  const value = shownSelected(store, session)?.pose.q[dof?.index ?? -1];
-  if (!dof || value === undefined) return null;
+function ActiveDofText({ editor }: { readonly editor: Editor }) {
+  const dof = editor.session.activeDof.value;
+  if (!dof) return null;
+  const value = valueOf(editor, dof);
+  if (value === undefined) return null;
   return (
     <output class="active-dof">
       {dof.name} {value.toFixed(3)}
@@ -104,6 +106,15 @@ function LitBoneLabel({ editor: { store, session } }: { readonly editor: Editor 
       {chain.length > 0 && <span>{chain.map(nameOf).join(' › ')}</span>}
     </p>
   );
+}
+
+function valueOf(
+  { store, session, ballAngles }: Editor,
+  { index, ballAxis }: ActiveDof,
+): number | undefined {
+  const shown = shownSelected(store, session);
+  if (!shown || ballAxis === undefined) return shown?.pose.q[index];
+  return ballAngles.of(shown.state.character.skeleton, shown.pose.q, index)[ballAxis];
 }
 
 function ViewMessage({ editor }: { readonly editor: Editor }) {

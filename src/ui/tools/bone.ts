@@ -80,7 +80,9 @@ function turnBone(editor: Editor, from: ToolPlace, target: BoneTarget): ToolDrag
   function modeOf(): DragMode {
     if (alt && target.bone) return { kind: 'roll', farEnd: target.bone.vector };
     const active = session.activeDof.value;
-    if (active && jointOfValue(skeleton, active.index) === target.joint) {
+    // The three sliders of a ball are no values of their own: it turns freely.
+    const isValue = active !== null && active.ballAxis === undefined;
+    if (isValue && jointOfValue(skeleton, active.index) === target.joint) {
       return { kind: 'value', index: active.index };
     }
     return { kind: session.boneDrag.value };

@@ -1,5 +1,3 @@
-import type { MaterialParts } from '../../core/character-parts.ts';
-import { baseName } from '../../formats/file-entry.ts';
 import type { Program } from '../../gl/program.ts';
 import type { CharacterView } from '../character-view.ts';
 import type { Frame } from '../frame.ts';
@@ -11,10 +9,12 @@ const translucentOpacity = 0.42;
 
 const textureUnit = 4;
 const white = [1, 1, 1];
+const clay = { albedo: palette.clay, specular: [0, 0, 0], textured: false };
 
 /**
- * The posed skin, matte, smooth or faceted, with the textures of its materials. A translucent one is
- * drawn to depth first, so that of all its layers only the nearest is blended over what is behind.
+ * The posed skin, smooth or faceted, with the colours and textures of its materials, or as clay. It is
+ * blended in the order of the file, and what comes later wins where two are as near. A translucent one
+ * is drawn to depth first, so that of all its layers only the nearest is blended over what is behind.
  */
 export const meshPass: Pass = {
   id: 'mesh',
@@ -23,6 +23,7 @@ export const meshPass: Pass = {
       draw(frame) {
         const { showSkin, translucent } = frame.options;
         if (!showSkin) return;
+        gl.depthFunc(gl.LEQUAL);
         if (translucent) {
           gl.colorMask(false, false, false, false);
           drawSkins(frame, 1);
@@ -42,36 +43,41 @@ export const meshPass: Pass = {
       const program = programs.pass('mesh');
       program.use();
       program.set(frame.uniforms);
-      program.set({ faceted: frame.options.faceted, opacity, colorTexture: textureUnit });
+      program.set({ faceted: frame.options.faceted, colorTexture: textureUnit });
       for (const view of frame.characters) {
         program.set({ sceneFromCharacter: view.display.sceneFromCharacter });
-        drawSubmeshes(program, view, frame.options.showTextures);
+        drawSurfaces(gl, program, view, frame.options.showTextures, opacity);
       }
     }
   },
 };
 
-function drawSubmeshes(program: Program, view: CharacterView, showTextures: boolean): void {
-  const { materials } = view.state.character;
-  const dressed = showTextures ? view.skinned.mesh.submeshes : [];
-  if (!dressed.some(({ material }) => textureOf(materialOf(material)))) {
-    program.set({ albedo: palette.clay, textured: false });
+function drawSurfaces(
+  gl: WebGL2RenderingContext,
+  program: Program,
+  view: CharacterView,
+  showMaterials: boolean,
+  opacity: number,
+): void {
+  const { surfaces, textures } = view;
+  const isDressed = surfaces.some(({ albedo, texture }) => albedo ?? textures.find(texture));
+  if (!showMaterials || !isDressed) {
+    program.set({ ...clay, opacity });
     view.skinned.draw(program);
     return;
   }
-  for (const submesh of dressed) {
-    const texture = textureOf(materialOf(submesh.material));
+  for (const { submesh, albedo, alpha, twoSided, texture: name, ...gloss } of surfaces) {
+    if (alpha === 0) continue;
+    const texture = textures.find(name);
     texture?.bind(textureUnit);
-    program.set({ albedo: texture ? white : palette.clay, textured: texture !== undefined });
+    program.set({
+      albedo: albedo ?? (texture ? white : palette.clay),
+      ...gloss,
+      textured: texture !== undefined,
+      opacity: alpha * opacity,
+    });
+    if (!twoSided) gl.enable(gl.CULL_FACE);
     view.skinned.draw(program, submesh);
-  }
-
-  function materialOf(name: string): MaterialParts | undefined {
-    return materials.find((each) => each.name === name);
-  }
-
-  function textureOf(material: MaterialParts | undefined) {
-    const name = material?.texture;
-    return name === undefined ? undefined : view.textures.find(baseName(name));
+    gl.disable(gl.CULL_FACE);
   }
 }

@@ -1,0 +1,58 @@
+import { bytesOf, type TgaHeader } from './tga-header.ts';
+
+/**
+ * Writes the pixel that is stored at a byte, as four bytes RGBA; false where its number is not in the
+ * list. The caller has checked that its bytes are there.
+ */
+export type PixelReader = (from: number, out: Uint8ClampedArray, at: number) => boolean;
+
+/** How the file's pixels are read. */
+export function pixelReader(bytes: Uint8Array, header: TgaHeader): PixelReader {
+  const { kind, pixelBits, pixelSize, hasAlphaBit, list } = header;
+  if (kind === 'grey') return readGrey;
+  if (!list) return colourReader(bytes, pixelBits, hasAlphaBit);
+  const { first, count, bits, start } = list;
+  const readColour = colourReader(bytes, bits, hasAlphaBit);
+  return (from, out, at) => {
+    const number = bytes[from]! | (pixelSize > 1 ? bytes[from + 1]! << 8 : 0);
+    const index = number - first;
+    return index >= 0 && index < count && readColour(start + index * bytesOf(bits), out, at);
+  };
+
+  /** 16 bits are grey and alpha. */
+  function readGrey(from: number, out: Uint8ClampedArray, at: number): boolean {
+    const grey = bytes[from]!;
+    return put(out, at, grey, grey, grey, pixelSize > 1 ? bytes[from + 1]! : 255);
+  }
+}
+
+/** Blue comes first: five bits each, or a byte each. */
+function colourReader(bytes: Uint8Array, bits: number, hasAlphaBit: boolean): PixelReader {
+  if (bits > 16) {
+    return (from, out, at) => {
+      const alpha = bits === 32 ? bytes[from + 3]! : 255;
+      return put(out, at, bytes[from + 2]!, bytes[from + 1]!, bytes[from]!, alpha);
+    };
+  }
+  const five = (value: number, shift: number): number => (((value >> shift) & 31) * 255) / 31;
+  return (from, out, at) => {
+    const value = bytes[from]! | (bytes[from + 1]! << 8);
+    const alpha = bits === 16 && hasAlphaBit && value < 0x8000 ? 0 : 255;
+    return put(out, at, five(value, 10), five(value, 5), five(value, 0), alpha);
+  };
+}
+
+function put(
+  out: Uint8ClampedArray,
+  at: number,
+  red: number,
+  green: number,
+  blue: number,
+  alpha: number,
+): true {
+  out[at] = red;
+  out[at + 1] = green;
+  out[at + 2] = blue;
+  out[at + 3] = alpha;
+  return true;
+}

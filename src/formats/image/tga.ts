@@ -1,0 +1,90 @@
+import { readTgaHeader, type TgaHeader } from './tga-header.ts';
+import { type PixelReader, pixelReader } from './tga-pixels.ts';
+
+/** Colours of a picture, whoever draws it. */
+export interface DecodedImage {
+  readonly width: number;
+  readonly height: number;
+  /** (width × height × 4) RGBA, sRGB, alpha not multiplied in, the first row at the bottom. */
+  readonly pixels: Uint8ClampedArray<ArrayBuffer>;
+}
+
+/** The most pixels of an image that are taken: 8192 × 4096. */
+const defaultPixelLimit = 2 ** 25;
+
+/**
+ * Reads a Truevision TGA (types 1, 2, 3 and, run-length packed, 9, 10, 11; 8, 15, 16, 24 and 32 bits,
+ * either way up, either way across). Browsers read none. What follows the pixels is passed over.
+ *
+ * @returns the picture, or what is wrong with it
+ */
+export function decodeTga(
+  bytes: Uint8Array,
+  pixelLimit = defaultPixelLimit,
+): DecodedImage | string {
+  const header = readTgaHeader(bytes, pixelLimit);
+  if (typeof header === 'string') return header;
+  const read = pixelReader(bytes, header);
+  const { width, height } = header;
+  const pixels = new Uint8ClampedArray(width * height * 4);
+  const fault = header.isPacked ? unpack(bytes, header, read, pixels) : copy(header, read, pixels);
+  if (fault !== null) return fault;
+  if (header.pixelSize === 4) fillUnsetAlpha(pixels);
+  return { width, height, pixels };
+}
+
+/** Pixel after pixel, whose bytes the header has shown to be there. */
+function copy(header: TgaHeader, read: PixelReader, pixels: Uint8ClampedArray): string | null {
+  const { pixelStart, pixelSize, width, height } = header;
+  for (let index = 0; index < width * height; index++) {
+    const from = pixelStart + index * pixelSize;
+    if (!read(from, pixels, targetOf(header, index))) return colourFault(index);
+  }
+  return null;
+}
+
+/** Packets of up to 128 pixels: as they are, or one for all. They may go on over the end of a row. */
+function unpack(
+  bytes: Uint8Array,
+  header: TgaHeader,
+  read: PixelReader,
+  pixels: Uint8ClampedArray,
+): string | null {
+  const { pixelStart, pixelSize, width, height } = header;
+  const count = width * height;
+  let at = pixelStart;
+  let index = 0;
+  while (index < count) {
+    const packet = bytes[at++];
+    if (packet === undefined) return `the end of the file after ${index} of ${count} pixels`;
+    const isRun = packet >= 128;
+    const length = Math.min((packet & 127) + 1, count - index);
+    const size = isRun ? pixelSize : length * pixelSize;
+    if (at + size > bytes.length) return `the end of the file after ${index} of ${count} pixels`;
+    for (let i = 0; i < length; i++) {
+      const from = isRun ? at : at + i * pixelSize;
+      if (!read(from, pixels, targetOf(header, index + i))) return colourFault(index + i);
+    }
+    at += size;
+    index += length;
+  }
+  return null;
+}
+
+/** Where in the picture, whose first row is at the bottom, a pixel of the file goes. */
+function targetOf({ width, height, fromTop, fromRight }: TgaHeader, index: number): number {
+  const row = Math.floor(index / width);
+  const column = index % width;
+  const y = fromTop ? height - 1 - row : row;
+  return (y * width + (fromRight ? width - 1 - column : column)) * 4;
+}
+
+function colourFault(index: number): string {
+  return `a colour that is not in the picture’s list, pixel ${index}`;
+}
+
+/** Writers of 32 bits that know no alpha leave it 0: a picture of nothing is taken as opaque. */
+function fillUnsetAlpha(pixels: Uint8ClampedArray): void {
+  for (let at = 3; at < pixels.length; at += 4) if (pixels[at] !== 0) return;
+  for (let at = 3; at < pixels.length; at += 4) pixels[at] = 255;
+}

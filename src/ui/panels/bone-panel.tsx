@@ -1,0 +1,141 @@
+import { useState } from 'preact/hooks';
+import { shownSelected } from '../../document/shown-pose.ts';
+import { bonesAt, framesOf, posedRotation, weighedCount } from '../bone-facts.ts';
+import type { Editor } from '../editor.ts';
+import { fixedText } from '../number-text.ts';
+
+/**
+ * The bone of the selected joint, or else of the lit one, as the Virtual Mannequin has it. A selection
+ * opens the panel, unless the user has opened or closed it.
+ */
+export function BonePanel({ editor }: { readonly editor: Editor }) {
+  const [chosenOpen, setChosenOpen] = useState<boolean | null>(null);
+  const { store, session } = editor;
+  const selected = session.selectedJoint.value;
+  const jointCount = shownSelected(store, session)?.state.character.skeleton.jointCount ?? 0;
+  if (jointCount < 2) return null;
+  const open = chosenOpen ?? selected !== null;
+  // What is closed follows nothing.
+  const joint = open ? (selected ?? session.hoveredJoint.value) : null;
+  return (
+    <details class="bone" open={open}>
+      <summary
+        onClick={(event) => {
+          event.preventDefault();
+          setChosenOpen(!open);
+        }}
+      >
+        Bone
+      </summary>
+      {open && joint === null && <p class="hint">Point at a joint, or select one.</p>}
+      {joint !== null && <BonesOfJoint key={joint} editor={editor} joint={joint} />}
+    </details>
+  );
+}
+
+interface BoneProperties {
+  readonly editor: Editor;
+  readonly joint: number;
+}
+
+function BonesOfJoint({ editor, joint }: BoneProperties) {
+  const [choice, setChoice] = useState(0);
+  const shown = shownSelected(editor.store, editor.session);
+  if (!shown) return null;
+  const { character } = shown.state;
+  const { skeleton } = character;
+  const frames = framesOf(skeleton);
+  const bones = bonesAt(frames, joint);
+  const bone = bones[choice] ?? bones[0];
+  const frame = bone === undefined ? undefined : frames[bone];
+  if (bone === undefined || !frame) return <p class="hint">No bone starts or ends here.</p>;
+  const nameOf = (each: number): string => skeleton.names[each]!;
+  const { source, destination, parent, length, translation, rotation, axes } = frame;
+  const isFirst = parent === -1;
+  return (
+    <>
+      <dl>
+        <dt>from</dt>
+        <dd>{nameOf(source)}</dd>
+        <dt>to</dt>
+        <dd>
+          {bones.length === 1 ? (
+            nameOf(destination)
+          ) : (
+            <select
+              aria-label="Bone to"
+              value={choice}
+              onChange={({ currentTarget }) => setChoice(Number(currentTarget.value))}
+            >
+              {bones.map((each, index) => (
+                <option key={each} value={index}>
+                  {nameOf(frames[each]!.destination)}
+                </option>
+              ))}
+            </select>
+          )}
+        </dd>
+        <dt>L</dt>
+        <dd>{fixedText(length)}</dd>
+        <dt>vertices</dt>
+        <dd>{weighedCount(character, bone).toLocaleString('en')}</dd>
+      </dl>
+      <Matrix
+        caption={isFirst ? 'T, in the world' : 'T, along the parent’s t'}
+        rows={[[12, 13, 14]]}
+        of={translation}
+      />
+      <Matrix
+        caption={isFirst ? 'R, to the world’s axes' : 'R, to the parent’s axes'}
+        rows={rotationRows}
+        of={rotation}
+      />
+      <Matrix
+        caption="S, R as posed"
+        rows={rotationRows}
+        of={posedRotation(skeleton, bone, shown.pose.q)}
+      />
+      <Matrix caption="Axes at rest, world" heads={['t', 'n', 'b']} rows={rotationRows} of={axes} />
+    </>
+  );
+}
+
+/** Of a column-major 4 × 4. */
+const rotationRows = [0, 1, 2].map((row) => [row, row + 4, row + 8]);
+
+interface MatrixProperties {
+  readonly caption: string;
+  /** Of the columns. */
+  readonly heads?: readonly string[];
+  /** Which elements stand in each row. */
+  readonly rows: readonly (readonly number[])[];
+  readonly of: ArrayLike<number>;
+}
+
+function Matrix({ caption, heads, rows, of }: MatrixProperties) {
+  return (
+    <table>
+      <caption>{caption}</caption>
+      {heads && (
+        <thead>
+          <tr>
+            {heads.map((head) => (
+              <th key={head} scope="col">
+                {head}
+              </th>
+            ))}
+          </tr>
+        </thead>
+      )}
+      <tbody>
+        {rows.map((elements, row) => (
+          <tr key={row}>
+            {elements.map((element) => (
+              <td key={element}>{fixedText(of[element]!)}</td>
+            ))}
+          </tr>
+        ))}
+      </tbody>
+    </table>
+  );
+}
