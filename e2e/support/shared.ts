@@ -9,6 +9,8 @@ const shared = path.resolve(import.meta.dirname, '../../../shared');
 
 const reference = 'reference/skinning/Model1';
 const kinds = ['.skel', '.obj', '.attach'];
+const kaitoReference = 'reference/pmd/KAITO';
+const kaitoFiles = ['KAITO.pmd', 'eyeKT.bmp'];
 
 export interface ReferencePose {
   readonly pose: PoseJson;
@@ -18,7 +20,15 @@ export interface ReferencePose {
 
 /** Skips the tests of a file, and says why, where Model1 and its references are not there. */
 export function needModel1(): void {
-  const paths = [reference, ...kinds.map((kind) => `data/mit-6837/Model1${kind}`)];
+  need([reference, ...kinds.map((kind) => `data/mit-6837/Model1${kind}`)]);
+}
+
+/** As `needModel1`, for KAITO of the Virtual Mannequin. */
+export function needKaito(): void {
+  need([`${kaitoReference}.json`, ...kaitoFiles.map((name) => `data/pmd/${name}`)]);
+}
+
+function need(paths: readonly string[]): void {
   const absent = paths.find((each) => !existsSync(path.join(shared, each)));
   test.skip(absent !== undefined, `../shared/${absent ?? ''} is not there`);
 }
@@ -32,7 +42,7 @@ export function model1Files(): NamedFile[] {
 }
 
 export function model1Poses(): ReferencePose[] {
-  const { poses } = JSON.parse(bytes('poses.json').toString()) as {
+  const { poses } = JSON.parse(bytes(`${reference}/poses.json`).toString()) as {
     poses: {
       angles_xyz: [number, number, number][];
       root_translation: [number, number, number];
@@ -44,12 +54,35 @@ export function model1Poses(): ReferencePose[] {
       joints: Object.fromEntries(angles_xyz.map((angles, joint) => [`#${joint}`, angles])),
       root: root_translation,
     },
-    vertices: floats(bytes(files.lbs)),
+    vertices: floats(bytes(`${reference}/${files.lbs}`)),
   }));
 }
 
+/** The character and the image of its eyes. */
+export function kaito(): NamedFile[] {
+  return kaitoFiles.map((name) => ({ name, content: bytes(`data/pmd/${name}`) }));
+}
+
+/** In Sinew's right-handed space: the file's own is its mirror image, z turned round. */
+export function kaitoPose(which: number): ReferencePose {
+  const { poses } = JSON.parse(bytes(`${kaitoReference}.json`).toString()) as {
+    poses: {
+      angles_xyz: [number, number, number][];
+      root_translation?: [number, number, number];
+    }[];
+  };
+  const { angles_xyz, root_translation = [0, 0, 0] } = poses[which]!;
+  const joints = angles_xyz.map(([x, y, z], joint) => [`#${joint}`, [-x, -y, z]] as const);
+  const [x, y, z] = root_translation;
+  const vertices = floats(bytes(`${kaitoReference}.pose${which}.lbs.f32`));
+  return {
+    pose: { joints: Object.fromEntries(joints) as PoseJson['joints'] & object, root: [x, y, -z] },
+    vertices: vertices.map((value, i) => (i % 3 === 2 ? -value : value)),
+  };
+}
+
 function bytes(name: string): Buffer {
-  return readFileSync(path.join(shared, reference, name));
+  return readFileSync(path.join(shared, name));
 }
 
 /** Little-endian float32, whatever this machine has. */

@@ -76,8 +76,15 @@ function drawSurfaces(
       textured: texture !== undefined,
       opacity: alpha * opacity,
     });
-    if (!twoSided) gl.enable(gl.CULL_FACE);
-    view.skinned.draw(program, submesh);
-    gl.disable(gl.CULL_FACE);
+    // Of what is seen through, the inner side comes before the outer one.
+    const culled = alpha < 1 ? [gl.FRONT, gl.BACK] : [twoSided ? gl.NONE : gl.BACK];
+    for (const side of culled) {
+      if (side !== gl.NONE) {
+        gl.enable(gl.CULL_FACE);
+        gl.cullFace(side);
+      }
+      view.skinned.draw(program, submesh);
+      gl.disable(gl.CULL_FACE);
+    }
   }
 }
