@@ -25,16 +25,16 @@ for (const colorScheme of ['light', 'dark'] as const) {
   });
 }
 
-for (const colorScheme of ['light', 'dark'] as const) {
-  test(`clips, morphs and a joint with locked angles, in ${colorScheme} colours`, async () => {
+test('clips, morphs and a joint with locked angles', async () => {
+  await page().evaluate(() => window.sinew.open('insect'));
+  await expect(page().getByRole('region', { name: 'Timeline' })).toBeVisible();
+  await openJoint(page(), 'leg_l1_tibia', 'Z');
+  await page().evaluate(() => window.sinew.seek(1));
+  for (const colorScheme of ['light', 'dark'] as const) {
     await page().emulateMedia({ colorScheme });
-    await page().evaluate(() => window.sinew.open('insect'));
-    await expect(page().getByRole('region', { name: 'Timeline' })).toBeVisible();
-    await openJoint(page(), 'leg_l1_tibia', 'Z');
-    await page().evaluate(() => window.sinew.seek(1));
-    expect(await violations(page())).toEqual([]);
-  });
-}
+    expect(await violations(page()), colorScheme).toEqual([]);
+  }
+});
 
 test('the sheet of keys', async () => {
   await page().getByRole('button', { name: 'Keys' }).click();

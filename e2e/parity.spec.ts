@@ -20,14 +20,14 @@ for (const { id, files } of catalogue) {
       await choose(page, 'Method', label);
       expect(await verify(page), `${label}, as bundled`).toMatchObject(same);
       const jointCount = await page.evaluate(() => window.sinew.characters[0]!.joints.length);
-      for (const pose of [{}, wildPose(jointCount, 1), wildPose(jointCount, 2)]) {
+      for (const pose of [wildPose(jointCount, 1), wildPose(jointCount, 2)]) {
         await setPose(page, pose);
         expect(await verify(page), `${label}, ${JSON.stringify(pose)}`).toMatchObject(same);
       }
     }
     const runs = await skinRuns(page);
     // As opened, then each method at its poses.
-    expect(runs.length).toBeGreaterThanOrEqual(4 * methods.length);
+    expect(runs.length).toBeGreaterThanOrEqual(3 * methods.length);
     for (const { blocks, textures } of runs) {
       expect(blocks).toEqual([{ name: 'Palette', size: 16_384 }]);
       expect(textures).toEqual([]);

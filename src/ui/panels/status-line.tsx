@@ -29,6 +29,15 @@ export function StatusLine({ editor }: { readonly editor: Editor }) {
         </span>
       )}
       <output class="notice">{notice.value}</output>
+      <button
+        type="button"
+        class="bone-mode"
+        aria-pressed={session.boneMode.value}
+        title="Drags turn bones (m)"
+        onClick={() => (session.boneMode.value = !session.boneMode.value)}
+      >
+        Bone mode
+      </button>
     </footer>
   );
 }

@@ -14,7 +14,6 @@ export function ViewOverlay({ editor }: { readonly editor: Editor }) {
   return (
     <>
       <DrawerButtons editor={editor} />
-      <BoneModeButton editor={editor} />
       <ProgressBox editor={editor} />
       <ViewMessage editor={editor} />
       <ActiveDofText editor={editor} />
@@ -39,22 +38,6 @@ function DrawerButtons({ editor: { drawer } }: { readonly editor: Editor }) {
       {button('left', 'Characters')}
       {button('right', 'Controls')}
     </div>
-  );
-}
-
-/** Within reach of a thumb, since a finger has no keys. */
-function BoneModeButton({ editor: { session } }: { readonly editor: Editor }) {
-  const { boneMode } = session;
-  return (
-    <button
-      type="button"
-      class="bone-mode"
-      aria-pressed={boneMode.value}
-      title="Drags turn bones (m)"
-      onClick={() => (boneMode.value = !boneMode.value)}
-    >
-      Bone mode
-    </button>
   );
 }
 
