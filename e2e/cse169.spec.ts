@@ -6,7 +6,7 @@ import { drawnOf } from './support/controls.ts';
 import { expectPicture } from './support/pictures.ts';
 import { sharedPage, test } from './support/test.ts';
 
-test.use({ viewport: { width: 1100, height: 720 } });
+test.use({ viewport: { width: 900, height: 560 } });
 const page = sharedPage((page) => openApp(page, 'model=insect&workspace=cse169'));
 
 const insectOf = async (): Promise<void> => {

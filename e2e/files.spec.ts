@@ -1,11 +1,11 @@
 import { expect } from '@playwright/test';
 import { zipSync } from 'fflate';
-import { drop, openView, type NamedFile, verify } from './support/app.ts';
+import { drop, openSmallView, type NamedFile, verify } from './support/app.ts';
 import { madeCharacter } from './support/made-character.ts';
 import { sharedPage, test } from './support/test.ts';
 
 // A character of five joints and sixty points, dropped in every way.
-const page = sharedPage((page) => openView(page, 'model=tube'));
+const page = sharedPage((page) => openSmallView(page, 'model=tube'));
 
 const [joints, points] = [5, 60];
 const whole = { joints, points, problems: [] };

@@ -1,5 +1,5 @@
 import { expect } from '@playwright/test';
-import { drop, openView } from './support/app.ts';
+import { drop, openSmallView } from './support/app.ts';
 import { madeCharacter } from './support/made-character.ts';
 import { test } from './support/test.ts';
 
@@ -20,7 +20,7 @@ declare global {
 test('fifty loads and unloads leave nothing behind', async ({ page }) => {
   test.slow();
   await page.addInitScript(countHoldings);
-  await openView(page, 'model=tube');
+  await openSmallView(page, 'model=tube');
   // Two characters by turns: one from its texture, past sixteen influences, one from attributes.
   const characters = [madeCharacter(5, 2), madeCharacter(30, 20)].map((files, index) =>
     files.map((file) => ({ ...file, name: file.name.replace('made', `made${index}`) })),
@@ -42,7 +42,7 @@ test('from a textured character with a clip that plays to another and back, agai
   page,
 }) => {
   await page.addInitScript(countHoldings);
-  await openView(page, 'model=tube');
+  await openSmallView(page, 'model=tube');
   const round = async (): Promise<Holdings> => {
     await page.evaluate(async () => {
       await window.sinew.open('tube');
@@ -56,13 +56,13 @@ test('from a textured character with a clip that plays to another and back, agai
   };
   const before = await round();
   let after = before;
-  for (let i = 0; i < 6; i++) after = await round();
+  for (let i = 0; i < 3; i++) after = await round();
   expect(after).toEqual(before);
 });
 
 test('large files are read in workers, which end', async ({ page }) => {
   await page.addInitScript(countHoldings);
-  await openView(page, 'model=tube');
+  await openSmallView(page, 'model=tube');
   const made = await page.evaluate(() => window.holdings());
   for (const id of ['human', 'dog', 'human']) {
     await page.evaluate((id) => window.sinew.open(id), id);

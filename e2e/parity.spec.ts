@@ -1,6 +1,6 @@
 import { expect } from '@playwright/test';
 import { methods } from '../src/skinning/registry.ts';
-import { choose, drop, openView, setPose, verify } from './support/app.ts';
+import { choose, drop, openSmallView, setPose, verify } from './support/app.ts';
 import { catalogue } from './support/catalogue.ts';
 import { madeCharacter } from './support/made-character.ts';
 import { wildPose } from './support/poses.ts';
@@ -14,20 +14,18 @@ const same = { identical: true, position: 0, vertex: 0, normal: 0 };
 for (const { id, files } of catalogue) {
   test(`${id}: GPU and CPU agree bit for bit, from the uniform array`, async ({ page }) => {
     await watchSkinStage(page);
-    await openView(page, `model=${id}`);
+    await openSmallView(page, `model=${id}`);
     expect(files.length, 'files of a character').toBeGreaterThanOrEqual(3);
     for (const { label } of methods) {
       await choose(page, 'Method', label);
       expect(await verify(page), `${label}, as bundled`).toMatchObject(same);
       const jointCount = await page.evaluate(() => window.sinew.characters[0]!.joints.length);
-      for (const pose of [wildPose(jointCount, 1), wildPose(jointCount, 2)]) {
-        await setPose(page, pose);
-        expect(await verify(page), `${label}, ${JSON.stringify(pose)}`).toMatchObject(same);
-      }
+      await setPose(page, wildPose(jointCount, 1));
+      expect(await verify(page), `${label}, in a wild pose`).toMatchObject(same);
     }
     const runs = await skinRuns(page);
     // As opened, then each method at its poses.
-    expect(runs.length).toBeGreaterThanOrEqual(3 * methods.length);
+    expect(runs.length).toBeGreaterThanOrEqual(2 * methods.length);
     for (const { blocks, textures } of runs) {
       expect(blocks).toEqual([{ name: 'Palette', size: 16_384 }]);
       expect(textures).toEqual([]);
@@ -39,7 +37,7 @@ test('the textures that stand in for attributes and uniform array agree as well'
   page,
 }) => {
   await watchSkinStage(page);
-  await openView(page, 'textures=palette,influences');
+  await openSmallView(page, 'textures=palette,influences');
   for (const { label } of methods) {
     await choose(page, 'Method', label);
     expect(await verify(page), label).toMatchObject(same);
@@ -62,7 +60,7 @@ const layouts = [
 ];
 test('every layout of palette and influences agrees bit for bit', async ({ page }) => {
   await watchSkinStage(page);
-  await openView(page, 'model=tube');
+  await openSmallView(page, 'model=tube');
   for (const { joints, influences, blocks, textures } of layouts) {
     await drop(page, madeCharacter(joints, influences));
     await setPose(page, wildPose(joints, 3));

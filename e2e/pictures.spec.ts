@@ -51,10 +51,6 @@ const scenes: Readonly<Record<string, Scene>> = {
   dog: { query: 'model=dog' },
   'tube-twisted': { query: 'model=tube' },
   'insect-boxes': { query: 'model=insect&workspace=cse169' },
-  'insect-boxes-selected': {
-    query: 'model=insect&workspace=cse169',
-    keys: [']', ']', ']', ']', ']'],
-  },
   'insect-boxes-skin': { query: 'model=insect&workspace=cse169', keys: ['s'] },
   'insect-textured': { query: 'model=insect' },
   'insect-morph': { query: 'model=insect', morphs: { insect_alert: 1, insect_breathe: 1 } },

@@ -2,7 +2,7 @@ import { expect } from '@playwright/test';
 import { rigid } from '../src/skinning/rigid.ts';
 import { linearBlend } from '../src/skinning/linear-blend.ts';
 import type { Verification } from '../src/view/verify.ts';
-import { capture, choose, openView, verify } from './support/app.ts';
+import { capture, choose, openSmallView, verify } from './support/app.ts';
 import { allowFaults, plantFault, plantedTexts, type Replacement } from './support/plant-fault.ts';
 import { sharedPage, test } from './support/test.ts';
 
@@ -50,7 +50,7 @@ const normalFaults: Readonly<Record<string, readonly Replacement[]>> = {
 
 const page = sharedPage(async (page) => {
   await allowFaults(page);
-  await openView(page);
+  await openSmallView(page);
 });
 
 async function verifyWith(replacements: readonly Replacement[]): Promise<Verification> {

@@ -1,5 +1,5 @@
 import { expect } from '@playwright/test';
-import { capture, drop, openView, setPose, verify } from './support/app.ts';
+import { capture, drop, openSmallView, openView, setPose, verify } from './support/app.ts';
 import { madeCharacter } from './support/made-character.ts';
 import { test } from './support/test.ts';
 
@@ -7,7 +7,7 @@ import { test } from './support/test.ts';
 test('palettes and influences from textures give the same pixels', async ({ page }) => {
   const pictures: Buffer[] = [];
   for (const textures of ['', 'palette,influences']) {
-    await openView(page, `model=human&textures=${textures}`);
+    await openView(page, `model=hand&textures=${textures}`);
     expect(await verify(page), textures).toMatchObject({ identical: true });
     pictures.push(await capture(page));
   }
@@ -17,7 +17,7 @@ test('palettes and influences from textures give the same pixels', async ({ page
 test('what the block or the attributes do not hold takes the textures by itself', async ({
   page,
 }) => {
-  await openView(page, 'model=tube');
+  await openSmallView(page, 'model=tube');
   // 1,365 entries fit in the largest block; 16 influences in the attributes.
   for (const [joints, influences] of [
     [1500, 4],

@@ -49,15 +49,13 @@ test('the address opens a workspace', async () => {
   await expectCourse();
 });
 
-for (const { id, label } of catalogue) {
-  test(`the address opens a bundled character: ${id}`, async () => {
-    await openApp(page(), `model=${id}`);
-    expect(await page().evaluate(() => window.sinew.problems)).toEqual([]);
-    const pressed = page().getByRole('button', { pressed: true });
-    await expect(pressed).toHaveText(label);
-    await expect(pressed).toHaveAttribute('title', /\w/);
-  });
-}
+test('the address opens a bundled character', async () => {
+  const { id, label } = catalogue[1]!;
+  await openApp(page(), `model=${id}`);
+  const pressed = page().getByRole('button', { pressed: true });
+  await expect(pressed).toHaveText(label);
+  await expect(pressed).toHaveAttribute('title', /\w/);
+});
 
 test('the picker opens each bundled character', async () => {
   await openApp(page(), 'model=tube');
@@ -66,6 +64,7 @@ test('the picker opens each bundled character', async () => {
     await expect(notice()).toHaveText(`${label} opened`);
     const [shown] = await page().evaluate(() => window.sinew.characters);
     expect(shown).toMatchObject({ name: id, selected: true });
+    expect(await page().evaluate(() => window.sinew.problems)).toEqual([]);
   }
 });
 

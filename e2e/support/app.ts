@@ -11,6 +11,14 @@ export async function openView(page: Page, query = ''): Promise<void> {
   await open(page, `./?test&${query}`);
 }
 
+/** The view, small: for tests of numbers, to which drawing is a cost. */
+export async function openSmallView(page: Page, query = ''): Promise<void> {
+  await openView(page, query);
+  const content = ':root[data-test] #app > .view { width: 160px; height: 120px }';
+  await page.addStyleTag({ content });
+  await expectFittingCanvas(page);
+}
+
 /** The page as people see it, once its panels are there. */
 export async function openApp(page: Page, query = ''): Promise<void> {
   await open(page, query === '' ? './' : `./?${query}`);

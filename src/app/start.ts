@@ -27,6 +27,8 @@ export async function start(root: HTMLElement): Promise<void> {
   const parameters = new URLSearchParams(location.search);
   const isTest = parameters.has('test');
   if (isTest) document.documentElement.dataset['test'] = '';
+  // Asked for first: making a context keeps the page busy for a while.
+  const listed = fetchCatalogue();
   const layout = createLayout(root);
   const store = new Store();
   const session = new Session();
@@ -50,7 +52,7 @@ export async function start(root: HTMLElement): Promise<void> {
   listenToDrops(opening);
   listenToPaste(opening);
 
-  await openNamed(opening, catalogue, parameters);
+  await openNamed(opening, catalogue, listed, parameters);
   // Without a character or a context there is no picture to wait for; the rest is as alive.
   if (store.document.value.characters.length === 0 || !viewer.available.value) firstFrameShown();
   await firstFrame;
@@ -63,6 +65,7 @@ export async function start(root: HTMLElement): Promise<void> {
 async function openNamed(
   opening: Opening,
   catalogue: Signal<readonly CatalogueEntry[]>,
+  listed: Promise<readonly CatalogueEntry[]>,
   parameters: URLSearchParams,
 ): Promise<void> {
   const notes: string[] = [];
@@ -74,7 +77,7 @@ async function openNamed(
   };
   opening.setWorkspace(named(workspaces, 'workspace')!.id);
   try {
-    catalogue.value = await fetchCatalogue();
+    catalogue.value = await listed;
   } catch (error) {
     if (!(error instanceof FetchError)) throw error;
     notes.push(error.message);
