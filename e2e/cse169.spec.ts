@@ -32,7 +32,7 @@ test('the workspace shows boxes; its normals are the course’s, on the GPU as o
 
 test('a click on a box selects its joint, whose number then stands in the picture', async () => {
   const box = (await page().locator('canvas').boundingBox())!;
-  await page().mouse.click(box.x + box.width * 0.34, box.y + box.height * 0.5);
+  await page().mouse.click(box.x + box.width * 0.535, box.y + box.height * 0.472);
   const selected = page().getByRole('treeitem', { selected: true });
   await expect(selected).toHaveText(/\w/);
   const joint = (await selected.textContent())!.replace(/[▸▾]/, '');
