@@ -15,6 +15,8 @@ test('a character past the limits of the GPU is told, and the page lives on', as
     };
   });
   await openApp(page, 'model=tube');
+  // The passes that come after the first picture make their objects when they are first drawn.
+  await page.evaluate(() => window.sinew.capture());
   const objects = await page.evaluate(() => window.sinew.liveObjects);
   await drop(page, madeCharacter(30, 20));
   await expect(page.locator('.message')).toContainText("can't be drawn here");
