@@ -16,7 +16,7 @@ import { install } from './install.mjs';
  * @typedef {{ passed: number, failed: number, skipped: number }} Counts
  * @typedef {{ status: number, output: string, seconds: number }} Outcome
  * @typedef {{ name: string, state: 'ok' | 'failed' | 'skipped', seconds: number, note: string, counts: Counts }} Result
- * @typedef {{ group: string, name: string, command: () => string[] }} Check
+ * @typedef {{ group: string, name: string, command: () => string[], environment?: Record<string, string> }} Check
  */
 
 const noTests = { passed: 0, failed: 0, skipped: 0 };
@@ -45,7 +45,13 @@ const checks = [
     name: 'format',
     command: () => packageCommand('prettier', ['--check', '--log-level=warn', '.']),
   },
-  { group: 'unused', name: 'unused', command: () => packageCommand('knip', ['--no-progress']) },
+  {
+    group: 'unused',
+    name: 'unused',
+    command: () => packageCommand('knip', ['--no-progress']),
+    // It loads playwright.config.ts, which would look for a browser while the check below gets one.
+    environment: { TEST_BROWSER: 'playwright' },
+  },
   {
     group: 'imports',
     name: 'imports',
@@ -124,8 +130,9 @@ async function main(chosen) {
 }
 
 /** @param {Check} check */
-async function runCheck({ name, command }) {
-  const { status, output, seconds } = await run(command(), { quiet: true });
+async function runCheck({ name, command, environment }) {
+  const options = { quiet: true, ...(environment && { environment }) };
+  const { status, output, seconds } = await run(command(), options);
   const skipped = /^skipped: (.*)/m.exec(output)?.[1];
   /** @type {Result} */
   const done = { ...result(name, seconds), state: status === 0 ? 'ok' : 'failed' };
@@ -222,14 +229,15 @@ function reportFile(name) {
 /**
  * Runs a command, its output shown as it comes or, quietly, given back.
  * @param {string[]} command
- * @param {{ quiet?: boolean }} [options]
+ * @param {{ quiet?: boolean, environment?: Record<string, string> }} [options]
  * @returns {Promise<Outcome>}
  */
-function run([program = '', ...words], { quiet = false } = {}) {
+function run([program = '', ...words], { quiet = false, environment = {} } = {}) {
   return new Promise((resolve) => {
     const begin = performance.now();
     const child = spawn(program, words, {
       cwd: root,
+      env: { ...process.env, ...environment },
       stdio: ['ignore', quiet ? 'pipe' : 'inherit', quiet ? 'pipe' : 'inherit'],
       timeout: longestMinutes * 60_000,
     });
