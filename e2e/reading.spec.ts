@@ -105,3 +105,31 @@ test('a folder is dropped with all that is in it, junk aside', async ({ page }, 
   await expect(page.locator('.status strong')).toHaveText('made');
   expect(await page.evaluate(() => window.sinew.problems)).toEqual([]);
 });
+
+test('a reader that can’t be loaded ends in a message, and the page stays as it was', async ({
+  page,
+}) => {
+  // As after a deploy that took the script away.
+  await page.addInitScript(() => {
+    window.Worker = class extends EventTarget {
+      postMessage(): void {
+        setTimeout(() => this.dispatchEvent(new Event('error')));
+      }
+      terminate(): void {
+        // Nothing runs.
+      }
+    } as unknown as typeof Worker;
+  });
+  await openApp(page, 'model=tube');
+  const [skel, obj, attach] = madeCharacter(5, 2);
+  const long = { ...obj!, content: `${'# a comment\n'.repeat(2 ** 17)}${obj!.content as string}` };
+  await page.locator('html').evaluate(
+    (_, files) => {
+      const made = files.map(({ name, content }) => new File([content], name));
+      return window.sinew.open(made);
+    },
+    [skel!, long, attach!].map(({ name, content }) => ({ name, content: content as string })),
+  );
+  await expect(page.locator('.status .notice')).toHaveText(/could not be loaded; reload the page/);
+  await expect(page.locator('.status strong')).toHaveText('tube');
+});

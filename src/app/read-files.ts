@@ -1,11 +1,11 @@
-import { proxy, transfer, wrap } from 'comlink';
 import type { Diagnostic } from '../core/diagnostics.ts';
 import { defaultLimits } from '../core/limits.ts';
 import { extensionOf, memoryFile } from '../formats/file-entry.ts';
 import type { FileEntry } from '../formats/format.ts';
 import { readableExtensions } from '../formats/extensions.ts';
 import type { ReadOutcome, ReadProgress } from '../formats/read-characters.ts';
-import type { LooseFile, Read } from '../workers/reader.worker.ts';
+import type { LooseFile } from '../workers/read-characters-task.ts';
+import { runTask } from './run-task.ts';
 
 /** More than this is read on another thread, so that the page stays alive. */
 const workerSize = 1024 * 1024;
@@ -67,32 +67,18 @@ async function readInWorker(
   signal: AbortSignal,
   onProgress: ReadProgress,
 ): Promise<ReadOutcome> {
-  const worker = new Worker(new URL('../workers/reader.worker.ts', import.meta.url), {
-    type: 'module',
-  });
-  const read = wrap<Read>(worker);
-  const aborted = new Promise<null>((resolve) => {
-    signal.addEventListener('abort', () => resolve(null), { once: true });
-  });
-  try {
-    // Copies, since the same files may be read again when a part of theirs comes later.
-    const copies = files.map(({ path, bytes }) => ({ path, bytes: bytes.slice() }));
-    const buffers = copies.map(({ bytes }) => bytes.buffer);
-    const outcome = await Promise.race([
-      read(transfer(copies, buffers), proxy(onProgress)),
-      aborted,
-    ]);
-    if (!outcome) return { characters: [], diagnostics: [] };
-    return {
-      characters: outcome.characters.map(({ character, files: own }) => ({
-        character,
-        files: own.map(asEntry),
-      })),
-      diagnostics: outcome.diagnostics,
-    };
-  } finally {
-    worker.terminate();
-  }
+  // Copies, since the same files may be read again when a part of theirs comes later.
+  const copies = files.map(({ path, bytes }) => ({ path, bytes: bytes.slice() }));
+  const transfer = copies.map(({ bytes }) => bytes.buffer);
+  const outcome = await runTask('read-characters', copies, { signal, onProgress, transfer });
+  if (!outcome) return { characters: [], diagnostics: [] };
+  return {
+    characters: outcome.characters.map(({ character, files: own }) => ({
+      character,
+      files: own.map(asEntry),
+    })),
+    diagnostics: outcome.diagnostics,
+  };
 }
 
 function asEntry({ path, bytes }: LooseFile): FileEntry {

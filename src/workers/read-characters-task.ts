@@ -1,9 +1,7 @@
-import { expose, transfer } from 'comlink';
 import type { Character } from '../core/character.ts';
 import type { Diagnostic } from '../core/diagnostics.ts';
 import { memoryFile } from '../formats/file-entry.ts';
 import { readCharacters, type ReadProgress } from '../formats/read-characters.ts';
-import { buffersOf } from './buffers-of.ts';
 
 /** A file as it crosses between threads; its bytes are handed over, not copied. */
 export interface LooseFile {
@@ -19,11 +17,14 @@ export interface LooseOutcome {
   readonly diagnostics: readonly Diagnostic[];
 }
 
-/** `readCharacters` on another thread. */
-async function read(files: readonly LooseFile[], onProgress: ReadProgress): Promise<LooseOutcome> {
+/** `readCharacters` with files as they cross between threads. */
+export async function run(
+  files: readonly LooseFile[],
+  onProgress: ReadProgress,
+): Promise<LooseOutcome> {
   const entries = files.map(({ path, bytes }) => memoryFile(path, bytes));
   const { characters, diagnostics } = await readCharacters(entries, onProgress);
-  const outcome: LooseOutcome = {
+  return {
     characters: await Promise.all(
       characters.map(async ({ character, files: own }) => ({
         character,
@@ -34,9 +35,4 @@ async function read(files: readonly LooseFile[], onProgress: ReadProgress): Prom
     ),
     diagnostics,
   };
-  return transfer(outcome, buffersOf(outcome));
 }
-
-export type Read = typeof read;
-
-expose(read);

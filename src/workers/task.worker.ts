@@ -1,0 +1,22 @@
+import { buffersOf } from './buffers-of.ts';
+import { taskTable } from './task-table.ts';
+import type { TaskReply, TaskRequest } from './tasks.ts';
+
+/** The shell of every task: runs the one that it is asked for, and hands over what came of it. */
+addEventListener('message', ({ data }: MessageEvent<TaskRequest>) => void answer(data));
+
+async function answer({ name, input }: TaskRequest): Promise<void> {
+  try {
+    const task = await taskTable[name]();
+    const output = await task.run(input, (label, fraction) =>
+      reply({ kind: 'progress', label, fraction }),
+    );
+    reply({ kind: 'done', output }, buffersOf(output));
+  } catch (error) {
+    reply({ kind: 'failed', message: error instanceof Error ? error.message : String(error) });
+  }
+}
+
+function reply(message: TaskReply, transfer: Transferable[] = []): void {
+  postMessage(message, { transfer });
+}
