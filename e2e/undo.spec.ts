@@ -1,6 +1,15 @@
 import { expect } from '@playwright/test';
 import { rigid } from '../src/skinning/rigid.ts';
-import { choose, controlRow, drop, getPose, openApp, setPose, vertices } from './support/app.ts';
+import {
+  choose,
+  controlRow,
+  drop,
+  getPose,
+  openApp,
+  openJoint,
+  setPose,
+  vertices,
+} from './support/app.ts';
 import { madeCharacter } from './support/made-character.ts';
 import { sharedPage, test } from './support/test.ts';
 
@@ -34,6 +43,44 @@ test('opening another character, bundled or dropped', async () => {
   await expect(redo()).toBeDisabled();
   await undo().click();
   await undo().click();
+});
+
+test('an opening with a joint selected: the selection goes, and the picker says what is open', async () => {
+  const picker = (label: string) => page().getByRole('button', { name: label, exact: true });
+  const treeItem = page().locator('[role=treeitem][aria-selected=true]');
+  await picker('Twisting tube').click();
+  await expect.poll(name).toBe('tube');
+  await picker('Human').click();
+  await expect.poll(name).toBe('human');
+  await page().getByRole('treeitem', { name: 'Head', exact: true }).click();
+  await expect(treeItem).toHaveCount(1);
+  await undo().click();
+  expect(await name()).toBe('tube');
+  await expect(treeItem).toHaveCount(0);
+  await expect(picker('Twisting tube')).toHaveAttribute('aria-pressed', 'true');
+  await expect(picker('Human')).toHaveAttribute('aria-pressed', 'false');
+  await undo().click();
+  expect(await name()).toBe('human');
+});
+
+test('one’s own character chosen again stays as it is posed, and its sliders still move it', async () => {
+  await drop(page(), madeCharacter(5, 2));
+  const own = page().getByRole('button', { name: 'made', exact: true });
+  const { joints } = await page().evaluate(() => window.sinew.characters[0]!);
+  const posed = await setPose(page(), { joints: { [joints[1]!]: [0.5, 0, 0] } });
+  await own.click();
+  expect(await getPose(page())).toEqual(posed);
+  // Away and back: the rows of the same character, opened under another id, write to it.
+  await page().getByRole('button', { name: 'Twisting tube' }).click();
+  await expect.poll(name).toBe('tube');
+  await own.click();
+  await expect.poll(name).toBe('made');
+  const { field } = await openJoint(page(), joints[1]!, 'X');
+  await field.fill('0.25');
+  await field.blur();
+  expect((await getPose(page())).joints?.[joints[1]!]).toEqual([0.25, 0, 0]);
+  for (let i = 0; i < 5; i++) await undo().click();
+  expect(await name()).toBe('human');
 });
 
 test('poses set, reset in part and as a whole', async () => {

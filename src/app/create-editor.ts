@@ -16,7 +16,7 @@ import { savePicture } from './save-picture.ts';
 
 /** Joins what is open to all that the interface can ask for. */
 export function createEditor(opening: Opening): Editor {
-  const { store, session, viewer, openedId, verification, notice } = opening;
+  const { store, session, viewer, verification, notice } = opening;
   const selected = () => selectedCharacter(store.document.value);
 
   const editor: Editor = {
@@ -54,9 +54,11 @@ export function createEditor(opening: Opening): Editor {
     async saveAs(format) {
       const shown = shownSelected(store, session);
       if (!shown) return;
+      // What is shown goes on while files are written: the pose of this moment is saved.
+      const pose = { ...shown.pose, q: shown.pose.q.slice() };
       // Few save in another course's format, so that its writers are loaded when one does.
       const { saveAs } = await import('./save-as.ts');
-      const losses = await saveAs(shown.state.character, shown.pose, format);
+      const losses = await saveAs(shown.state.character, pose, format);
       session.problems.value = losses;
       notice.value =
         losses.length > 0 ? 'Saved; what got lost is under Problems' : 'Saved, with nothing lost';
@@ -74,12 +76,7 @@ export function createEditor(opening: Opening): Editor {
     },
 
     async savePicture(options) {
-      notice.value = await savePicture(
-        viewer,
-        shownSelected(store, session),
-        openedId.value,
-        options,
-      );
+      notice.value = await savePicture(viewer, shownSelected(store, session), options);
     },
 
     verify() {

@@ -1,4 +1,5 @@
-import { type Signal, signal } from '@preact/signals-core';
+import { computed, type Signal, signal } from '@preact/signals-core';
+import { selectedCharacter, type Source } from '../document/document.ts';
 import type { Session } from '../document/session.ts';
 import type { Store } from '../document/store.ts';
 import type { FileEntry } from '../formats/format.ts';
@@ -10,6 +11,7 @@ import type { Viewer } from '../view/viewer.ts';
 import { type CatalogueEntry, FetchError, fetchBundled } from './catalogue.ts';
 import { FileOpener, type OpenOutcome } from './open-files.ts';
 import { ProgressMeter } from './progress-meter.ts';
+import { TaskStartError } from './run-task.ts';
 import { workspaces } from './workspaces.ts';
 
 /** Opens characters and workspaces: all that the first picture needs of the editor. */
@@ -21,9 +23,15 @@ export function createOpening(
 ): Opening {
   const opener = new FileOpener(store, session);
   const workspaceId = signal<WorkspaceId>(workspaces[0]!.id);
-  const openedId = signal<string | null>(null);
+  const openedId = computed(() => {
+    const source = selectedCharacter(store.document.value)?.source;
+    return source?.kind === 'bundled' ? source.id : null;
+  });
   const own = signal<readonly ReadCharacter[]>([]);
   const verification = signal<Verification | null>(null);
+  const selected = computed(() => selectedCharacter(store.document.value)?.character);
+  // What was verified is of one character, whatever puts another in its place.
+  selected.subscribe(() => (verification.value = null));
   const notice = signal('');
   const meter = new ProgressMeter();
   let current = new AbortController();
@@ -43,12 +51,13 @@ export function createOpening(
     theme: signal<ThemeChoice>('system'),
 
     async openFiles(files) {
-      const outcome = await whileOpening('Reading', (signal) => open(files, signal, false));
+      const outcome = await whileOpening('Reading', (signal) =>
+        open(files, signal, { kind: 'files' }),
+      );
       if (!outcome) return;
       const { found, opened, reopened, posed } = outcome;
       if (opened) {
         own.value = found;
-        openedId.value = null;
         showOpened(opened.name, reopened);
       } else if (posed) notice.value = 'Pose set';
       else notice.value = 'Nothing could be opened; see Problems';
@@ -61,16 +70,15 @@ export function createOpening(
         return;
       }
       const outcome = await whileOpening(`Loading ${entry.label}`, async (signal) =>
-        open(await fetchBundled(entry, signal), signal, true),
+        open(await fetchBundled(entry, signal), signal, { kind: 'bundled', id }),
       );
-      if (!outcome?.opened) return;
-      openedId.value = id;
-      showOpened(entry.label, false);
+      if (outcome?.opened) showOpened(entry.label, false);
     },
 
     openOwn(character) {
-      opener.show(character);
-      openedId.value = null;
+      // Already open, it stays as it was posed.
+      if (selectedCharacter(store.document.value)?.character === character.character) return;
+      opener.show(character, { kind: 'files' });
       showOpened(character.character.name, false);
     },
 
@@ -92,8 +100,8 @@ export function createOpening(
   };
   return opening;
 
-  function open(files: readonly FileEntry[], signal: AbortSignal, fresh: boolean) {
-    return opener.open(files, signal, meter.report, (id) => opening.openBundled(id), fresh);
+  function open(files: readonly FileEntry[], signal: AbortSignal, source: Source) {
+    return opener.open(files, signal, meter.report, (id) => opening.openBundled(id), source);
   }
 
   /** Ends what is being opened, and opens; what fails becomes a word, and the page stays as it was. */
@@ -107,7 +115,8 @@ export function createOpening(
       return await meter.during(title, () => work(signal));
     } catch (error) {
       if (signal.aborted) return undefined;
-      if (error instanceof FetchError) notice.value = error.message;
+      if (error instanceof FetchError || error instanceof TaskStartError)
+        notice.value = error.message;
       else {
         notice.value = 'Sinew itself failed at this; the page is as it was';
         reportError(error);
@@ -117,7 +126,6 @@ export function createOpening(
   }
 
   function showOpened(name: string, reopened: boolean): void {
-    verification.value = null;
     const workspace = workspaces.find(({ id }) => id === workspaceId.value);
     if (workspace?.framed && !reopened) viewer.frameAll();
     notice.value = reopened ? `${name} updated; pose and camera kept` : `${name} opened`;

@@ -1,7 +1,7 @@
 import type { Character } from '../core/character.ts';
 import type { Diagnostic } from '../core/diagnostics.ts';
 import { type KeptState, openCharacter, setPose } from '../document/commands.ts';
-import { type CharacterState, selectedCharacter } from '../document/document.ts';
+import { type CharacterState, selectedCharacter, type Source } from '../document/document.ts';
 import type { Session } from '../document/session.ts';
 import type { Store } from '../document/store.ts';
 import { baseName, extensionOf } from '../formats/file-entry.ts';
@@ -41,7 +41,7 @@ export class FileOpener {
   /**
    * @param signal aborted where the user cancels, or where later files take over
    * @param openBundled opens a bundled character, for pictures that remember one
-   * @param fresh for a bundled character, which neither completes nor renews what is open
+   * @param source a bundled character neither completes nor renews what is open
    * @returns nothing where it was aborted; the page is then as it was
    */
   async open(
@@ -49,8 +49,9 @@ export class FileOpener {
     signal: AbortSignal,
     onProgress: ReadProgress,
     openBundled: (id: string) => Promise<void>,
-    fresh: boolean,
+    source: Source,
   ): Promise<OpenOutcome | undefined> {
+    const fresh = source.kind === 'bundled';
     const { poses, notes, parts } = await sortFiles(files);
     const completed = fresh ? parts : this.completed(parts);
     const onlyPictures = completed.every(isPicture);
@@ -66,7 +67,7 @@ export class FileOpener {
     const character = first?.character ?? this.selected?.character;
     const q = character && readPoses({ poses, notes }, character, problems);
     if (first) {
-      this.show(first, q, renewed);
+      this.show(first, source, q, renewed);
       problems.push(...missingParts(first.character));
     } else if (q && this.selected) {
       this.store.dispatch(setPose(this.selected.id, q, 'Open a pose'));
@@ -85,12 +86,11 @@ export class FileOpener {
    *
    * @param before the open one, of the same files: its pose, shape and clip go on, and it plays on
    */
-  show(read: ReadCharacter, q?: Float64Array, before?: CharacterState): void {
+  show(read: ReadCharacter, source: Source, q?: Float64Array, before?: CharacterState): void {
     const { character } = read;
     const kept = { ...(before && keptState(before, character)), ...(q && { q, clip: null }) };
     this.filesOf.set(character, read.files);
-    this.store.dispatch(openCharacter(character, this.methodFor(character), kept));
-    if (typeof kept.clip !== 'number') this.session.playing.value = false;
+    this.store.dispatch(openCharacter(character, this.methodFor(character), kept, source));
     if (!before || before.character.clips.length === 0) {
       this.session.clipIndex.value = 0;
       this.session.clipTime.value = character.clips[0]?.start ?? 0;

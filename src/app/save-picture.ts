@@ -18,10 +18,11 @@ interface Shown {
 export async function savePicture(
   viewer: Viewer,
   shown: Shown | undefined,
-  bundled: string | null,
   { format, size, background, target }: PictureOptions,
 ): Promise<string> {
   if (!viewer.available.value) return 'There is no view to take a picture of at the moment';
+  // Read at once: pose and picture are of the same moment, whatever plays on while it is encoded.
+  const note = shown && noteOf(shown);
   let blob: Blob;
   try {
     // JPEG has no transparency.
@@ -31,23 +32,22 @@ export async function savePicture(
     if (!(error instanceof GpuLimitError)) throw error;
     return error.message;
   }
-  if (format === 'png' && shown) blob = await withNote(blob, shown, bundled);
+  if (format === 'png' && note !== undefined) blob = await withNote(blob, note);
   if (target === 'clipboard') return copyPicture(blob);
   const extension = format === 'jpeg' ? 'jpg' : format;
   download(`${shown?.state.character.name ?? 'sinew'}.${extension}`, blob, blob.type);
   return 'Picture saved';
 }
 
-async function withNote(
-  png: Blob,
-  { state: { character }, pose }: Shown,
-  bundled: string | null,
-): Promise<Blob> {
-  const note = writePictureNote({
-    ...(bundled === null ? {} : { bundled }),
+function noteOf({ state: { character, source }, pose }: Shown): string {
+  return writePictureNote({
+    ...(source.kind === 'bundled' ? { bundled: source.id } : {}),
     name: character.name,
     pose: poseToJson(character.skeleton, pose),
   });
+}
+
+async function withNote(png: Blob, note: string): Promise<Blob> {
   const bytes = insertPngText(new Uint8Array(await png.arrayBuffer()), pictureKeyword, note);
   return new Blob([bytes as BlobPart], { type: 'image/png' });
 }

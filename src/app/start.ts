@@ -1,4 +1,5 @@
 import { type Signal, signal } from '@preact/signals-core';
+import { reconcile } from '../document/reconcile.ts';
 import { Session } from '../document/session.ts';
 import { Store } from '../document/store.ts';
 import { listenToDrops } from '../ui/drop-zone.ts';
@@ -30,8 +31,8 @@ export async function start(root: HTMLElement): Promise<void> {
   // Asked for first: making a context keeps the page busy for a while.
   const listed = fetchCatalogue();
   const layout = createLayout(root);
-  const store = new Store();
   const session = new Session();
+  const store = new Store((before, after) => reconcile(session, before, after));
   const catalogue = signal<readonly CatalogueEntry[]>([]);
   let firstFrameShown = (): void => undefined;
   const firstFrame = new Promise<void>((resolve) => (firstFrameShown = resolve));

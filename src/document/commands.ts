@@ -2,7 +2,7 @@ import { assert } from '../core/assert.ts';
 import type { Character } from '../core/character.ts';
 import { jointRange } from '../core/pose.ts';
 import type { MethodId } from '../skinning/method.ts';
-import type { CharacterId, CharacterState, Document } from './document.ts';
+import type { CharacterId, CharacterState, Document, Source } from './document.ts';
 
 /** An edit: a pure function from document to document, with a name for the Undo button. */
 export interface Command {
@@ -96,11 +96,16 @@ export type KeptState = Partial<
   Pick<CharacterState, 'q' | 'morphWeights' | 'clip' | 'normalizeWeights'>
 >;
 
-/** Puts a character in the place of the selected one, as its file has it but for what is given. */
+/**
+ * Puts a character in the place of the selected one, as its file has it but for what is given.
+ *
+ * @param source one's own files where nothing else is said
+ */
 export function openCharacter(
   character: Character,
   method: MethodId,
   { q, morphWeights, clip = null, normalizeWeights = false }: KeptState = {},
+  source: Source = { kind: 'files' },
 ): Command {
   return {
     label: `Open ${character.name}`,
@@ -110,6 +115,7 @@ export function openCharacter(
       const opened: CharacterState = {
         id,
         character,
+        source,
         q: (q ?? character.skeleton.qRest).slice(),
         morphWeights: morphWeights?.slice() ?? new Float64Array(character.morphs.length),
         clip,

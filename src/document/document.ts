@@ -13,9 +13,13 @@ export interface Document {
 
 export type CharacterId = number;
 
+/** Where a character came from; undo restores it with the character. */
+export type Source = { readonly kind: 'bundled'; readonly id: string } | { readonly kind: 'files' };
+
 export interface CharacterState {
   readonly id: CharacterId;
   readonly character: Character;
+  readonly source: Source;
   /** (qCount) the pose; never written in place. */
   readonly q: Float64Array;
   /** (morphCount) how much of each morph there is; never written in place. */

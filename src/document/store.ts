@@ -1,4 +1,4 @@
-import { computed, type ReadonlySignal, signal } from '@preact/signals-core';
+import { batch, computed, type ReadonlySignal, signal } from '@preact/signals-core';
 import type { Command } from './commands.ts';
 import { type Document, emptyDocument } from './document.ts';
 import { emptyHistory, type History, record, stepBack, stepForward } from './history.ts';
@@ -18,12 +18,18 @@ export interface Gesture {
 export class Store {
   private readonly current = signal<Document>(emptyDocument);
   private readonly history = signal<History>(emptyHistory);
+  private readonly onChange: (before: Document, after: Document) => void;
   private open: Gesture | null = null;
 
   readonly document: ReadonlySignal<Document> = this.current;
   /** What Undo and Redo would do, or null. */
   readonly undoLabel = computed(() => this.history.value.past.at(-1)?.label ?? null);
   readonly redoLabel = computed(() => this.history.value.future.at(-1)?.label ?? null);
+
+  /** @param onChange runs with every change, undo and redo too, before anything that follows it */
+  constructor(onChange: (before: Document, after: Document) => void = () => undefined) {
+    this.onChange = onChange;
+  }
 
   dispatch(command: Command): void {
     const gesture = this.begin(command.label);
@@ -41,7 +47,7 @@ export class Store {
         return isOpen();
       },
       preview: (command) => {
-        if (isOpen()) this.current.value = command.apply(before);
+        if (isOpen()) this.show(command.apply(before));
       },
       commit: () => {
         if (!isOpen()) return;
@@ -54,7 +60,7 @@ export class Store {
       cancel: () => {
         if (!isOpen()) return;
         this.open = null;
-        this.current.value = before;
+        this.show(before);
       },
     };
     this.open = gesture;
@@ -72,7 +78,7 @@ export class Store {
     this.open?.commit();
     const entry = this.history.value.past.at(-1);
     if (!entry) return;
-    this.current.value = entry.before;
+    this.show(entry.before);
     this.history.value = stepBack(this.history.value);
   }
 
@@ -80,7 +86,17 @@ export class Store {
     this.open?.commit();
     const entry = this.history.value.future.at(-1);
     if (!entry) return;
-    this.current.value = entry.after;
+    this.show(entry.after);
     this.history.value = stepForward(this.history.value);
+  }
+
+  /** In one batch, so that nobody meets a session that does not fit the document. */
+  private show(after: Document): void {
+    const before = this.current.value;
+    if (after === before) return;
+    batch(() => {
+      this.current.value = after;
+      this.onChange(before, after);
+    });
   }
 }

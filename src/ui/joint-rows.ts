@@ -1,3 +1,4 @@
+import { assert } from '../core/assert.ts';
 import { noParent, type Skeleton } from '../core/skeleton.ts';
 
 /** A line of the joint tree. */
@@ -37,6 +38,7 @@ export function visibleRows(
 
 /** From the joint's parent up to its root. */
 export function ancestorsOf({ parents }: Skeleton, joint: number): number[] {
+  assert(joint in parents, 'a joint of the skeleton');
   const ancestors: number[] = [];
   for (let above = parents[joint]!; above !== noParent; above = parents[above]!) {
     ancestors.push(above);

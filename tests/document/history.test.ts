@@ -10,6 +10,7 @@ function documentWith(values: number): Document {
   const state: CharacterState = {
     id: 1,
     character,
+    source: { kind: 'files' },
     q: new Float64Array(values),
     morphWeights: new Float64Array(0),
     clip: null,

@@ -13,6 +13,7 @@ const { q } = restPose(character.skeleton);
 const state: CharacterState = {
   id: 1,
   character,
+  source: { kind: 'files' },
   q,
   morphWeights: new Float64Array(0),
   clip: null,

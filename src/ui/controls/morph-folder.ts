@@ -2,7 +2,7 @@ import { effect } from '@preact/signals-core';
 import type { GUI } from 'lil-gui';
 import type { Character } from '../../core/character.ts';
 import { setMorphWeight } from '../../document/commands.ts';
-import { selectedCharacter } from '../../document/document.ts';
+import { type CharacterId, selectedCharacter } from '../../document/document.ts';
 import type { Editor } from '../editor.ts';
 import { addValueRow, type ValueRow } from './value-row.ts';
 
@@ -14,13 +14,15 @@ export function addMorphFolder(gui: GUI, editor: Editor): void {
   const { store } = editor;
   const folder = gui.addFolder('Morphs');
   let shown: Character | null = null;
+  let shownId: CharacterId | null = null;
   let rows: ValueRow[] = [];
 
   effect(() => {
     const state = selectedCharacter(store.document.value);
     const character = state?.character ?? null;
-    if (character !== shown) {
+    if (character !== shown || (state?.id ?? null) !== shownId) {
       shown = character;
+      shownId = state?.id ?? null;
       for (const child of [...folder.children]) child.destroy();
       rows = (character?.morphs ?? []).map(({ name }, index) =>
         addMorphRow(folder, editor, state!.id, name, index),

@@ -1,6 +1,7 @@
 import { effect } from '@preact/signals-core';
 import type { GUI } from 'lil-gui';
 import type { Character } from '../../core/character.ts';
+import type { CharacterId } from '../../document/document.ts';
 import { shownSelected } from '../../document/shown-pose.ts';
 import { chooseFiles } from '../choose-files.ts';
 import type { Editor } from '../editor.ts';
@@ -31,15 +32,18 @@ export function addPoseFolder(gui: GUI, editor: Editor): void {
   let joints: GUI | null = null;
   let folders: JointFolder[] = [];
   let shown: Character | null = null;
+  /** Rows write to the character of this id, which may be opened again under another. */
+  let shownId: CharacterId | null = null;
 
   effect(() => {
     const state = shownSelected(editor.store, editor.session)?.state;
     const character = state?.character ?? null;
-    if (character !== shown) {
+    if (character !== shown || (state?.id ?? null) !== shownId) {
       joints?.destroy();
       joints = folder.addFolder('Joints');
       joints.domElement.classList.add('joints');
       shown = character;
+      shownId = state?.id ?? null;
       folders = [];
       if (state) {
         const { skeleton } = state.character;

@@ -1,0 +1,143 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { openCharacter, resetJoint, setPose } from '../../src/document/commands.ts';
+import { type Document, selectedCharacter } from '../../src/document/document.ts';
+import { reconcile } from '../../src/document/reconcile.ts';
+import { Session } from '../../src/document/session.ts';
+import { Store } from '../../src/document/store.ts';
+import { jointOfValue } from '../../src/core/pose.ts';
+import { ancestorsOf } from '../../src/ui/joint-rows.ts';
+import { jointValues } from '../../src/ui/joint-values.ts';
+import { characterOfRig } from '../fixtures/character-of-rig.ts';
+import { allRigs } from '../fixtures/rigs.ts';
+
+const characters = Object.values(allRigs).map((rig) => characterOfRig(rig()));
+
+/** A store and a session as the page has them, or without what keeps them together. */
+function start(keepTogether: (before: Document, after: Document, session: Session) => void) {
+  const session = new Session();
+  const store = new Store((before, after) => keepTogether(before, after, session));
+  store.dispatch(openCharacter(characters[0]!, 'linear-blend'));
+  return { store, session, gesture: store.begin('nothing') };
+}
+
+type Walk = ReturnType<typeof start>;
+
+const stateOf = ({ store }: Walk) => selectedCharacter(store.document.value)!;
+
+/** What a user does next; numbers choose among what there is. */
+const actions: readonly ((walk: Walk, number: number) => void)[] = [
+  ({ store }, number) =>
+    store.dispatch(openCharacter(characters[number % characters.length]!, 'rigid')),
+  (walk, number) => {
+    const { skeleton } = stateOf(walk).character;
+    walk.session.selectedJoint.value = number % skeleton.jointCount;
+  },
+  (walk, number) => {
+    const { bones } = stateOf(walk).character;
+    const bone = bones[number % bones.length];
+    if (!bone) return;
+    walk.session.hoveredBone.value = bone;
+    walk.session.hoveredJoint.value = bone.joint;
+    walk.session.hoverPlace.value = [1, 1];
+  },
+  (walk, number) => {
+    const { skeleton } = stateOf(walk).character;
+    const joint = number % skeleton.jointCount;
+    const value = jointValues(skeleton, joint)[0];
+    if (value) {
+      const { index, isAngle } = value;
+      walk.session.activeDof.value = { name: skeleton.names[joint]!, index, isAngle };
+    }
+  },
+  (walk, number) => {
+    const state = stateOf(walk);
+    walk.gesture = walk.store.begin('turn');
+    walk.gesture.preview(
+      setPose(
+        state.id,
+        state.q.map((value) => value + number),
+      ),
+    );
+  },
+  (walk) => walk.gesture.commit(),
+  ({ store }) => void store.cancelGesture(),
+  (walk, number) => {
+    const state = stateOf(walk);
+    walk.store.dispatch(resetJoint(state, state.q, number % state.character.skeleton.jointCount));
+  },
+  ({ store }) => store.undo(),
+  ({ store }) => store.undo(),
+  ({ store }) => store.redo(),
+];
+
+const steps = fc.array(fc.tuple(fc.nat(actions.length - 1), fc.nat(1000)), { maxLength: 60 });
+
+/** What every panel takes for granted when it reads both. */
+function expectFits(walk: Walk): void {
+  const { character } = stateOf(walk);
+  const { skeleton, bones, clips } = character;
+  const { selectedJoint, hoveredJoint, hoveredBone, activeDof, clipIndex } = walk.session;
+  for (const joint of [selectedJoint.value, hoveredJoint.value]) {
+    if (joint === null) continue;
+    expect(joint).toBeLessThan(skeleton.jointCount);
+    expect(ancestorsOf(skeleton, joint).length).toBe(skeleton.depths[joint]);
+  }
+  if (hoveredBone.value) expect(bones).toContain(hoveredBone.value);
+  const dof = activeDof.value;
+  if (dof) expect(dof.name).toBe(skeleton.names[jointOfValue(skeleton, dof.index)]);
+  expect(clipIndex.value).toBeLessThan(Math.max(1, clips.length));
+}
+
+function walks(
+  keepTogether: (before: Document, after: Document, session: Session) => void,
+  numRuns: number,
+): void {
+  fc.assert(
+    fc.property(steps, (chosen) => {
+      const walk = start(keepTogether);
+      for (const [action, number] of chosen) {
+        actions[action]!(walk, number);
+        expectFits(walk);
+      }
+    }),
+    { numRuns },
+  );
+}
+
+describe('the session', () => {
+  it('fits the document after any run of opens, edits, selections, gestures and undos', () => {
+    walks((before, after, session) => reconcile(session, before, after), 500);
+  });
+
+  it('would not, were it not reconciled', () => {
+    expect(() => walks(() => undefined, 500)).toThrow();
+  });
+
+  it('drops the joint that an undone opening takes away, before anybody reads it', () => {
+    const walk = start((before, after, session) => reconcile(session, before, after));
+    const largest = [...characters].sort(
+      (a, b) => b.skeleton.jointCount - a.skeleton.jointCount,
+    )[0]!;
+    walk.store.dispatch(openCharacter(largest, 'linear-blend'));
+    walk.session.selectedJoint.value = largest.skeleton.jointCount - 1;
+    const seen: (number | null)[] = [];
+    walk.store.document.subscribe(() => void seen.push(walk.session.selectedJoint.peek()));
+    walk.store.undo();
+    expect(seen).toEqual([largest.skeleton.jointCount - 1, null]);
+  });
+
+  it('keeps the selection where a pose of the same joints comes and goes', () => {
+    const walk = start((before, after, session) => reconcile(session, before, after));
+    walk.session.selectedJoint.value = 1;
+    const { id, q } = stateOf(walk);
+    walk.store.dispatch(
+      setPose(
+        id,
+        q.map((value) => value + 1),
+      ),
+    );
+    walk.store.undo();
+    expect(walk.session.selectedJoint.value).toBe(1);
+  });
+});
