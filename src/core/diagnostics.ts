@@ -149,6 +149,11 @@ export class DiagnosticLog {
     this.add({ severity: 'error', file: this.file, ...details });
   }
 
+  /** An error that costs a part of the file alone: the rest is a value still. */
+  errorOfPart(details: DiagnosticDetails): void {
+    this.add({ severity: 'error', file: this.file, ...details });
+  }
+
   warn(details: DiagnosticDetails): void {
     this.add({ severity: 'warning', file: this.file, ...details });
   }
@@ -160,7 +165,7 @@ export class DiagnosticLog {
   get diagnostics(): readonly Diagnostic[] {
     if (this.omitted === 0) return this.listed;
     const more: Diagnostic = {
-      severity: this.failed ? 'error' : 'warning',
+      severity: hasErrors(this.listed) ? 'error' : 'warning',
       code: 'file/more',
       file: this.file,
       expected: 'at most a hundred problems',

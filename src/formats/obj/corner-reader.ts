@@ -1,7 +1,7 @@
 import type { DiagnosticLog } from '../../core/diagnostics.ts';
 import type { LineReader } from '../text/line-reader.ts';
 import { readInteger } from '../text/read-number.ts';
-import type { ObjStreams } from './tuple-stream.ts';
+import type { ObjStreams, TupleStream } from './tuple-stream.ts';
 import { vertexLines } from './vertex-lines.ts';
 
 const slash = 0x2f;
@@ -20,6 +20,7 @@ export class CornerReader {
   private readonly streams: ObjStreams;
   private readonly log: DiagnosticLog;
   private readonly missingReported = new Set<string>();
+  private openCount = 0;
   private laterLines: Uint32Array | undefined;
 
   constructor(reader: LineReader, streams: ObjStreams, log: DiagnosticLog) {
@@ -44,9 +45,20 @@ export class CornerReader {
     }
     return {
       point,
-      uv: this.optional(parts.uv, this.streams.uvs.count, 'texture coordinate'),
-      normal: this.optional(parts.normal, this.streams.normals.count, 'normal'),
+      uv: this.optional(parts.uv, this.streams.uvs, 'texture coordinate'),
+      normal: this.optional(parts.normal, this.streams.normals, 'normal'),
     };
+  }
+
+  /** Says how many corners ended in a slash. */
+  reportOddities(): void {
+    if (this.openCount === 0) return;
+    this.log.warn({
+      code: 'obj/face',
+      expected: 'corners that end in a number',
+      found: `${this.openCount} that end in a slash`,
+      effect: 'they go without what would follow the slash',
+    });
   }
 
   /** The numbers between the slashes as they stand; nothing where the token is no corner. */
@@ -61,8 +73,8 @@ export class CornerReader {
       start = at + 1;
     }
     const [point, uv, normal] = numbers;
-    const isCorner = point !== undefined && numbers.at(-1) !== undefined;
-    if (!isCorner || numbers.some(Number.isNaN)) return undefined;
+    if (point === undefined || numbers.some(Number.isNaN)) return undefined;
+    if (numbers.at(-1) === undefined) this.openCount++;
     return {
       point,
       ...(uv === undefined ? {} : { uv }),
@@ -85,9 +97,11 @@ export class CornerReader {
   }
 
   /** A texture coordinate or normal that is not there costs only itself, not the face. */
-  private optional(index: number | undefined, count: number, what: string): number {
+  private optional(index: number | undefined, stream: TupleStream, what: string): number {
     if (index === undefined) return -1;
+    const { count } = stream;
     const resolved = resolve(index, count);
+    if (resolved !== -1 && !stream.isSound(resolved)) return -1; // which its own line has said
     if (resolved === -1 && !this.missingReported.has(what)) {
       this.missingReported.add(what);
       this.log.warn({

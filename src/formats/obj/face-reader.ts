@@ -11,6 +11,7 @@ const effect = 'the mesh is not used';
 /** Reads the `f` lines of an OBJ: `f a b c …`, three corners or more. */
 export class FaceReader {
   private degenerateCount = 0;
+  private shortCount = 0;
   private readonly cornerPoints = growUint32();
   private readonly cornerUvs = growInt32();
   private readonly cornerNormals = growInt32();
@@ -55,7 +56,7 @@ export class FaceReader {
       if (!corner) return;
       face.push(corner);
     }
-    if (count < 3) this.fail('face', 'a face of at least 3 corners', `${count}`);
+    if (count < 3) this.shortCount++;
     else if (count > cornersPerFace) {
       this.fail('limit', `a face of at most ${cornersPerFace} corners`, `${count}`);
     } else if (this.triangleCount + count - 2 > triangleCount) {
@@ -64,18 +65,25 @@ export class FaceReader {
     } else this.addTriangles(face);
   }
 
-  reportDegenerate(): void {
-    if (this.degenerateCount === 0) return;
-    this.log.warn({
-      code: 'obj/degenerate',
-      expected: 'triangles of three different vertices',
-      found: `${this.degenerateCount} that are not`,
-      effect: 'they are left out',
-    });
+  /** Says what harmless things were met, each kind once with its count. */
+  reportOddities(): void {
+    const effect = 'they are left out';
+    if (this.degenerateCount > 0) {
+      const expected = 'triangles of three different vertices';
+      const found = `${this.degenerateCount} that are not`;
+      this.log.warn({ code: 'obj/degenerate', expected, found, effect });
+    }
+    if (this.shortCount > 0) {
+      const expected = 'faces of at least 3 corners';
+      const found = `${this.shortCount} of fewer`;
+      this.log.warn({ code: 'obj/face', expected, found, effect });
+    }
+    this.corners.reportOddities();
   }
 
   private addTriangles(face: readonly Corner[]): void {
     const { positions } = this.streams;
+    if (!face.every(({ point }) => positions.isSound(point))) return; // which the vertex's line has said
     const local = face.flatMap(({ point }) => [0, 1, 2].map((i) => positions.value(point * 3 + i)));
     const order = triangulate(
       local,

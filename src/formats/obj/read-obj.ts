@@ -8,6 +8,9 @@ import { type ObjStreams, TupleStream } from './tuple-stream.ts';
 
 const effect = 'the mesh is not used';
 
+/** Behind these stands a name, often a path of Windows. */
+const named = new Set(['usemtl', 'mtllib', 'g', 'o']);
+
 /**
  * Reads a Wavefront OBJ as found in the wild: `v` (with w or colour, unused), `vt`, `vn`, faces with
  * slashes, negative indices (counted back from their own line) and any number of corners,
@@ -20,23 +23,26 @@ export function readObj(
   limits: Limits = defaultLimits,
 ): Parsed<MeshParts> {
   const log = new DiagnosticLog(file);
-  const reader = openText(file, bytes, log, { limits, continuations: true });
+  const reader = openText(file, bytes, log, { limits, continuations: true, named });
   if (!reader) return log.finish<MeshParts>(undefined);
   const streams: ObjStreams = {
     positions: new TupleStream({
       what: 'vertices',
+      sparedBy: 'triangles',
       names: ['x', 'y', 'z'],
       most: limits.pointCount,
       largest: limits.coordinate,
     }),
     uvs: new TupleStream({
       what: 'texture coordinates',
+      sparedBy: 'corners',
       names: ['u', 'v'],
       fewest: 1, // there are one-dimensional ones
       most: limits.triangleCount * 3,
     }),
     normals: new TupleStream({
       what: 'normals',
+      sparedBy: 'corners',
       names: ['x', 'y', 'z'],
       most: limits.triangleCount * 3,
     }),
@@ -72,7 +78,9 @@ export function readObj(
     }
   }
   if (!log.failed) checkCounts(streams, faces, log);
-  faces.reportDegenerate();
+  faces.reportOddities();
+  streams.uvs.reportOddities(log);
+  streams.normals.reportOddities(log);
   if (submeshes[0]?.firstTriangle !== 0) submeshes.unshift({ material: '', firstTriangle: 0 });
   const [uvs, normals] = [streams.uvs.finish(), streams.normals.finish()];
   return log.finish({

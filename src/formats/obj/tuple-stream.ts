@@ -5,6 +5,9 @@ import type { LineReader } from '../text/line-reader.ts';
 
 const effect = 'the mesh is not used';
 
+/** As programs write what is no number, and the infinities: `nan`, `-nan(ind)`, `1.#QNAN`, `inf`. */
+const isNotANumber = /^[+-]?(nan|inf|\d\.#)/i;
+
 export interface TupleKind {
   /** For messages: "vertices". */
   readonly what: string;
@@ -12,6 +15,8 @@ export interface TupleKind {
   readonly names: readonly string[];
   /** How many of them must be there, all by default; the rest is 0. */
   readonly fewest?: number;
+  /** What goes without a tuple that is not numbers: corners, or triangles of the mesh. */
+  readonly sparedBy: 'corners' | 'triangles';
   /** How many tuples a file may have. */
   readonly most: number;
   /** The largest magnitude of a value. */
@@ -23,6 +28,8 @@ export class TupleStream {
   private readonly values = growFloat32();
   private readonly kind: TupleKind;
   private full = false;
+  private oddCount = 0;
+  private firstOdd: { readonly line: number; readonly source: string } | undefined;
 
   constructor(kind: TupleKind) {
     this.kind = kind;
@@ -41,6 +48,27 @@ export class TupleStream {
     return this.values.at(index);
   }
 
+  /** Whether all values of a tuple are numbers. */
+  isSound(tuple: number): boolean {
+    const { length } = this.kind.names;
+    for (let i = 0; i < length; i++) {
+      if (Number.isNaN(this.values.at(tuple * length + i))) return false;
+    }
+    return true;
+  }
+
+  /** Says how many tuples are not numbers, at the first of them. */
+  reportOddities(log: DiagnosticLog): void {
+    if (!this.firstOdd || this.kind.sparedBy === 'triangles') return;
+    log.warn({
+      code: 'obj/number',
+      ...this.firstOdd,
+      expected: `${this.kind.what} that are numbers`,
+      found: `${this.oddCount} that are not`,
+      effect: 'corners go without them',
+    });
+  }
+
   /** Reads the rest of the current line; further numbers (w, colours) are left out. */
   read(reader: LineReader, log: DiagnosticLog): void {
     const { names, fewest = names.length, most, largest } = this.kind;
@@ -50,8 +78,14 @@ export class TupleStream {
       log.error({ code: 'obj/limit', ...reader.linePlace, expected, found: 'more', effect });
       return;
     }
+    let isOdd = false;
     for (const [index, what] of names.entries()) {
       if (reader.token()) {
+        if (isNotANumber.test(reader.text())) {
+          this.values.push(NaN);
+          isOdd = true;
+          continue;
+        }
         this.values.push(checkFloat32(reader, { what, area: 'obj', effect, largest }, log));
         continue;
       }
@@ -60,10 +94,27 @@ export class TupleStream {
       const [expected, found] = [`${fewest} numbers`, `${index}`];
       log.error({ code: 'obj/field-count', ...reader.linePlace, expected, found, effect });
     }
+    if (isOdd) this.noteOdd(reader, log);
   }
 
+  /** A vertex is told with its line, as rows of weights count it; the rest once, with a count. */
+  private noteOdd(reader: LineReader, log: DiagnosticLog): void {
+    this.oddCount++;
+    this.firstOdd ??= reader.linePlace;
+    if (this.kind.sparedBy === 'corners') return;
+    log.errorOfPart({
+      code: 'obj/number',
+      ...reader.linePlace,
+      expected: `${this.kind.what} that are numbers`,
+      found: 'one that is not',
+      effect: 'the mesh is shown without its triangles',
+    });
+  }
+
+  /** What is no number is 0 here; no corner refers to it. */
   finish(): Float32Array {
-    return this.values.finish();
+    const values = this.values.finish();
+    return this.oddCount === 0 ? values : values.map((value) => (Number.isNaN(value) ? 0 : value));
   }
 }
 

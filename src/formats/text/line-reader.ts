@@ -15,6 +15,8 @@ const longestText = 256;
 export interface LineOptions {
   /** Whether a backslash at a line's end joins the next line to it, comments aside. */
   readonly continuations?: boolean;
+  /** First words of lines that hold a name: it may end in a backslash, which joins nothing. */
+  readonly named?: ReadonlySet<string>;
   readonly limits?: Limits;
 }
 
@@ -40,11 +42,15 @@ export class LineReader {
   private encodingReported = false;
   private readonly log: DiagnosticLog;
   private readonly continuations: boolean;
+  private readonly named: ReadonlySet<string>;
+  /** Whether a backslash at the end of the current line joins the next to it. */
+  private joins = false;
 
   constructor(bytes: Uint8Array, log: DiagnosticLog, options: LineOptions = {}) {
     this.bytes = bytes;
     this.log = log;
     this.continuations = options.continuations ?? false;
+    this.named = options.named ?? new Set();
     this.limits = options.limits ?? defaultLimits;
   }
 
@@ -55,8 +61,8 @@ export class LineReader {
     this.lineStart = this.nextStart;
     this.bits = 0;
     this.findLineEnd();
-    const continues = this.continuations && !this.isComment();
-    while (continues && this.endsOpen() && this.nextStart < this.bytes.length) this.findLineEnd();
+    this.joins = this.continuations && !this.isComment() && !this.holdsName();
+    while (this.joins && this.endsOpen() && this.nextStart < this.bytes.length) this.findLineEnd();
     this.tokenEnd = this.lineStart;
     const bytes = this.bytes.subarray(this.lineStart, this.lineEnd);
     if (bytes.length > this.limits.lineLength) {
@@ -67,7 +73,7 @@ export class LineReader {
     if (this.bits >= beyondAscii && !this.encodingReported) {
       this.encodingReported = reportEncoding(this.log, this.linePlace, bytes);
     }
-    if (continues && this.endsOpen()) reportOpenEnd(this.log, this.linePlace);
+    if (this.joins && this.endsOpen()) reportOpenEnd(this.log, this.linePlace);
     return true;
   }
 
@@ -109,7 +115,7 @@ export class LineReader {
   /** What follows the token on its line, trimmed, comments kept: names may hold blanks and `#`. */
   rest(): string {
     const text = decodeText(this.bytes.subarray(this.tokenEnd, this.lineEnd));
-    return (this.continuations ? text.replace(/\\(\r\r\n|\r\n|\r|\n|$)/g, ' ') : text).trim();
+    return (this.joins ? text.replace(/\\[ \t]*(\r\r\n|\r\n|\r|\n|$)/g, ' ') : text).trim();
   }
 
   /** Whether the line is all comment. */
@@ -145,13 +151,28 @@ export class LineReader {
   }
 
   private isContinuation(at: number): boolean {
-    if (!this.continuations || this.bytes[at] !== backslash) return false;
-    const next = this.bytes[at + 1];
+    if (!this.joins || this.bytes[at] !== backslash) return false;
+    let after = at + 1;
+    while (isSpace(this.bytes[after])) after++;
+    const next = this.bytes[after];
     return next === undefined || next === lineFeed || next === carriageReturn;
   }
 
+  /** Blanks behind the backslash change nothing: editors leave them. */
   private endsOpen(): boolean {
-    return this.lineEnd > this.lineStart && this.bytes[this.lineEnd - 1] === backslash;
+    let last = this.lineEnd - 1;
+    while (last >= this.lineStart && isSpace(this.bytes[last])) last--;
+    return last >= this.lineStart && this.bytes[last] === backslash;
+  }
+
+  /** Whether the line's first word is one behind which a name stands. */
+  private holdsName(): boolean {
+    if (this.named.size === 0 || !this.endsOpen()) return false;
+    let start = this.lineStart;
+    while (start < this.lineEnd && isBlank(this.bytes[start]!)) start++;
+    let end = start;
+    while (end < this.lineEnd && !isBlank(this.bytes[end]!) && end - start < longestText) end++;
+    return this.named.has(decodeText(this.bytes.subarray(start, end)));
   }
 
   private findLineEnd(): void {
@@ -165,4 +186,9 @@ export class LineReader {
     this.nextStart = endOfLineEnd(bytes, at);
     this.nextLine++;
   }
+}
+
+/** A blank within a line. */
+function isSpace(byte: number | undefined): boolean {
+  return byte === 0x20 || byte === 0x09;
 }

@@ -13,13 +13,24 @@ function refused(title: string, face: string, message: string): BadInput {
   };
 }
 
+/** A face that costs only itself, or a part of it. */
+function leftOut(title: string, face: string, message: string, triangles = 1): BadInput {
+  return {
+    title,
+    files: withObj(`${square}${face}\nf 1 2 3\n`),
+    messages: [`warning: a.obj: ${message}`],
+    left: { joints: 3, vertices: 4, triangles, bound: false },
+  };
+}
+
 function noCorner(title: string, face: string, column: number, found: string): BadInput {
   const expected = 'expected a corner "v", "v/vt", "v//vn" or "v/vt/vn"';
   return refused(title, face, `:5:${column}: ${expected}, found "${found}" [obj/face]`);
 }
 
 const range = 'expected 1 to 4 or -4 to -1';
-const few = 'expected a face of at least 3 corners';
+const few = 'expected faces of at least 3 corners, found "1 of fewer" [obj/face]';
+const open = 'expected corners that end in a number, found "3 that end in a slash" [obj/face]';
 
 /** Outline points and one face over all of them. */
 function polygon(points: readonly (readonly [number, number])[]): string {
@@ -69,9 +80,10 @@ export const objFaces: readonly BadInput[] = [
     'f 1 2 6\nv 0 0 1\nv 0 0 2',
     `:5:7: ${range}; vertex 6 comes later, in line 7, found "6" [obj/index]`,
   ),
-  refused('A38 two corners', 'f 1 2', `:5:6: ${few}, found "2" [obj/face]`),
-  refused('A38 one corner', 'f 1', `:5:4: ${few}, found "1" [obj/face]`),
-  refused('A38 no corner', 'f', `:5:2: ${few}, found "0" [obj/face]`),
+  leftOut('A38 two corners', 'f 1 2', few),
+  leftOut('A38 one corner', 'f 1', few),
+  leftOut('A38 no corner', 'f', few),
+  leftOut('A38 an outline of degenerate faces', 'f 1 2\nf 3', few.replace('1 of', '2 of')),
   {
     title: 'A39 triangles of two vertices',
     files: withObj(`${square}f 1 1 2\nf 1 2 3\nf 1 2 1\n`),
@@ -93,7 +105,8 @@ export const objFaces: readonly BadInput[] = [
     ':5:200002: expected a face of at most 10000 corners, found "100000" [obj/limit]',
   ),
   noCorner('A41 four numbers', 'f 1/2/3/4 2 3', 3, '1/2/3/4'),
-  noCorner('A41 slashes alone', 'f 1// 2 3', 3, '1//'),
+  leftOut('A41 slashes at the end', 'f 1/ 2// 3/', open, 2),
+  noCorner('A41 slashes alone', 'f // 2 3', 3, '//'),
   noCorner('A41 words', 'f a/b/c 2 3', 3, 'a/b/c'),
   noCorner('A41 fraction', 'f 1 2.5 3', 5, '2.5'),
   {

@@ -60,11 +60,37 @@ export const objLines: readonly BadInput[] = [
     check: ({ mesh: { positions } }) =>
       expect([...positions]).toEqual([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0]),
   },
-  refused(
-    'A31 nan',
-    `v nan 0 0\n${square}${face}`,
-    ':1:3: expected a number for x, found "nan" [obj/number]',
-  ),
+  {
+    title: 'A31 nan in a vertex',
+    files: withObj(`${square}v nan 0 1.#IND\nf 1 2 5\n${face}`),
+    messages: [
+      'error: a.obj:5: expected vertices that are numbers, found "one that is not" [obj/number]',
+    ],
+    left: { ...mesh, vertices: 5 },
+  },
+  {
+    title: 'A31 nan in a vertex of every triangle',
+    files: withObj(`v nan 0 0\n${square}${face}`),
+    messages: [
+      'error: a.obj:1: expected vertices that are numbers, found "one that is not" [obj/number]',
+      'error: a.obj: expected at least one triangle, found "none" [obj/empty]',
+    ],
+    left: noMesh,
+  },
+  {
+    title: 'A31 nan in texture coordinates and normals',
+    files: withObj(
+      `${square}vt nan nan\nvt 0 1\nvt -nan(ind) 1.#QNAN\nvn inf 0 0\nf 1/1/1 2/2 3/3\n`,
+    ),
+    messages: [
+      'warning: a.obj:5: expected texture coordinates that are numbers, ' +
+        'found "2 that are not" [obj/number]',
+      'warning: a.obj:8: expected normals that are numbers, found "1 that are not" [obj/number]',
+    ],
+    left: mesh,
+    check: ({ mesh: { positions, normals } }) =>
+      expect([...positions, ...normals].every(Number.isFinite)).toBe(true),
+  },
   refused(
     'A32 beyond float32',
     `v 0 1e39 0\n${square}${face}`,
@@ -103,6 +129,18 @@ export const objLines: readonly BadInput[] = [
     ],
     left: mesh,
   },
+  {
+    ...accepted('A46 continued line with blanks behind the backslash', `f 1 2 \\ \t\n 4\n`),
+    left: { ...mesh, triangles: 2 },
+  },
+  ...['usemtl C:\\tex\\skin\\', 'g left\\', 'o C:\\a\\'].map((line) =>
+    accepted(`A46 name that ends in a backslash: ${line}`, `${line}\n`),
+  ),
+  accepted(
+    'A46 library that ends in a backslash',
+    'mtllib D:\\out\\\n',
+    ignored(5, 'mtllib D:\\out\\'),
+  ),
   accepted('A46 comment that ends in a backslash', '# made from C:\\models\\\n'),
   accepted('A47 unknown word', 'foo 1 2\nfoo\n', ignored(5, 'foo', 'unknown')),
   accepted(
