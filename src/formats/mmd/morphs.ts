@@ -126,7 +126,10 @@ function offsetsOf(
   };
 }
 
-/** The entries that name something there is, by numbers that are some; mirrored. */
+/**
+ * The entries that name something there is, by numbers that are some; mirrored. What goes farther than
+ * can be computed with is held to that: models hide a part by a morph of 1e30, and it is hidden so too.
+ */
 function entriesOf(
   { count, entries }: Section,
   targetCount: number,
@@ -139,9 +142,12 @@ function entriesOf(
     const at = index * entrySize;
     const target = entries.u32(at);
     const vector = entries.triple(at + 4);
-    const isSound = vector.every((value) => Math.abs(value) <= largest);
-    if (target < targetCount && isSound) kept.push({ index, target, vector: mirrorPoint(vector) });
-    else findings.add(entries.offset + at, `${isSound ? target : vector.join(' ')}, morph ${name}`);
+    const isSound = vector.every(Number.isFinite);
+    if (target < targetCount && isSound) {
+      const held = vector.map((value) => Math.min(largest, Math.max(-largest, value)));
+      kept.push({ index, target, vector: mirrorPoint(held as typeof vector) });
+    } else
+      findings.add(entries.offset + at, `${isSound ? target : vector.join(' ')}, morph ${name}`);
   }
   return kept;
 }
