@@ -10,14 +10,15 @@ const layers = {
   posing: ['core'],
   modelling: ['core'],
   document: ['core', 'formats', 'skinning', 'posing', 'modelling'],
-  view: ['core', 'formats', 'skinning', 'posing', 'modelling', 'document', 'gl'],
-  ui: ['core', 'formats', 'skinning', 'posing', 'modelling', 'document', 'view'],
+  evaluation: ['core', 'skinning', 'posing', 'modelling', 'document'],
+  view: [...['core', 'formats', 'skinning', 'posing', 'modelling', 'document', 'evaluation'], 'gl'],
+  ui: ['core', 'formats', 'skinning', 'posing', 'modelling', 'document', 'evaluation', 'view'],
   app: [
-    ...['core', 'formats', 'skinning', 'posing', 'modelling', 'document'],
+    ...['core', 'formats', 'skinning', 'posing', 'modelling', 'document', 'evaluation'],
     ...['gl', 'view', 'ui', 'workers'],
   ],
   workers: ['core', 'formats', 'skinning', 'posing', 'modelling'],
-  cli: ['core', 'formats', 'skinning', 'posing', 'modelling', 'document'],
+  cli: ['core', 'formats', 'skinning', 'posing', 'modelling', 'document', 'evaluation'],
 };
 
 const layerRules = Object.entries(layers).map(([layer, allowed]) => ({
@@ -28,7 +29,7 @@ const layerRules = Object.entries(layers).map(([layer, allowed]) => ({
   to: { path: '^src/', pathNot: `^src/(${[layer, ...allowed].join('|')})/` },
 }));
 
-const pure = '^src/(core|formats|skinning|posing|modelling|document)/';
+const pure = '^src/(core|formats|skinning|posing|modelling|document|evaluation)/';
 
 module.exports = {
   forbidden: [
@@ -49,14 +50,14 @@ module.exports = {
     },
     {
       name: 'pure-without-page',
-      comment: 'core to document run in Node and in workers',
+      comment: 'core to evaluation run in Node and in workers',
       severity: 'error',
       from: { path: pure },
       to: { path: 'node_modules/(preact|lil-gui|@preact/signals/)' },
     },
     {
       name: 'pure-without-node',
-      comment: 'core to document run in the page',
+      comment: 'core to evaluation run in the page',
       severity: 'error',
       from: { path: pure },
       to: { dependencyTypes: ['core'] },

@@ -1,4 +1,4 @@
-import { worldFromJoints, type Joint } from '../../tests/reference/kinematics.ts';
+import { characterFromJoints, type Joint } from '../../tests/reference/kinematics.ts';
 import { inverse } from '../../tests/reference/matrix.ts';
 import { methodOracles, type Influence } from '../../tests/reference/skinning.ts';
 import type { PoseJson } from '../../src/formats/pose-json.ts';
@@ -21,8 +21,8 @@ export function posedModel1({ joints: angles = {} }: PoseJson): Float64Array {
   const atRest = joints.map(() => hinges.map(() => [0]));
   const posed = joints.map((_, index) => (angles[`#${index}`] ?? [0, 0, 0]).map((x) => [x]));
   const transforms = {
-    worldFromJoint: worldFromJoints(joints, posed),
-    jointFromBind: worldFromJoints(joints, atRest).map(inverse),
+    characterFromJoint: characterFromJoints(joints, posed),
+    jointFromBind: characterFromJoints(joints, atRest).map(inverse),
     firstRoot: 0,
   };
   const points = obj!.filter(([keyword]) => keyword === 'v').map((row) => row.slice(1).map(Number));

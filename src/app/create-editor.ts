@@ -2,7 +2,6 @@ import { signal } from '@preact/signals-core';
 import { BallAngles } from '../document/ball-angles.ts';
 import { resetPose } from '../document/commands.ts';
 import { selectedCharacter } from '../document/document.ts';
-import { shownSelected } from '../document/shown-pose.ts';
 import { Transport } from '../document/transport.ts';
 import { readableExtensions } from '../formats/extensions.ts';
 import { writeObj } from '../formats/obj/write-obj.ts';
@@ -16,7 +15,7 @@ import { savePicture } from './save-picture.ts';
 
 /** Joins what is open to all that the interface can ask for. */
 export function createEditor(opening: Opening): Editor {
-  const { store, session, viewer, verification, notice } = opening;
+  const { store, session, evaluations, viewer, verification, notice } = opening;
   const selected = () => selectedCharacter(store.document.value);
 
   const editor: Editor = {
@@ -52,10 +51,10 @@ export function createEditor(opening: Opening): Editor {
     },
 
     async saveAs(format) {
-      const shown = shownSelected(store, session);
+      const shown = evaluations.selected();
       if (!shown) return;
       // What is shown goes on while files are written: the pose of this moment is saved.
-      const pose = { ...shown.pose, q: shown.pose.q.slice() };
+      const pose = shown.snapshot();
       // Few save in another course's format, so that its writers are loaded when one does.
       const { saveAs } = await import('./save-as.ts');
       const losses = await saveAs(shown.state.character, pose, format);
@@ -76,7 +75,7 @@ export function createEditor(opening: Opening): Editor {
     },
 
     async savePicture(options) {
-      notice.value = await savePicture(viewer, shownSelected(store, session), options);
+      notice.value = await savePicture(viewer, evaluations.selected(), options);
     },
 
     verify() {
@@ -87,7 +86,7 @@ export function createEditor(opening: Opening): Editor {
   return editor;
 
   function poseText(): string {
-    const shown = shownSelected(store, session);
+    const shown = evaluations.selected();
     const json = shown ? poseToJson(shown.state.character.skeleton, shown.pose) : {};
     return `${JSON.stringify(json, null, 2)}\n`;
   }

@@ -2,6 +2,7 @@ import { computed, type Signal, signal } from '@preact/signals-core';
 import { selectedCharacter, type Source } from '../document/document.ts';
 import type { Session } from '../document/session.ts';
 import type { Store } from '../document/store.ts';
+import type { Evaluations } from '../evaluation/evaluations.ts';
 import type { FileEntry } from '../formats/format.ts';
 import type { ReadCharacter } from '../formats/read-characters.ts';
 import type { Opening, ThemeChoice } from '../ui/editor.ts';
@@ -18,6 +19,7 @@ import { workspaces } from './workspaces.ts';
 export function createOpening(
   store: Store,
   session: Session,
+  evaluations: Evaluations,
   viewer: Viewer,
   catalogue: Signal<readonly CatalogueEntry[]>,
 ): Opening {
@@ -39,6 +41,7 @@ export function createOpening(
   const opening: Opening = {
     store,
     session,
+    evaluations,
     viewer,
     workspaces,
     workspaceId,

@@ -1,7 +1,12 @@
 import type { Character } from '../core/character.ts';
 import type { Diagnostic } from '../core/diagnostics.ts';
-import { type KeptState, openCharacter, setPose } from '../document/commands.ts';
-import { type CharacterState, selectedCharacter, type Source } from '../document/document.ts';
+import { openCharacter, setPose } from '../document/commands.ts';
+import {
+  type CharacterState,
+  type KeptState,
+  selectedCharacter,
+  type Source,
+} from '../document/document.ts';
 import type { Session } from '../document/session.ts';
 import type { Store } from '../document/store.ts';
 import { baseName, extensionOf } from '../formats/file-entry.ts';
@@ -88,9 +93,13 @@ export class FileOpener {
    */
   show(read: ReadCharacter, source: Source, q?: Float64Array, before?: CharacterState): void {
     const { character } = read;
-    const kept = { ...(before && keptState(before, character)), ...(q && { q, clip: null }) };
+    const kept = {
+      source,
+      ...(before && keptState(before, character)),
+      ...(q && { q, clip: null }),
+    };
     this.filesOf.set(character, read.files);
-    this.store.dispatch(openCharacter(character, this.methodFor(character), kept, source));
+    this.store.dispatch(openCharacter(character, this.methodFor(character), kept));
     if (!before || before.character.clips.length === 0) {
       this.session.clipIndex.value = 0;
       this.session.clipTime.value = character.clips[0]?.start ?? 0;

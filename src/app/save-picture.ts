@@ -1,5 +1,4 @@
-import type { Pose } from '../core/pose.ts';
-import type { CharacterState } from '../document/document.ts';
+import type { Evaluation } from '../evaluation/evaluation.ts';
 import { insertPngText } from '../formats/png/text-chunk.ts';
 import { poseToJson } from '../formats/pose-json.ts';
 import { GpuLimitError } from '../gl/gpu.ts';
@@ -9,15 +8,10 @@ import type { Viewer } from '../view/viewer.ts';
 import { download } from './download.ts';
 import { pictureKeyword, writePictureNote } from './picture-note.ts';
 
-interface Shown {
-  readonly state: CharacterState;
-  readonly pose: Pose;
-}
-
 /** Saves or copies a picture of the view; returns a word on the outcome, for the user. */
 export async function savePicture(
   viewer: Viewer,
-  shown: Shown | undefined,
+  shown: Evaluation | undefined,
   { format, size, background, target }: PictureOptions,
 ): Promise<string> {
   if (!viewer.available.value) return 'There is no view to take a picture of at the moment';
@@ -39,7 +33,7 @@ export async function savePicture(
   return 'Picture saved';
 }
 
-function noteOf({ state: { character, source }, pose }: Shown): string {
+function noteOf({ state: { character, source }, pose }: Evaluation): string {
   return writePictureNote({
     ...(source.kind === 'bundled' ? { bundled: source.id } : {}),
     name: character.name,

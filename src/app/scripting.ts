@@ -1,7 +1,6 @@
 import type { Diagnostic } from '../core/diagnostics.ts';
 import { setMorphWeight, setPose } from '../document/commands.ts';
 import { selectedCharacter } from '../document/document.ts';
-import { shownSelected } from '../document/shown-pose.ts';
 import type { SkinDevice } from '../document/session.ts';
 import type { FileEntry } from '../formats/format.ts';
 import { poseFromJson, type PoseJson, poseToJson } from '../formats/pose-json.ts';
@@ -58,7 +57,7 @@ export interface Scripting {
 }
 
 export function createScripting(editor: Editor, ready: Promise<void>): Scripting {
-  const { store, session, viewer } = editor;
+  const { store, session, evaluations, viewer } = editor;
   return {
     ready,
     async open(source) {
@@ -77,7 +76,7 @@ export function createScripting(editor: Editor, ready: Promise<void>): Scripting
       }));
     },
     pose(json) {
-      const shown = shownSelected(store, session);
+      const shown = evaluations.selected();
       if (!shown) return {};
       const { skeleton } = shown.state.character;
       if (json === undefined) return poseToJson(skeleton, shown.pose);

@@ -2,6 +2,7 @@ import { type Signal, signal } from '@preact/signals-core';
 import { reconcile } from '../document/reconcile.ts';
 import { Session } from '../document/session.ts';
 import { Store } from '../document/store.ts';
+import { Evaluations } from '../evaluation/evaluations.ts';
 import { listenToDrops } from '../ui/drop-zone.ts';
 import type { Opening } from '../ui/editor.ts';
 import { listenToPaste } from '../ui/paste.ts';
@@ -33,6 +34,7 @@ export async function start(root: HTMLElement): Promise<void> {
   const layout = createLayout(root);
   const session = new Session();
   const store = new Store((before, after) => reconcile(session, before, after));
+  const evaluations = new Evaluations(store, session);
   const catalogue = signal<readonly CatalogueEntry[]>([]);
   let firstFrameShown = (): void => undefined;
   const firstFrame = new Promise<void>((resolve) => (firstFrameShown = resolve));
@@ -41,13 +43,13 @@ export async function start(root: HTMLElement): Promise<void> {
     paletteTexture: textures.includes('palette'),
     influenceTexture: textures.includes('influences'),
   };
-  const viewer = new Viewer(layout.canvas, store, session, skinLayout, () => {
+  const viewer = new Viewer(layout.canvas, store, session, evaluations, skinLayout, () => {
     if (store.document.value.characters.length === 0) return;
     if (performance.getEntriesByName('first-frame').length > 0) return;
     performance.mark('first-frame');
     firstFrameShown();
   });
-  const opening = createOpening(store, session, viewer, catalogue);
+  const opening = createOpening(store, session, evaluations, viewer, catalogue);
   layout.follow(viewer, isTest ? 1 : undefined);
   followTheme(opening.theme, viewer);
   listenToDrops(opening);

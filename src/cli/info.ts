@@ -3,7 +3,7 @@ import { boneFrames } from '../core/bone-frames.ts';
 import { boneWeights } from '../core/bone-weights.ts';
 import type { Character } from '../core/character.ts';
 import { printable } from '../core/diagnostics.ts';
-import { worldMatrices } from '../core/forward-kinematics.ts';
+import { jointMatrices } from '../core/forward-kinematics.ts';
 import { axisDofs } from '../core/pose.ts';
 import { DofKind, noParent, type Skeleton } from '../core/skeleton.ts';
 import { largestInfluenceCount } from '../core/skin.ts';
@@ -47,7 +47,7 @@ type Description = ReturnType<typeof describe> & Partial<ReturnType<typeof descr
 
 function describe(character: Character) {
   const { name, skeleton, mesh, skin, bounds, missing, meta } = character;
-  const worldFromJoint = worldMatrices(skeleton, skeleton.qRest);
+  const characterFromJoint = jointMatrices(skeleton, skeleton.qRest);
   return {
     name,
     missing,
@@ -72,7 +72,7 @@ function describe(character: Character) {
         offset: [...skeleton.restOffsets.subarray(joint * 3, joint * 3 + 3)],
         ...describeDofs(skeleton, joint),
         /** Column-major, at the file's pose. */
-        worldFromJoint: [...worldFromJoint.subarray(joint * 16, joint * 16 + 16)],
+        worldFromJoint: [...characterFromJoint.subarray(joint * 16, joint * 16 + 16)],
       };
     }),
   };

@@ -4,13 +4,13 @@ import type { Character } from '../core/character.ts';
 import { type Diagnostic, hasErrors } from '../core/diagnostics.ts';
 import type { Mesh } from '../core/mesh.ts';
 import type { Pose } from '../core/pose.ts';
-import { normalizeSkin } from '../core/skin.ts';
+import { characterState } from '../document/document.ts';
+import { Evaluator } from '../evaluation/evaluator.ts';
 import { extensionOf } from '../formats/file-entry.ts';
 import { writeObj } from '../formats/obj/write-obj.ts';
 import { readPoseJson } from '../formats/pose-json.ts';
 import { readCharacters } from '../formats/read-characters.ts';
-import { defaultMethod, isMethodId, methodById, methods } from '../skinning/registry.ts';
-import { skinVertices } from '../skinning/skin-vertices.ts';
+import { defaultMethod, isMethodId, methods } from '../skinning/registry.ts';
 import type { Command } from './command.ts';
 import { printDiagnostics, readFiles, unreadable, unwritable, userPath } from './files.ts';
 import { parseWords } from './parse-words.ts';
@@ -87,9 +87,9 @@ function readPose(
 }
 
 function poseMesh(character: Character, posed: Pose, options: Options): Uint8Array {
-  const used = options.normalize ? normalizeSkin(character.skin) : character.skin;
-  const method = options.method ? methodById(options.method) : defaultMethod(character);
-  const skinned = skinVertices(character, used, posed, method);
+  const method = options.method ?? defaultMethod(character).id;
+  const kept = { ...posed, normalizeWeights: options.normalize };
+  const skinned = new Evaluator(characterState(1, character, method, kept)).vertices();
   const isMirrored = options.keepFileSpace && character.meta.fileSpace === 'left-handed';
   const { mesh, positions } = isMirrored
     ? mirrored(character.mesh, skinned.positions)

@@ -1,5 +1,5 @@
 import { mat4, vec3 } from 'gl-matrix';
-import { worldMatrices } from './forward-kinematics.ts';
+import { jointMatrices } from './forward-kinematics.ts';
 import { noParent, type Skeleton } from './skeleton.ts';
 
 /**
@@ -32,7 +32,7 @@ const shortest = 1e-8;
 
 /** All bones, in the file's order of the joints that they end at. */
 export function boneFrames(skeleton: Skeleton): BoneFrame[] {
-  const world = worldMatrices(skeleton, skeleton.qRest);
+  const world = jointMatrices(skeleton, skeleton.qRest);
   const destinations = [...skeleton.jointOfSource].filter(
     (joint) => skeleton.parents[joint] !== noParent,
   );
@@ -90,17 +90,17 @@ export function tangentAxes(along: vec3): mat4 {
  * S, which is R in a pose: the joint that a bone starts at carries its axes along, so that all bones of
  * one joint turn together.
  *
- * @param worldFromJoint (jointCount × 16) of the pose
+ * @param characterFromJoint (jointCount × 16) of the pose
  */
 export function posedRotations(
   skeleton: Skeleton,
   frames: readonly BoneFrame[],
-  worldFromJoint: Float64Array,
+  characterFromJoint: Float64Array,
 ): mat4[] {
-  const rest = worldMatrices(skeleton, skeleton.qRest);
+  const rest = jointMatrices(skeleton, skeleton.qRest);
   const posed = frames.map(({ source, axes }) => {
     const turned = between(turnOf(rest, source), identity());
-    mat4.multiply(turned, turnOf(worldFromJoint, source), turned);
+    mat4.multiply(turned, turnOf(characterFromJoint, source), turned);
     return mat4.multiply(turned, turned, axes);
   });
   return frames.map(({ parent }, bone) =>

@@ -9,7 +9,7 @@ import type { Character } from './character.ts';
 import { compileClip } from './clip.ts';
 import { reportCoincidentJoints } from './coincident-joints.ts';
 import { type Diagnostic, DiagnosticLog, type Parsed } from './diagnostics.ts';
-import { worldMatrices } from './forward-kinematics.ts';
+import { jointMatrices } from './forward-kinematics.ts';
 import { defaultLimits, type Limits } from './limits.ts';
 import { emptyMesh, type Mesh } from './mesh.ts';
 import { buildMorph } from './morph.ts';
@@ -99,12 +99,12 @@ function skinFits(
 function restBounds(skeleton: Skeleton, mesh: Mesh): Bounds {
   const bounds = emptyBounds();
   includePositions(bounds, mesh.positions, mesh.vertexCount);
-  const worldFromJoint = worldMatrices(skeleton, skeleton.qRest);
+  const characterFromJoint = jointMatrices(skeleton, skeleton.qRest);
   for (let joint = 0; joint < skeleton.jointCount; joint++) {
-    includePositions(bounds, worldFromJoint.subarray(joint * 16 + 12, joint * 16 + 15), 1);
+    includePositions(bounds, characterFromJoint.subarray(joint * 16 + 12, joint * 16 + 15), 1);
   }
   if (mesh.pointCount === 0) {
-    const corners = boxCorners(skeleton, worldFromJoint);
+    const corners = boxCorners(skeleton, characterFromJoint);
     includePositions(bounds, corners, corners.length / 3);
   }
   return bounds;

@@ -1,7 +1,7 @@
 import { mat4 } from 'gl-matrix';
 import type { SkinParts } from './character-parts.ts';
 import type { DiagnosticLog } from './diagnostics.ts';
-import { worldMatrices } from './forward-kinematics.ts';
+import { jointMatrices } from './forward-kinematics.ts';
 import { reportRows, type SkinRows } from './report-rows.ts';
 import { firstRoot, type Skeleton } from './skeleton.ts';
 import { noJoint, type Skin } from './skin.ts';
@@ -91,7 +91,7 @@ function packRows(parts: SkinParts, skeleton: Skeleton): SkinRows {
 function bindMatrices(parts: SkinParts, skeleton: Skeleton): Float64Array {
   if (parts.jointFromBind) return inOrder(parts.jointFromBind, skeleton);
   const jointFromBind = new Float64Array(skeleton.jointCount * 16);
-  const bindFromJoint = worldMatrices(skeleton, skeleton.qRest);
+  const bindFromJoint = jointMatrices(skeleton, skeleton.qRest);
   for (let joint = 0; joint < skeleton.jointCount; joint++) {
     const range = [joint * 16, joint * 16 + 16] as const;
     mat4.invert(jointFromBind.subarray(...range), bindFromJoint.subarray(...range));

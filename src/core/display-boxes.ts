@@ -5,17 +5,17 @@ import type { Skeleton } from './skeleton.ts';
 /**
  * The corners of all joints' display boxes as posed, character space.
  *
- * @param worldFromJoint (jointCount × 16)
+ * @param characterFromJoint (jointCount × 16)
  * @returns (jointCount × 8 × 3); empty without boxes
  */
 export function boxCorners(
   { displayBoxes, jointCount }: Skeleton,
-  worldFromJoint: Float64Array,
+  characterFromJoint: Float64Array,
 ): Float64Array {
   if (!displayBoxes) return new Float64Array(0);
   const corners = new Float64Array(jointCount * 24);
   for (let joint = 0; joint < jointCount; joint++) {
-    const matrix: mat4 = worldFromJoint.subarray(joint * 16, joint * 16 + 16);
+    const matrix: mat4 = characterFromJoint.subarray(joint * 16, joint * 16 + 16);
     for (let corner = 0; corner < 8; corner++) {
       const at = (joint * 8 + corner) * 3;
       const place = corners.subarray(at, at + 3);

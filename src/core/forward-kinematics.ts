@@ -5,17 +5,17 @@ import { DofKind, type Skeleton } from './skeleton.ts';
 /**
  * Writes the matrix from every joint's frame to the character's space, for the values q.
  *
- * `worldFromJoint[j] = worldFromJoint[parent] · T(offset) · R(rest) · D1 · … · Dk` (6.837 handout,
+ * `characterFromJoint[j] = characterFromJoint[parent] · T(offset) · R(rest) · D1 · … · Dk` (6.837 handout,
  * part 3; DESIGN of the degrees of freedom after MuJoCo's `qpos`). One walk over the depth-first
  * joints with the matrix stack; float64 throughout; nothing is allocated.
  *
  * @param q (qCount) see `Skeleton.dofQ`
- * @param worldFromJoint (jointCount × 16) column-major, written
+ * @param characterFromJoint (jointCount × 16) column-major, written
  */
 export function forwardKinematics(
   skeleton: Skeleton,
   q: Float64Array,
-  worldFromJoint: Float64Array,
+  characterFromJoint: Float64Array,
 ): void {
   stack.popTo(0);
   for (let joint = 0; joint < skeleton.jointCount; joint++) {
@@ -23,15 +23,15 @@ export function forwardKinematics(
     writeLocalMatrix(skeleton, joint, q, parentFromJoint);
     stack.push(parentFromJoint);
     const top = stack.top;
-    for (let i = 0; i < 16; i++) worldFromJoint[joint * 16 + i] = top[i]!;
+    for (let i = 0; i < 16; i++) characterFromJoint[joint * 16 + i] = top[i]!;
   }
 }
 
 /** A new array with the matrices of `forwardKinematics`. */
-export function worldMatrices(skeleton: Skeleton, q: Float64Array): Float64Array {
-  const worldFromJoint = new Float64Array(skeleton.jointCount * 16);
-  forwardKinematics(skeleton, q, worldFromJoint);
-  return worldFromJoint;
+export function jointMatrices(skeleton: Skeleton, q: Float64Array): Float64Array {
+  const characterFromJoint = new Float64Array(skeleton.jointCount * 16);
+  forwardKinematics(skeleton, q, characterFromJoint);
+  return characterFromJoint;
 }
 
 function writeLocalMatrix(skeleton: Skeleton, joint: number, q: Float64Array, out: mat4): void {

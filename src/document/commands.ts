@@ -2,7 +2,13 @@ import { assert } from '../core/assert.ts';
 import type { Character } from '../core/character.ts';
 import { jointRange } from '../core/pose.ts';
 import type { MethodId } from '../skinning/method.ts';
-import type { CharacterId, CharacterState, Document, Source } from './document.ts';
+import {
+  type CharacterId,
+  type CharacterState,
+  characterState,
+  type Document,
+  type KeptState,
+} from './document.ts';
 
 /** An edit: a pure function from document to document, with a name for the Undo button. */
 export interface Command {
@@ -91,39 +97,16 @@ export function setNormalizeWeights(id: CharacterId, normalizeWeights: boolean):
   return editCharacter(id, label, (state) => ({ ...state, normalizeWeights }));
 }
 
-/** What of an edited character may go on where it is opened. */
-export type KeptState = Partial<
-  Pick<CharacterState, 'q' | 'morphWeights' | 'clip' | 'normalizeWeights'>
->;
-
-/**
- * Puts a character in the place of the selected one, as its file has it but for what is given.
- *
- * @param source one's own files where nothing else is said
- */
-export function openCharacter(
-  character: Character,
-  method: MethodId,
-  { q, morphWeights, clip = null, normalizeWeights = false }: KeptState = {},
-  source: Source = { kind: 'files' },
-): Command {
+/** Puts a character in the place of the selected one, as its files have it but for what is given. */
+export function openCharacter(character: Character, method: MethodId, kept?: KeptState): Command {
   return {
     label: `Open ${character.name}`,
     apply(document) {
       const { characters, selectedId } = document;
       const id = 1 + characters.reduce((largest, each) => Math.max(largest, each.id), 0);
-      const opened: CharacterState = {
-        id,
-        character,
-        source,
-        q: (q ?? character.skeleton.qRest).slice(),
-        morphWeights: morphWeights?.slice() ?? new Float64Array(character.morphs.length),
-        clip,
-        method,
-        normalizeWeights,
-      };
-      const kept = characters.filter((each) => each.id !== selectedId);
-      return { ...document, characters: [...kept, opened], selectedId: id };
+      const opened = characterState(id, character, method, kept);
+      const others = characters.filter((each) => each.id !== selectedId);
+      return { ...document, characters: [...others, opened], selectedId: id };
     },
   };
 }

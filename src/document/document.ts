@@ -31,6 +31,31 @@ export interface CharacterState {
   readonly normalizeWeights: boolean;
 }
 
+/** What of a character's state may be other than as its files have it. */
+export type KeptState = Partial<
+  Pick<CharacterState, 'source' | 'q' | 'morphWeights' | 'clip' | 'normalizeWeights'>
+>;
+
+/** A character as its files have it but for what is given; its values are copied. */
+export function characterState(
+  id: CharacterId,
+  character: Character,
+  method: MethodId,
+  kept: KeptState = {},
+): CharacterState {
+  const { source = { kind: 'files' }, clip = null, normalizeWeights = false } = kept;
+  return {
+    id,
+    character,
+    source,
+    q: (kept.q ?? character.skeleton.qRest).slice(),
+    morphWeights: kept.morphWeights?.slice() ?? new Float64Array(character.morphs.length),
+    clip,
+    method,
+    normalizeWeights,
+  };
+}
+
 export const emptyDocument: Document = { characters: [], selectedId: null };
 
 export function selectedCharacter(document: Document): CharacterState | undefined {

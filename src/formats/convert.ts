@@ -3,7 +3,7 @@ import { buildCharacter } from '../core/build-character.ts';
 import type { Character } from '../core/character.ts';
 import type { Diagnostic } from '../core/diagnostics.ts';
 import type { EulerProduct } from '../core/euler.ts';
-import { worldMatrices } from '../core/forward-kinematics.ts';
+import { jointMatrices } from '../core/forward-kinematics.ts';
 import type { Pose } from '../core/pose.ts';
 import { DofKind, firstRoot, noParent, type Skeleton } from '../core/skeleton.ts';
 import { noJoint } from '../core/skin.ts';
@@ -99,7 +99,7 @@ function firstJointHasWeight({ skeleton, skin }: Character): boolean {
 
 /** (jointCount × 3) where each joint stands at bind; where the mesh has no weights, at rest. */
 function bindPlaces({ skeleton, skin }: Character): Float64Array {
-  const world = worldMatrices(skeleton, skeleton.qRest);
+  const world = jointMatrices(skeleton, skeleton.qRest);
   const places = new Float64Array(skeleton.jointCount * 3);
   for (let joint = 0; joint < skeleton.jointCount; joint++) {
     const entry = skin.paletteJoint.indexOf(joint);
@@ -142,7 +142,7 @@ function residual(
   insertRoot: boolean,
 ): number {
   if (old.skin.paletteJoint.includes(noJoint)) return 0;
-  const [a, b] = [worldMatrices(old.skeleton, pose.q), worldMatrices(built.skeleton, q)];
+  const [a, b] = [jointMatrices(old.skeleton, pose.q), jointMatrices(built.skeleton, q)];
   const [first, second] = [new Float64Array(16), new Float64Array(16)];
   let largest = 0;
   old.skin.paletteJoint.forEach((joint, entry) => {

@@ -1,6 +1,6 @@
 import { mat4 } from 'gl-matrix';
 import { type EulerProduct, extractEuler } from '../core/euler.ts';
-import { worldMatrices } from '../core/forward-kinematics.ts';
+import { jointMatrices } from '../core/forward-kinematics.ts';
 import { axisDofs } from '../core/pose.ts';
 import { DofKind, firstRoot, noParent, type Skeleton } from '../core/skeleton.ts';
 import { noJoint, type Skin } from '../core/skin.ts';
@@ -30,7 +30,7 @@ export function solvePose(
   q: Float64Array,
   { product, frames, bound }: Target,
 ): SolvedPose {
-  const world = worldMatrices(skeleton, q);
+  const world = jointMatrices(skeleton, q);
   const turned = frames === 'joint' ? world : turnsSinceBind(skeleton, skin, world);
   const angles = new Float64Array(skeleton.jointCount * 3);
   const local = new Float64Array(16);
@@ -53,7 +53,7 @@ export function solvePose(
 /** (jointCount × 16) W · B⁻¹, what each joint has turned since the mesh was bound. */
 function turnsSinceBind(skeleton: Skeleton, skin: Skin, world: Float64Array): Float64Array {
   const out = new Float64Array(world.length);
-  const rest = worldMatrices(skeleton, skeleton.qRest);
+  const rest = jointMatrices(skeleton, skeleton.qRest);
   const inverse = new Float64Array(16);
   for (let joint = 0; joint < skeleton.jointCount; joint++) {
     const entry = skin.paletteJoint.indexOf(joint);

@@ -67,7 +67,7 @@ export function beginDrag(drag: DragStart): Drag {
   const q = drag.q.slice();
   const start = turnStart(skeleton, joint, q);
   const grabbed = Float64Array.from(drag.grabbed);
-  const held = inFrame(start.frames.worldFromJoint, grabbed);
+  const held = inFrame(start.frames.characterFromJoint, grabbed);
   // What was grabbed beside the ray stays beside it, so that the first move does not jump.
   const beside = vec3.subtract(new Float64Array(3), grabbed, closestOnRay(pointer.ray, grabbed));
   const moveTo = moveIn(mode);
@@ -81,13 +81,13 @@ export function beginDrag(drag: DragStart): Drag {
       return moveTo({ origin, direction }, motion, present);
     },
     grabbedAt(values) {
-      const { worldFromJoint } = jointFrames(
+      const { characterFromJoint } = jointFrames(
         skeleton,
         joint,
         values,
         parentMatrix(skeleton, joint, values),
       );
-      const place = vec3.transformMat4(new Float64Array(3), held, worldFromJoint);
+      const place = vec3.transformMat4(new Float64Array(3), held, characterFromJoint);
       return [place[0], place[1], place[2]];
     },
   };

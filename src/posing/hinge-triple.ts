@@ -36,7 +36,7 @@ export function hingeTriple(
   const cosines = [vec3.dot(a, b), vec3.dot(b, c), vec3.dot(c, a)];
   if (cosines.some((cosine) => Math.abs(cosine) > square)) return null;
   const cross = vec3.cross(new Float64Array(3), a, b);
-  const after = dofs[first + 3]?.worldFromDof ?? frames.worldFromJoint;
+  const after = dofs[first + 3]?.worldFromDof ?? frames.characterFromJoint;
   return {
     hinges: [hinges[0]!, hinges[1]!, hinges[2]!],
     axesBefore: columnsOf(hinges[0]!.worldFromDof, own),

@@ -1,5 +1,5 @@
 import { mat4, type vec3 } from 'gl-matrix';
-import { applyDof, worldMatrices, writeRestMatrix } from '../core/forward-kinematics.ts';
+import { applyDof, jointMatrices, writeRestMatrix } from '../core/forward-kinematics.ts';
 import { jointRange } from '../core/pose.ts';
 import { DofKind, noParent, type Skeleton } from '../core/skeleton.ts';
 
@@ -20,14 +20,14 @@ export interface DofFrame {
 export interface JointFrames {
   /** In stored order, the outermost first. */
   readonly dofs: readonly DofFrame[];
-  readonly worldFromJoint: mat4;
+  readonly characterFromJoint: mat4;
 }
 
 /** Where a joint's parent stands; the identity for a root. Column-major. */
 export function parentMatrix(skeleton: Skeleton, joint: number, q: Float64Array): mat4 {
   const parent = skeleton.parents[joint]!;
   if (parent === noParent) return mat4.identity(new Float64Array(16));
-  return worldMatrices(skeleton, q).subarray(parent * 16, parent * 16 + 16);
+  return jointMatrices(skeleton, q).subarray(parent * 16, parent * 16 + 16);
 }
 
 /** Walks a joint's degrees of freedom, outermost first, as forward kinematics does. */
@@ -52,7 +52,7 @@ export function jointFrames(
     });
     applyDof(skeleton, dof, q, world);
   }
-  return { dofs, worldFromJoint: world };
+  return { dofs, characterFromJoint: world };
 }
 
 /** The hinges of a joint that limits do not lock. */

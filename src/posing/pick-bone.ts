@@ -8,7 +8,7 @@ export interface PosedBones {
   readonly skeleton: Skeleton;
   readonly bones: readonly Bone[];
   /** (jointCount × 16) column-major. */
-  readonly worldFromJoint: Float64Array;
+  readonly characterFromJoint: Float64Array;
 }
 
 /** How thick things are for picking, in the character's units. */
@@ -93,6 +93,6 @@ function placeOf(posed: PosedBones, joint: number, point: readonly [number, numb
   return vec3.transformMat4(new Float64Array(3), point, matrixOf(posed, joint));
 }
 
-function matrixOf({ worldFromJoint }: PosedBones, joint: number): Float64Array {
-  return worldFromJoint.subarray(joint * 16, joint * 16 + 16);
+function matrixOf({ characterFromJoint }: PosedBones, joint: number): Float64Array {
+  return characterFromJoint.subarray(joint * 16, joint * 16 + 16);
 }

@@ -56,7 +56,7 @@ function lookAt(start: TurnStart, q: Float64Array, point: vec3, target: vec3): L
   const { skeleton, joint, worldFromParent } = start;
   const frames = jointFrames(skeleton, joint, q, worldFromParent);
   const hinges = freeHinges(skeleton, frames);
-  const place = vec3.transformMat4(new Float64Array(3), point, frames.worldFromJoint);
+  const place = vec3.transformMat4(new Float64Array(3), point, frames.characterFromJoint);
   const rest = vec3.subtract(new Float64Array(3), place, target);
   const slopes = hinges.map(({ axis, origin }) => {
     const arm = vec3.subtract(new Float64Array(3), place, origin);

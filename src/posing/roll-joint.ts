@@ -46,7 +46,7 @@ export function rollFrom(
 
 /** Unit, in the character's space; null where the far end is where the joint turns. */
 export function rollAxis(start: TurnStart, farEnd: readonly [number, number, number]): vec3 | null {
-  const end = vec3.transformMat4(new Float64Array(3), farEnd, start.frames.worldFromJoint);
+  const end = vec3.transformMat4(new Float64Array(3), farEnd, start.frames.characterFromJoint);
   vec3.subtract(end, end, start.pivot);
   return vec3.length(end) > 0 ? vec3.normalize(end, end) : null;
 }

@@ -30,7 +30,7 @@ export function turnStart(skeleton: Skeleton, joint: number, q: Float64Array): T
   const frames = jointFrames(skeleton, joint, q, worldFromParent);
   const ball = frames.dofs.find(({ kind }) => kind === DofKind.ball) ?? null;
   const first = ball ?? frames.dofs.find(({ kind }) => kind === DofKind.hinge);
-  const origin = mat4.getTranslation(new Float64Array(3), frames.worldFromJoint);
+  const origin = mat4.getTranslation(new Float64Array(3), frames.characterFromJoint);
   return {
     ...{ skeleton, joint, q, worldFromParent, frames, ball },
     pivot: first?.origin ?? origin,

@@ -2,13 +2,13 @@ import { noJoint, type Skin } from '../core/skin.ts';
 import { flushSubnormal } from '../core/float32.ts';
 
 /**
- * Packs, for every palette entry, the upper three rows of `worldFromJoint · jointFromBind`, row by
+ * Packs, for every palette entry, the upper three rows of `characterFromJoint · jointFromBind`, row by
  * row (3 vec4s): the M = T · B⁻¹ of the 6.837 handout, part 4. Products in
  * float64, rounded once where the palette is of float32.
  */
 export function packAffinePalette(
   skin: Skin,
-  worldFromJoint: Float64Array,
+  characterFromJoint: Float64Array,
   palette: Float32Array | Float64Array,
 ): void {
   const { paletteJoint, jointFromBind } = skin;
@@ -23,7 +23,7 @@ export function packAffinePalette(
           sum = 0;
           for (let k = 0; k < 4; k++) {
             sum +=
-              worldFromJoint[joint * 16 + k * 4 + row]! * jointFromBind[bind + column * 4 + k]!;
+              characterFromJoint[joint * 16 + k * 4 + row]! * jointFromBind[bind + column * 4 + k]!;
           }
         }
         palette[entry * 12 + row * 4 + column] = flushSubnormal(sum);

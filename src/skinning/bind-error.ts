@@ -1,4 +1,4 @@
-import { worldMatrices } from '../core/forward-kinematics.ts';
+import { jointMatrices } from '../core/forward-kinematics.ts';
 import type { Skeleton } from '../core/skeleton.ts';
 import { noJoint, type Skin } from '../core/skin.ts';
 
@@ -7,7 +7,7 @@ import { noJoint, type Skin } from '../core/skin.ts';
  * other's inverse. Returns the largest |T · B⁻¹ − I| over all joints and elements, float64.
  */
 export function largestBindError(skeleton: Skeleton, skin: Skin): number {
-  const worldFromJoint = worldMatrices(skeleton, skeleton.qRest);
+  const characterFromJoint = jointMatrices(skeleton, skeleton.qRest);
   let largest = 0;
   skin.paletteJoint.forEach((joint, entry) => {
     if (joint === noJoint) return;
@@ -15,7 +15,7 @@ export function largestBindError(skeleton: Skeleton, skin: Skin): number {
       for (let column = 0; column < 4; column++) {
         let sum = row === column ? -1 : 0;
         for (let k = 0; k < 4; k++) {
-          const t = worldFromJoint[joint * 16 + k * 4 + row]!;
+          const t = characterFromJoint[joint * 16 + k * 4 + row]!;
           sum += t * skin.jointFromBind[entry * 16 + column * 4 + k]!;
         }
         largest = Math.max(largest, Math.abs(sum));

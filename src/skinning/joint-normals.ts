@@ -25,10 +25,10 @@ export const jointNormals: SkinningMethod = {
 const floatsPerEntry = 24;
 
 /** Three rows of W B⁻¹, then three of its inverse transpose (their fourth number is 0). */
-function packPalette(skin: Skin, worldFromJoint: Float64Array, palette: Float32Array): void {
+function packPalette(skin: Skin, characterFromJoint: Float64Array, palette: Float32Array): void {
   const entryCount = skin.paletteJoint.length;
   const affine = new Float64Array(entryCount * 12);
-  packAffinePalette(skin, worldFromJoint, affine);
+  packAffinePalette(skin, characterFromJoint, affine);
   for (let entry = 0; entry < entryCount; entry++) {
     const matrix = affine.subarray(entry * 12, entry * 12 + 12);
     const at = entry * floatsPerEntry;

@@ -24,10 +24,10 @@ export interface SkinningMethod {
   readonly vec4sPerEntry: number;
   /**
    * Packs what the vertex kernel reads, rounded once from float64.
-   * @param worldFromJoint (jointCount × 16)
+   * @param characterFromJoint (jointCount × 16)
    * @param palette (entryCount × vec4sPerEntry × 4) written
    */
-  packPalette(skin: Skin, worldFromJoint: Float64Array, palette: Float32Array): void;
+  packPalette(skin: Skin, characterFromJoint: Float64Array, palette: Float32Array): void;
   /**
    * The strict kernel, every operation rounded to float32: the definition that the shader equals.
    * @param out written for all render vertices

@@ -1,7 +1,6 @@
 import { type BoneFrame, boneFrames, posedRotations } from '../core/bone-frames.ts';
 import { boneWeights } from '../core/bone-weights.ts';
 import type { Character } from '../core/character.ts';
-import { worldMatrices } from '../core/forward-kinematics.ts';
 import type { Skeleton } from '../core/skeleton.ts';
 
 /** All bones of a skeleton; kept. */
@@ -27,13 +26,17 @@ export function weighedCount({ skeleton, skin }: Character, bone: number): numbe
   return starts[bone + 1]! - starts[bone]!;
 }
 
-/** S of a bone in a pose, column-major 4 × 4. */
+/**
+ * S of a bone in a pose, column-major 4 × 4.
+ *
+ * @param characterFromJoint (jointCount × 16) as posed
+ */
 export function posedRotation(
   skeleton: Skeleton,
   bone: number,
-  q: Float64Array,
+  characterFromJoint: Float64Array,
 ): ArrayLike<number> {
-  return posedRotations(skeleton, framesOf(skeleton), worldMatrices(skeleton, q))[bone]!;
+  return posedRotations(skeleton, framesOf(skeleton), characterFromJoint)[bone]!;
 }
 
 const knownFrames = new WeakMap<Skeleton, readonly BoneFrame[]>();

@@ -3,6 +3,7 @@ import type { BallAngles } from '../document/ball-angles.ts';
 import type { Session } from '../document/session.ts';
 import type { Store } from '../document/store.ts';
 import type { Transport } from '../document/transport.ts';
+import type { Evaluations } from '../evaluation/evaluations.ts';
 import type { ConvertTarget } from '../formats/convert-parts.ts';
 import type { FileEntry } from '../formats/format.ts';
 import type { ReadCharacter } from '../formats/read-characters.ts';
@@ -43,6 +44,8 @@ export interface PictureOptions {
 export interface Opening {
   readonly store: Store;
   readonly session: Session;
+  /** The document as it is shown at the moment. */
+  readonly evaluations: Evaluations;
   readonly viewer: Viewer;
   readonly workspaces: readonly Workspace[];
   readonly workspaceId: ReadonlySignal<WorkspaceId>;

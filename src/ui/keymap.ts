@@ -1,7 +1,6 @@
 import { resetJoint, setPose } from '../document/commands.ts';
 import { selectedCharacter } from '../document/document.ts';
 import type { Session } from '../document/session.ts';
-import { shownSelected } from '../document/shown-pose.ts';
 import { rollJoint } from '../posing/roll-joint.ts';
 import { firstPersonFrom, orbitFrom, walk } from '../view/first-person.ts';
 import { orbit } from '../view/camera.ts';
@@ -152,8 +151,8 @@ function rolledJoint({ hoveredJoint, selectedJoint }: Session): number | null {
   return hoveredJoint.value ?? selectedJoint.value;
 }
 
-function rollBone({ store, session }: Editor, direction: 1 | -1): void {
-  const shown = shownSelected(store, session);
+function rollBone({ store, session, evaluations }: Editor, direction: 1 | -1): void {
+  const shown = evaluations.selected();
   const joint = rolledJoint(session);
   if (!shown || joint === null) return;
   const { id, character } = shown.state;
@@ -164,8 +163,8 @@ function rollBone({ store, session }: Editor, direction: 1 | -1): void {
   store.dispatch(setPose(id, q, `Roll ${skeleton.names[joint]!}`));
 }
 
-function resetSelected({ store, session }: Editor): void {
-  const shown = shownSelected(store, session);
+function resetSelected({ store, session, evaluations }: Editor): void {
+  const shown = evaluations.selected();
   const joint = session.selectedJoint.value;
   if (shown && joint !== null) store.dispatch(resetJoint(shown.state, shown.pose.q, joint));
 }

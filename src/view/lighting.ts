@@ -38,7 +38,7 @@ export class Lighting {
       LightUniforms,
       LightUniforms,
     ];
-    const versions = frame.characters.map(({ state, version }) => `${state.id}.${version}`);
+    const versions = frame.characters.map(({ revision }) => revision);
     const shadows = `${showSkin} ${key.direction.join()} ${versions.join()}`;
     if (shadows !== this.shown) {
       this.shown = shadows;

@@ -14,14 +14,14 @@ export interface BoxHit {
  * @param ray in the character's space
  */
 export function pickBox(
-  { character: { skeleton }, worldFromJoint }: PickTarget,
+  { character: { skeleton }, characterFromJoint }: PickTarget,
   { origin, direction }: Ray,
 ): BoxHit | null {
   const { displayBoxes, jointCount } = skeleton;
   if (!displayBoxes) return null;
   let nearest: BoxHit | null = null;
   for (let joint = 0; joint < jointCount; joint++) {
-    const posed = worldFromJoint.subarray(joint * 16, joint * 16 + 16);
+    const posed = characterFromJoint.subarray(joint * 16, joint * 16 + 16);
     const jointFromWorld = mat4.invert(new Float64Array(16), posed);
     if (!jointFromWorld) continue;
     // The direction is not made unit again, so that distances stay those of the character.

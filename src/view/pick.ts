@@ -1,16 +1,12 @@
 import { vec3 } from 'gl-matrix';
 import type { Bone } from '../core/bones.ts';
-import { worldMatrices } from '../core/forward-kinematics.ts';
 import { distanceToSegment, pointOnRay, type Ray } from '../core/ray.ts';
 import type { Session } from '../document/session.ts';
-import { shownSelected } from '../document/shown-pose.ts';
-import type { Store } from '../document/store.ts';
-import { skinInUse } from '../document/document.ts';
+import type { Evaluations } from '../evaluation/evaluations.ts';
 import { pickSkin } from '../posing/pick-skin.ts';
 import { displayTransform } from './display-transform.ts';
 import { pickBox } from './pick-box.ts';
 import { characterRay, pickJoint, type PickTarget, rayThrough, sizeOfPixel } from './picking.ts';
-import { posedPositions } from './posed-skin.ts';
 import type { Viewer } from './viewer.ts';
 
 /** A place in the view, and how near to it is near enough. */
@@ -37,15 +33,15 @@ export interface BoneTarget {
 
 /** Where it is picked: what the interface and the tools have at hand. */
 interface Scene {
-  readonly store: Store;
+  readonly evaluations: Evaluations;
   readonly session: Session;
   readonly viewer: Viewer;
 }
 
 /** The ray of sight through a place of the view, in the selected character's space. */
-export function characterRayAt({ store, session, viewer }: Scene, { x, y }: PickPlace): Ray {
+export function characterRayAt({ evaluations, viewer }: Scene, { x, y }: PickPlace): Ray {
   const ray = rayThrough(viewer.camera.value, viewer.aspect, x, y);
-  const shown = shownSelected(store, session);
+  const shown = evaluations.selected();
   return shown ? characterRay(displayTransform(shown.state.character), ray) : ray;
 }
 
@@ -54,18 +50,16 @@ export function characterRayAt({ store, session, viewer }: Scene, { x, y }: Pick
  * and where the skin hides them, the one that owns the skin there.
  */
 export function boneAt(scene: Scene, place: PickPlace): BoneTarget | null {
-  const { store, session, viewer } = scene;
-  const shown = shownSelected(store, session);
+  const { evaluations, session, viewer } = scene;
+  const shown = evaluations.selected();
   if (!shown) return null;
-  const { state, pose } = shown;
-  const { character } = state;
+  const { characterFromJoint, skin } = shown;
+  const { character } = shown.state;
   const display = displayTransform(character);
-  const worldFromJoint = worldMatrices(character.skeleton, pose.q);
-  const target = { character, display, worldFromJoint };
+  const target = { character, display, characterFromJoint };
   const ray = characterRayAt(scene, place);
   if (session.showSkin.value && !session.translucent.value) {
-    const positions = posedPositions(state, session.clipTime.value);
-    const hit = pickSkin(character.mesh, skinInUse(state), positions, ray);
+    const hit = pickSkin(character.mesh, skin, shown.vertices().positions, ray);
     if (hit) return hit.joint === null ? null : atJoint(target, hit.joint, ray, hit.distance);
   }
   if (!session.showSkeleton.value) return null;
@@ -85,13 +79,13 @@ export function boneAt(scene: Scene, place: PickPlace): BoneTarget | null {
 }
 
 function atJoint(
-  { character, worldFromJoint }: PickTarget,
+  { character, characterFromJoint }: PickTarget,
   joint: number,
   ray: Ray,
   distance: number,
 ): BoneTarget {
   const [x, y, z] = pointOnRay(ray, distance) as [number, number, number];
-  const matrix = worldFromJoint.subarray(joint * 16, joint * 16 + 16);
+  const matrix = characterFromJoint.subarray(joint * 16, joint * 16 + 16);
   const own = character.bones.filter((bone) => bone.joint === joint);
   const gaps = own.map(({ vector }) => {
     const start = vec3.transformMat4(new Float64Array(3), [0, 0, 0], matrix);

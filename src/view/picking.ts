@@ -11,7 +11,7 @@ export interface PickTarget {
   readonly character: Character;
   readonly display: DisplayTransform;
   /** (jointCount × 16) as posed. */
-  readonly worldFromJoint: Float64Array;
+  readonly characterFromJoint: Float64Array;
 }
 
 /** The ray of sight through a point of the picture, x and y from -1 (left, bottom) to 1. */
@@ -49,9 +49,9 @@ export function pickBone(target: PickTarget, ray: Ray, tolerance: number): BoneH
 }
 
 function pick(target: PickTarget, ray: Ray, tolerance: number, sphere: number): BoneHit | null {
-  const { character, display, worldFromJoint } = target;
+  const { character, display, characterFromJoint } = target;
   const { skeleton, bones } = character;
-  return pickPosedBone({ skeleton, bones, worldFromJoint }, characterRay(display, ray), {
+  return pickPosedBone({ skeleton, bones, characterFromJoint }, characterRay(display, ray), {
     boneRadius: boneReach / display.scale,
     jointRadius: sphere / display.scale,
     tolerance,

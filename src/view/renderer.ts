@@ -1,7 +1,7 @@
-import type { CharacterState, Document } from '../document/document.ts';
-import { skinInUse } from '../document/document.ts';
+import { type CharacterState, skinInUse } from '../document/document.ts';
 import type { SkinDevice } from '../document/session.ts';
 import type { Skin } from '../core/skin.ts';
+import type { Evaluation } from '../evaluation/evaluation.ts';
 import { Gpu, GpuLimitError } from '../gl/gpu.ts';
 import { RenderTarget } from '../gl/render-target.ts';
 import { CharacterView } from './character-view.ts';
@@ -37,18 +37,18 @@ export class Renderer {
   }
 
   /** Brings the views in line with the document and their poses up to date. */
-  sync(document: Document, device: SkinDevice, time: number): readonly CharacterView[] {
+  sync(evaluations: readonly Evaluation[], device: SkinDevice): readonly CharacterView[] {
     const kept = new Set<CharacterView>();
-    for (const state of document.characters) {
-      const found = this.views.find((each) => each.fits(state) && !kept.has(each));
-      const view = found ?? this.createView(state);
+    for (const evaluation of evaluations) {
+      const found = this.views.find((each) => each.fits(evaluation) && !kept.has(each));
+      const view = found ?? this.createView(evaluation);
       if (!view) continue;
-      view.state = state;
+      view.evaluation = evaluation;
       kept.add(view);
     }
     for (const view of this.views) if (!kept.has(view)) view.dispose();
     this.views = [...kept];
-    for (const view of this.views) view.update(device, time);
+    for (const view of this.views) view.update(device);
     return this.views;
   }
 
@@ -87,11 +87,11 @@ export class Renderer {
     this.target?.dispose();
   }
 
-  private createView(state: CharacterState): CharacterView | null {
-    const skin = skinInUse(state);
+  private createView(evaluation: Evaluation): CharacterView | null {
+    const { skin } = evaluation;
     if (this.refusals.has(skin)) return null;
     try {
-      return new CharacterView(this.gpu, this.programs, state, this.onImage, this.layout);
+      return new CharacterView(this.gpu, this.programs, evaluation, this.onImage, this.layout);
     } catch (error) {
       if (!(error instanceof GpuLimitError)) throw error;
       this.refusals.set(skin, error.message);

@@ -154,8 +154,8 @@ function writeInstance(
 ): void {
   mat4.copy(sceneFromSolid, view.display.sceneFromCharacter);
   if (joint >= 0) {
-    const worldFromJoint = view.worldFromJoint.subarray(joint * 16, joint * 16 + 16);
-    mat4.multiply(sceneFromSolid, sceneFromSolid, worldFromJoint);
+    const characterFromJoint = view.characterFromJoint.subarray(joint * 16, joint * 16 + 16);
+    mat4.multiply(sceneFromSolid, sceneFromSolid, characterFromJoint);
   }
   mat4.multiply(sceneFromSolid, sceneFromSolid, jointFromSolid);
   for (let row = 0; row < 3; row++) {

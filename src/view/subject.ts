@@ -12,10 +12,15 @@ export interface Subject {
 export function subjectOf(views: readonly CharacterView[]): Subject {
   const joints = emptyBounds();
   let size = 0;
-  for (const { display, worldFromJoint, state } of views) {
+  for (const { display, characterFromJoint, state } of views) {
     size = Math.max(size, diagonal(state.character.bounds) * display.scale);
-    for (let at = 12; at < worldFromJoint.length; at += 16) {
-      vec3.set(point, worldFromJoint[at]!, worldFromJoint[at + 1]!, worldFromJoint[at + 2]!);
+    for (let at = 12; at < characterFromJoint.length; at += 16) {
+      vec3.set(
+        point,
+        characterFromJoint[at]!,
+        characterFromJoint[at + 1]!,
+        characterFromJoint[at + 2]!,
+      );
       vec3.transformMat4(point, point, display.sceneFromCharacter);
       includePositions(joints, point, 1);
     }

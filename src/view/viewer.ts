@@ -1,17 +1,15 @@
 import { effect, signal } from '@preact/signals-core';
 import { assert } from '../core/assert.ts';
-import { type CharacterState, selectedCharacter, skinInUse } from '../document/document.ts';
+import { type CharacterState, selectedCharacter } from '../document/document.ts';
 import type { Session, SkinDevice } from '../document/session.ts';
-import { shownPose } from '../document/shown-pose.ts';
 import type { Store } from '../document/store.ts';
+import type { Evaluations } from '../evaluation/evaluations.ts';
 import type { VertexStreams } from '../skinning/method.ts';
-import { methodById } from '../skinning/registry.ts';
-import { skinVertices } from '../skinning/skin-vertices.ts';
 import { type Camera, frameBox } from './camera.ts';
 import { createFrame, type Frame } from './frame.ts';
 import type { Pass } from './pass.ts';
 import { firstPasses } from './passes/first.ts';
-import { posedBounds, unite } from './posed-bounds.ts';
+import { sceneBounds } from './scene-bounds.ts';
 import { Renderer } from './renderer.ts';
 import type { LayoutChoice } from './skinned-mesh.ts';
 import { type ThemeName, themes } from './theme.ts';
@@ -49,6 +47,7 @@ export class Viewer {
   readonly refusal = signal<string | null>(null);
   private readonly canvas: HTMLCanvasElement;
   private readonly store: Store;
+  private readonly evaluations: Evaluations;
   private readonly session: Session;
   private readonly onFrame: () => void;
   private renderer: Renderer | null = null;
@@ -59,12 +58,14 @@ export class Viewer {
     canvas: HTMLCanvasElement,
     store: Store,
     session: Session,
+    evaluations: Evaluations,
     layout: LayoutChoice,
     onFrame: () => void,
   ) {
     this.canvas = canvas;
     this.store = store;
     this.session = session;
+    this.evaluations = evaluations;
     this.onFrame = onFrame;
     const gl = canvas.getContext('webgl2', { antialias: false, alpha: false, depth: false });
     if (gl) this.keepRenderer(gl, layout);
@@ -90,10 +91,8 @@ export class Viewer {
 
   /** Turns the camera's distance and target so that all characters are in the picture. */
   frameAll(): void {
-    const boxes = this.store.document.value.characters.map((state) =>
-      posedBounds(state, this.time),
-    );
-    this.camera.value = frameBox(this.camera.value, unite(boxes), this.aspect);
+    const box = sceneBounds(this.evaluations.all());
+    this.camera.value = frameBox(this.camera.value, box, this.aspect);
   }
 
   /**
@@ -116,9 +115,10 @@ export class Viewer {
   /** All posed render vertices: the very buffers that are drawn, skinned by the GPU, or the CPU's. */
   skin(state: CharacterState, device: SkinDevice): VertexStreams {
     if (device === 'gpu') return this.readBack(state);
-    const { character, method } = state;
-    const pose = shownPose(state, this.time);
-    return skinVertices(character, skinInUse(state), pose, methodById(method));
+    const evaluation = this.evaluations.all().find((each) => each.state === state);
+    assert(evaluation !== undefined, 'a character of the document');
+    const { positions, normals } = evaluation.vertices();
+    return { positions: positions.slice(), normals: normals.slice() };
   }
 
   /** Counts of live GL objects by kind. */
@@ -160,7 +160,7 @@ export class Viewer {
   }
 
   private readBack(state: CharacterState): VertexStreams {
-    const views = this.present().sync(this.store.document.value, 'gpu', this.time);
+    const views = this.present().sync(this.evaluations.all(), 'gpu');
     const view = views.find((each) => each.state === state);
     assert(view !== undefined, 'a character that the GPU takes');
     // What was shown from the CPU comes back with the next picture.
@@ -190,10 +190,10 @@ export class Viewer {
   }
 
   private createFrame(width: number, height: number, showStudio: boolean): Frame {
-    const { passes, document, time, device, options, theme, camera } = this.readState();
+    const { passes, document, evaluations, device, options, theme, camera } = this.readState();
     const renderer = this.present();
     renderer.passes = passes;
-    const views = renderer.sync(document, device, time);
+    const views = renderer.sync(evaluations, device);
     const selected = selectedCharacter(document);
     this.refusal.value = selected ? renderer.refusalOf(selected) : null;
     const shown = views.find(({ state }) => state === selected);
@@ -208,7 +208,7 @@ export class Viewer {
     return {
       document: this.store.document.value,
       passes: this.passes.value,
-      time: this.time,
+      evaluations: this.evaluations.all(),
       device: session.skinDevice.value,
       options: {
         showSkin: session.showSkin.value,
@@ -228,10 +228,5 @@ export class Viewer {
       size: this.size.value,
       available: this.available.value,
     };
-  }
-
-  /** Seconds of the bound clip. */
-  private get time(): number {
-    return this.session.clipTime.value;
   }
 }

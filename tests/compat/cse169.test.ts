@@ -3,14 +3,14 @@ import { resolve } from 'node:path';
 import { expect, it } from 'vitest';
 import { compileChannel, evaluateChannel } from '../../src/core/channel.ts';
 import type { Tangent } from '../../src/core/character-parts.ts';
-import { worldMatrices } from '../../src/core/forward-kinematics.ts';
+import { jointMatrices } from '../../src/core/forward-kinematics.ts';
 import { axisDofs } from '../../src/core/pose.ts';
 import { readAnim } from '../../src/formats/cse169/anim.ts';
 import { poseFromJson } from '../../src/formats/pose-json.ts';
 import { restPose } from '../../src/core/pose.ts';
 import { defaultMethod } from '../../src/skinning/registry.ts';
 import { restMesh } from '../../src/skinning/rest-mesh.ts';
-import { skinVertices } from '../../src/skinning/skin-vertices.ts';
+import { skinVertices } from '../support/skin-vertices.ts';
 import { expectPosable, expectSound } from '../support/check-character.ts';
 import { largestDifference, numbersAt } from '../support/compare.ts';
 import { readContents, readOne } from '../support/files.ts';
@@ -85,7 +85,7 @@ describeWithShared('test.skel', [data, `${reference}/fk-test.json`], () => {
     ]!;
     expect(skeleton.names).toEqual(expected.names);
     expect([...skeleton.parents]).toEqual(expected.parents);
-    const world = worldMatrices(skeleton, skeleton.qRest);
+    const world = jointMatrices(skeleton, skeleton.qRest);
     expected.clamped_pose.forEach((angles, joint) => {
       const pose = [0, 0, 0];
       for (const { kind, axis, index } of axisDofs(skeleton, joint)) {

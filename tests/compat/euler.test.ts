@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { worldMatrices } from '../../src/core/forward-kinematics.ts';
+import { jointMatrices } from '../../src/core/forward-kinematics.ts';
 import { poseFromJson } from '../../src/formats/pose-json.ts';
 import { largestDifference, numbersAt } from '../support/compare.ts';
 import { readOne } from '../support/files.ts';
@@ -23,7 +23,7 @@ describeWithShared('the rotation of a 6.837 joint', [path], () => {
     expect(rows.length).toBeGreaterThan(20);
     for (const { x, y, z, m } of rows) {
       const json = { joints: { '#0': [x, y, z] } };
-      const world = worldMatrices(skeleton, poseFromJson('p', json, skeleton).value!.q);
+      const world = jointMatrices(skeleton, poseFromJson('p', json, skeleton).value!.q);
       const columns = [0, 1, 2].map((column) => numbersAt(world, column, 4));
       const rowMajor = [0, 1, 2].flatMap((row) => columns.map((column) => column[row]!));
       expect(largestDifference(rowMajor, m.RxRyRz)).toBeLessThan(tolerances.referenceMatrices);

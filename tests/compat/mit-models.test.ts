@@ -1,13 +1,13 @@
 import { beforeAll, expect, it } from 'vitest';
 import type { Character } from '../../src/core/character.ts';
 import { largestInfluenceCount } from '../../src/core/skin.ts';
-import { worldMatrices } from '../../src/core/forward-kinematics.ts';
+import { jointMatrices } from '../../src/core/forward-kinematics.ts';
 import { poseFromJson } from '../../src/formats/pose-json.ts';
 import { writeMit } from '../../src/formats/mit/write-character.ts';
 import { largestBindError } from '../../src/skinning/bind-error.ts';
 import { linearBlend } from '../../src/skinning/linear-blend.ts';
 import { methods } from '../../src/skinning/registry.ts';
-import { skinVertices } from '../../src/skinning/skin-vertices.ts';
+import { skinVertices } from '../support/skin-vertices.ts';
 import { expectSound } from '../support/check-character.ts';
 import { largestDifference } from '../support/compare.ts';
 import { readContents, readOne } from '../support/files.ts';
@@ -62,7 +62,7 @@ describeWithShared('Model1 of 6.837, posed', [data, reference], () => {
   it('has every joint where the reference has it', () => {
     expect(poses).toHaveLength(3);
     for (const reference of poses) {
-      const world = worldMatrices(character.skeleton, poseOf(reference).q);
+      const world = jointMatrices(character.skeleton, poseOf(reference).q);
       reference.joint_world_positions.forEach((expected, source) => {
         const at = character.skeleton.jointOfSource[source]! * 16 + 12;
         const bound = tolerances.referenceMatrices;

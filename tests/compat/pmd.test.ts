@@ -4,12 +4,12 @@ import { boneFrames, placeBones } from '../../src/core/bone-frames.ts';
 import { buildSkeleton } from '../../src/core/build-skeleton.ts';
 import type { Character } from '../../src/core/character.ts';
 import { DiagnosticLog } from '../../src/core/diagnostics.ts';
-import { worldMatrices } from '../../src/core/forward-kinematics.ts';
+import { jointMatrices } from '../../src/core/forward-kinematics.ts';
 import { computeVertexNormals } from '../../src/core/vertex-normals.ts';
 import { poseFromJson } from '../../src/formats/pose-json.ts';
 import { largestBindError } from '../../src/skinning/bind-error.ts';
 import { linearBlend } from '../../src/skinning/linear-blend.ts';
-import { skinVertices } from '../../src/skinning/skin-vertices.ts';
+import { skinVertices } from '../support/skin-vertices.ts';
 import { expectSound } from '../support/check-character.ts';
 import { largestDifference } from '../support/compare.ts';
 import { readContents } from '../support/files.ts';
@@ -81,7 +81,7 @@ describeWithShared('KAITO of the Virtual Mannequin', [data, `${reference}/KAITO.
 
   it('has its joints where the reference has them, and faces that look outwards', () => {
     const { skeleton, skin, mesh } = character;
-    const world = worldMatrices(skeleton, skeleton.qRest);
+    const world = jointMatrices(skeleton, skeleton.qRest);
     expected.bone_positions.forEach((position, source) => {
       const at = skeleton.jointOfSource[source]! * 16 + 12;
       expect(largestDifference(world.slice(at, at + 3), mirrored(position))).toBeLessThan(1e-5);

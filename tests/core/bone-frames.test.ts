@@ -8,7 +8,7 @@ import {
   tangentAxes,
 } from '../../src/core/bone-frames.ts';
 import { boneWeights } from '../../src/core/bone-weights.ts';
-import { worldMatrices } from '../../src/core/forward-kinematics.ts';
+import { jointMatrices } from '../../src/core/forward-kinematics.ts';
 import type { Skeleton } from '../../src/core/skeleton.ts';
 import { characterOfRig } from '../fixtures/character-of-rig.ts';
 import { allRigs } from '../fixtures/rigs.ts';
@@ -115,7 +115,7 @@ describe('boneFrames', () => {
   it.each(Object.entries(allRigs))('puts both ends where the joints are: %s', (_, rig) => {
     const { skeleton } = characterOfRig(rig());
     const frames = boneFrames(skeleton);
-    const world = worldMatrices(skeleton, skeleton.qRest);
+    const world = jointMatrices(skeleton, skeleton.qRest);
     placeBones(frames).forEach(({ origin, end, axes }, bone) => {
       const { source, destination } = frames[bone]!;
       expectRotation(axes);
@@ -130,7 +130,7 @@ describe('posedRotations', () => {
     for (const rig of Object.values(allRigs)) {
       const { skeleton } = characterOfRig(rig());
       const frames = boneFrames(skeleton);
-      const world = worldMatrices(skeleton, skeleton.qRest);
+      const world = jointMatrices(skeleton, skeleton.qRest);
       posedRotations(skeleton, frames, world).forEach((rotation, bone) => {
         expect(largestDifference(rotation, frames[bone]!.rotation)).toBeLessThan(1e-12);
       });
@@ -148,7 +148,7 @@ describe('posedRotations', () => {
       q.set([Math.sin(angle) * 0.6, 0, Math.sin(angle) * 0.8, Math.cos(angle)], at);
       at += 3;
     }
-    const world = worldMatrices(skeleton, q);
+    const world = jointMatrices(skeleton, q);
     const placed = placeBones(frames, posedRotations(skeleton, frames, world));
     placed.forEach(({ end }, bone) => {
       const wanted = placeOf(world, frames[bone]!.destination);

@@ -4,9 +4,9 @@ import { characterOfRig, qOfValues } from '../fixtures/character-of-rig.ts';
 import { transformsOf } from '../fixtures/rig.ts';
 import type { Rig } from '../fixtures/rig.ts';
 import { forest, manyInfluences, randomValues, rotatedTree } from '../fixtures/rigs.ts';
-import { type Joint, reachOf, worldFromJoints } from '../reference/kinematics.ts';
+import { type Joint, reachOf, characterFromJoints } from '../reference/kinematics.ts';
 import { columnMajor, largestDifference } from '../support/compare.ts';
-import { worldMatrices } from '../../src/core/forward-kinematics.ts';
+import { jointMatrices } from '../../src/core/forward-kinematics.ts';
 import { randomBetween, randomRotation, randomSource } from '../support/random.ts';
 import { tolerances } from '../tolerances.ts';
 
@@ -28,8 +28,8 @@ function deepChain(): Rig {
 
 function worldDifference(rig: Rig, values = randomValues(rig, 31)): number {
   const { skeleton } = characterOfRig(rig);
-  const world = worldMatrices(skeleton, qOfValues(skeleton, values));
-  const expected = worldFromJoints(rig.joints, values);
+  const world = jointMatrices(skeleton, qOfValues(skeleton, values));
+  const expected = characterFromJoints(rig.joints, values);
   return expected.reduce((largest, matrix, source) => {
     const at = skeleton.jointOfSource[source]! * 16;
     const difference = largestDifference(world.subarray(at, at + 16), columnMajor(matrix));
@@ -55,7 +55,7 @@ describe('forward kinematics', () => {
     const { skeleton } = characterOfRig(rig);
     const q = qOfValues(skeleton, randomValues(rig, 32));
     const before = q.slice();
-    expect(worldMatrices(skeleton, q)).toEqual(worldMatrices(skeleton, q));
+    expect(jointMatrices(skeleton, q)).toEqual(jointMatrices(skeleton, q));
     expect(q).toEqual(before);
   });
 });

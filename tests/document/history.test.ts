@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import type { CharacterState, Document } from '../../src/document/document.ts';
+import { characterState, type Document } from '../../src/document/document.ts';
 import { emptyHistory, record, stepBack, stepForward } from '../../src/document/history.ts';
 import { characterOfRig } from '../fixtures/character-of-rig.ts';
 import { allRigs } from '../fixtures/rigs.ts';
@@ -7,16 +7,8 @@ import { allRigs } from '../fixtures/rigs.ts';
 const character = characterOfRig(Object.values(allRigs)[0]!());
 
 function documentWith(values: number): Document {
-  const state: CharacterState = {
-    id: 1,
-    character,
-    source: { kind: 'files' },
-    q: new Float64Array(values),
-    morphWeights: new Float64Array(0),
-    clip: null,
-    method: 'linear-blend',
-    normalizeWeights: false,
-  };
+  const kept = { q: new Float64Array(values), morphWeights: new Float64Array(0) };
+  const state = characterState(1, character, 'linear-blend', kept);
   return { characters: [state], selectedId: 1 };
 }
 

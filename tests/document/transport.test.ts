@@ -2,9 +2,9 @@ import { describe, expect, it } from 'vitest';
 import { openCharacter } from '../../src/document/commands.ts';
 import { selectedCharacter } from '../../src/document/document.ts';
 import { Session } from '../../src/document/session.ts';
-import { shownSelected } from '../../src/document/shown-pose.ts';
 import { Store } from '../../src/document/store.ts';
 import { Transport } from '../../src/document/transport.ts';
+import { Evaluations } from '../../src/evaluation/evaluations.ts';
 import { readOne } from '../support/files.ts';
 
 const skel = 'balljoint hip { balljoint knee { offset 0 1 0 rotxlimit -2 0 } }';
@@ -20,7 +20,8 @@ async function open(files: Record<string, string>) {
   store.dispatch(openCharacter(await readOne(files), 'linear-blend'));
   const { skeleton } = selectedCharacter(store.document.value)!.character;
   const kneeX = skeleton.dofQ[skeleton.dofStart[2]! - 1]!;
-  const shownKnee = (): number => shownSelected(store, session)!.pose.q[kneeX]!;
+  const evaluations = new Evaluations(store, session);
+  const shownKnee = (): number => evaluations.selected()!.pose.q[kneeX]!;
   return { store, session, transport, shownKnee };
 }
 

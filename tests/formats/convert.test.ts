@@ -6,7 +6,7 @@ import { writeCse169 } from '../../src/formats/cse169/write-character.ts';
 import { writeMit } from '../../src/formats/mit/write-character.ts';
 import { poseFromJson, poseToJson } from '../../src/formats/pose-json.ts';
 import { linearBlend } from '../../src/skinning/linear-blend.ts';
-import { skinVertices } from '../../src/skinning/skin-vertices.ts';
+import { skinVertices } from '../support/skin-vertices.ts';
 import { leg, legSkel, legSkin } from '../support/cse169-files.ts';
 import { largestDifference } from '../support/compare.ts';
 import { courseSkel } from '../support/course-skeleton.ts';

@@ -2,7 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { hasErrors } from '../../src/core/diagnostics.ts';
 import { emptySkeleton } from '../../src/core/build-skeleton.ts';
-import { worldMatrices } from '../../src/core/forward-kinematics.ts';
+import { jointMatrices } from '../../src/core/forward-kinematics.ts';
 import type { Skeleton } from '../../src/core/skeleton.ts';
 import { poseFromJson, poseToJson, readPoseJson } from '../../src/formats/pose-json.ts';
 import { characterOfRig } from '../fixtures/character-of-rig.ts';
@@ -180,7 +180,7 @@ describe('ball joints', async () => {
     const byBall = q({ joints: { '#0': angles } }, balls);
     const byHinges = q({ joints: { '#0': angles } });
     const turn = (of: Skeleton, values: number[]) =>
-      worldMatrices(of, Float64Array.from(values)).slice(0, 12);
+      jointMatrices(of, Float64Array.from(values)).slice(0, 12);
     const difference = largestDifference(turn(balls, byBall), turn(skeleton, byHinges));
     expect(difference).toBeLessThan(1e-15);
   });

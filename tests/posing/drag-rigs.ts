@@ -5,7 +5,7 @@ import { DofKind, type Skeleton } from '../../src/core/skeleton.ts';
 import type { DragPointer, DragStart } from '../../src/posing/drag.ts';
 import type { Freedom, Joint, Values } from '../reference/kinematics.ts';
 import { type Matrix, transform, unit } from '../reference/matrix.ts';
-import { worldFromJoints } from '../reference/kinematics.ts';
+import { characterFromJoints } from '../reference/kinematics.ts';
 import {
   randomBetween,
   randomRotation,
@@ -96,7 +96,7 @@ function valuesOf({ joints }: DragRig, q: Float64Array): Values {
 
 /** The oracle's matrix of the dragged joint. */
 export function worldOf(rig: DragRig, q: Float64Array): Matrix {
-  return worldFromJoints(rig.joints, valuesOf(rig, q))[1]!;
+  return characterFromJoints(rig.joints, valuesOf(rig, q))[1]!;
 }
 
 /** A view of 800 pixels that looks at `center` from a place three units `away`, a unit vector. */

@@ -27,7 +27,7 @@ export type Values = readonly (readonly (readonly number[])[])[];
  * The handout, part 3: a node's frame is its parent's times its own, down the tree. Recursive, from
  * each joint up to its root, so that the order of the joints cannot matter.
  */
-export function worldFromJoints(joints: readonly Joint[], values: Values): Matrix[] {
+export function characterFromJoints(joints: readonly Joint[], values: Values): Matrix[] {
   const known: (Matrix | undefined)[] = joints.map(() => undefined);
   return joints.map((_, index) => worldOf(index));
 

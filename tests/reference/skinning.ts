@@ -19,7 +19,7 @@ export interface Vertex {
 
 /** T of every joint, and the inverse of its B. */
 export interface Transforms {
-  readonly worldFromJoint: readonly Matrix[];
+  readonly characterFromJoint: readonly Matrix[];
   readonly jointFromBind: readonly Matrix[];
   /** The joint that vertices without weights follow. */
   readonly firstRoot: number;
@@ -36,7 +36,7 @@ const linearBlend: MethodOracle = {
     const sum = [0, 0, 0];
     for (const [joint, weight] of influencesOf(vertex, transforms)) {
       const inJoint = transform(transforms.jointFromBind[joint]!, vertex.position);
-      const moved = transform(transforms.worldFromJoint[joint]!, inJoint);
+      const moved = transform(transforms.characterFromJoint[joint]!, inJoint);
       moved.forEach((value, axis) => (sum[axis]! += weight * value));
     }
     return sum;
@@ -101,7 +101,7 @@ function heaviest(vertex: Vertex, transforms: Transforms): number {
 }
 
 export function skinningMatrix(joint: number, transforms: Transforms): Matrix {
-  return multiply(transforms.worldFromJoint[joint]!, transforms.jointFromBind[joint]!);
+  return multiply(transforms.characterFromJoint[joint]!, transforms.jointFromBind[joint]!);
 }
 
 /** Normals go with the inverse transpose, so that they stay upright on a stretched surface. */

@@ -37,8 +37,8 @@ describe.each(methods)('the laws of $id', (method) => {
     const root = rig.joints.findIndex(({ parent }) => parent === -1);
     const moved = randomValues(rig, 21);
     const values = rig.rest.map((rest, joint) => (joint === root ? moved[joint]! : rest));
-    const { worldFromJoint, jointFromBind } = transformsOf(rig, values);
-    const motion = multiply(worldFromJoint[root]!, jointFromBind[root]!);
+    const { characterFromJoint, jointFromBind } = transformsOf(rig, values);
+    const motion = multiply(characterFromJoint[root]!, jointFromBind[root]!);
 
     const { positions } = skinRig(rig, method, values);
     const expected = rig.points.flatMap((point) => transform(motion, point));

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { normalizeSkin } from '../../src/core/skin.ts';
 import { linearBlend } from '../../src/skinning/linear-blend.ts';
 import { methods } from '../../src/skinning/registry.ts';
-import { skinVertices } from '../../src/skinning/skin-vertices.ts';
+import { skinVertices } from '../support/skin-vertices.ts';
 import { characterOfRig, qOfValues } from '../fixtures/character-of-rig.ts';
 import { transformsOf } from '../fixtures/rig.ts';
 import { oddWeights, randomValues } from '../fixtures/rigs.ts';

@@ -1,5 +1,5 @@
 import type { SkinningMethod, VertexStreams } from '../../src/skinning/method.ts';
-import { skinVertices } from '../../src/skinning/skin-vertices.ts';
+import { skinVertices } from '../support/skin-vertices.ts';
 import { characterOfRig, qOfValues } from '../fixtures/character-of-rig.ts';
 import { type Rig, transformsOf } from '../fixtures/rig.ts';
 import type { Values } from '../reference/kinematics.ts';

@@ -3,7 +3,7 @@ import type { Character } from '../../src/core/character.ts';
 import { normalizeSkin } from '../../src/core/skin.ts';
 import { restPose } from '../../src/core/pose.ts';
 import { methods } from '../../src/skinning/registry.ts';
-import { skinVertices } from '../../src/skinning/skin-vertices.ts';
+import { skinVertices } from './skin-vertices.ts';
 
 /** What every character promises, whatever file it came from. */
 export function expectSound(character: Character): void {

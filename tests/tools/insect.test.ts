@@ -6,7 +6,7 @@ import { beforeAll, describe, expect, it } from 'vitest';
 import { evaluateChannel } from '../../src/core/channel.ts';
 import type { Character } from '../../src/core/character.ts';
 import { evaluateClip } from '../../src/core/clip.ts';
-import { worldMatrices } from '../../src/core/forward-kinematics.ts';
+import { jointMatrices } from '../../src/core/forward-kinematics.ts';
 import { axisDofs } from '../../src/core/pose.ts';
 import { DofKind } from '../../src/core/skeleton.ts';
 import { insectJoints } from '../../tools/characters/insect/parts.ts';
@@ -94,10 +94,10 @@ describe('the bundled insect', () => {
         if (kind === DofKind.hinge) q[index] = bind[axis];
       }
     });
-    const bound = worldMatrices(skeleton, q);
+    const bound = jointMatrices(skeleton, q);
     const off = skin.bindFromJoint!.map((value, i) => Math.abs(value - bound[i]!));
     expect(Math.max(...off)).toBeLessThan(1e-5);
-    const zero = worldMatrices(skeleton, new Float64Array(q.length));
+    const zero = jointMatrices(skeleton, new Float64Array(q.length));
     const turned = skin.bindFromJoint!.map((value, i) => Math.abs(value - zero[i]!));
     expect(Math.max(...turned)).toBeGreaterThan(0.5);
   });
@@ -159,7 +159,7 @@ describe('the bundled insect', () => {
 
 /** The tips of the feet, character space: left and right of each pair. */
 function feet(q: Float64Array): [number, number, number][] {
-  const world = worldMatrices(insect.skeleton, q);
+  const world = jointMatrices(insect.skeleton, q);
   return [...jointsOf(/tarsus/)].map((joint) => {
     // A left foot goes along +x of its frame, a right one along -x.
     const [min, max] = [joint * 6, joint * 6 + 3].map((i) => insect.skeleton.displayBoxes![i]!);

@@ -1,5 +1,6 @@
 import { expect, it } from 'vitest';
 import { boneWeights } from '../../src/core/bone-weights.ts';
+import { jointMatrices } from '../../src/core/forward-kinematics.ts';
 import { bonesAt, framesOf, posedRotation, weighedCount } from '../../src/ui/bone-facts.ts';
 import { fixedText } from '../../src/ui/number-text.ts';
 import { largestDifference } from '../support/compare.ts';
@@ -22,7 +23,7 @@ it.each(Object.entries(allRigs))(
         expect(frames[bone]![children > 0 ? 'source' : 'destination']).toBe(joint);
         const row = weights.points.subarray(weights.start[bone], weights.start[bone + 1]);
         expect(weighedCount(character, bone)).toBe(row.length);
-        const atRest = posedRotation(skeleton, bone, skeleton.qRest);
+        const atRest = posedRotation(skeleton, bone, jointMatrices(skeleton, skeleton.qRest));
         expect(largestDifference(atRest, frames[bone]!.rotation)).toBeLessThan(1e-12);
       }
     }

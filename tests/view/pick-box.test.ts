@@ -1,6 +1,6 @@
 import { vec3 } from 'gl-matrix';
 import { describe, expect, it } from 'vitest';
-import { worldMatrices } from '../../src/core/forward-kinematics.ts';
+import { jointMatrices } from '../../src/core/forward-kinematics.ts';
 import { displayTransform } from '../../src/view/display-transform.ts';
 import { pickBox } from '../../src/view/pick-box.ts';
 import { characterRay } from '../../src/view/picking.ts';
@@ -19,16 +19,16 @@ async function openArm() {
   const json = { joints: { shoulder: [0.4, -0.3, 0.6], elbow: [0.2, 0.5, -0.9] } };
   const { q } = poseFromJson('pose', json, character.skeleton).value!;
   const display = displayTransform(character);
-  return { character, display, worldFromJoint: worldMatrices(character.skeleton, q) };
+  return { character, display, characterFromJoint: jointMatrices(character.skeleton, q) };
 }
 
 type Target = Awaited<ReturnType<typeof openArm>>;
 
 /** The joint in whose box a point of the scene lies, tried by the plainest means: corner by corner. */
-function boxAround({ character, display, worldFromJoint }: Target, point: vec3): number | null {
+function boxAround({ character, display, characterFromJoint }: Target, point: vec3): number | null {
   const boxes = character.skeleton.displayBoxes!;
   const scene = (joint: number, at: vec3): vec3 => {
-    const world = worldFromJoint.subarray(joint * 16, joint * 16 + 16);
+    const world = characterFromJoint.subarray(joint * 16, joint * 16 + 16);
     const posed = vec3.transformMat4(vec3.create(), at, world);
     return vec3.transformMat4(posed, posed, display.sceneFromCharacter);
   };

@@ -1,7 +1,7 @@
 import { vec3 } from 'gl-matrix';
 import { describe, expect, it } from 'vitest';
 import type { Character } from '../../src/core/character.ts';
-import { worldMatrices } from '../../src/core/forward-kinematics.ts';
+import { jointMatrices } from '../../src/core/forward-kinematics.ts';
 import { pointOnRay } from '../../src/core/ray.ts';
 import { type Camera, clipFromScene } from '../../src/view/camera.ts';
 import { displayTransform } from '../../src/view/display-transform.ts';
@@ -30,8 +30,8 @@ const chain = '0 0 0 -1\n0 8 0 0\n0 8 0 1\n0 4 0 2\n';
 async function targetOf(text: string) {
   const character: Character = await readOne({ 'a.skel': text });
   const { skeleton } = character;
-  const worldFromJoint = worldMatrices(skeleton, skeleton.qRest);
-  return { character, display: displayTransform(character), worldFromJoint };
+  const characterFromJoint = jointMatrices(skeleton, skeleton.qRest);
+  return { character, display: displayTransform(character), characterFromJoint };
 }
 
 /** Pixels, right and up from the middle, of a point of the character. */

@@ -1,25 +1,15 @@
 import { describe, expect, it } from 'vitest';
-import { restPose } from '../../src/core/pose.ts';
-import type { CharacterState } from '../../src/document/document.ts';
+import { characterState } from '../../src/document/document.ts';
 import type { VertexStreams } from '../../src/skinning/method.ts';
 import { methodById } from '../../src/skinning/registry.ts';
-import { skinVertices } from '../../src/skinning/skin-vertices.ts';
+import { skinVertices } from '../support/skin-vertices.ts';
 import { verifySkin } from '../../src/view/verify.ts';
 import { characterOfRig } from '../fixtures/character-of-rig.ts';
 import { allRigs } from '../fixtures/rigs.ts';
 
 const character = characterOfRig(Object.values(allRigs)[0]!());
-const { q } = restPose(character.skeleton);
-const state: CharacterState = {
-  id: 1,
-  character,
-  source: { kind: 'files' },
-  q,
-  morphWeights: new Float64Array(0),
-  clip: null,
-  method: 'linear-blend',
-  normalizeWeights: false,
-};
+const state = characterState(1, character, 'linear-blend');
+const { q } = state;
 const posed = skinVertices(character, character.skin, { q }, methodById('linear-blend'));
 
 function changed(change: (streams: VertexStreams) => void): VertexStreams {

@@ -1,6 +1,6 @@
 import { mat4 } from 'gl-matrix';
 import type { Diagnostic } from '../../core/diagnostics.ts';
-import { worldMatrices } from '../../core/forward-kinematics.ts';
+import { jointMatrices } from '../../core/forward-kinematics.ts';
 import { firstRoot, type Skeleton } from '../../core/skeleton.ts';
 import type { Skin } from '../../core/skin.ts';
 import { reportLosses } from './losses.ts';
@@ -37,9 +37,9 @@ function rowsOfFirstJoint(skin: Skin, skeleton: Skeleton): number {
 
 /** Palette entries whose bind is not where their joint stands at rest. */
 function bindsElsewhere(skin: Skin, skeleton: Skeleton): number {
-  const worldFromJoint = worldMatrices(skeleton, skeleton.qRest);
+  const characterFromJoint = jointMatrices(skeleton, skeleton.qRest);
   return skin.paletteJoint.filter((joint, entry) => {
-    const world = worldFromJoint.subarray(joint * 16, joint * 16 + 16);
+    const world = characterFromJoint.subarray(joint * 16, joint * 16 + 16);
     const bind = skin.jointFromBind.subarray(entry * 16, entry * 16 + 16);
     return !areInverse(world, bind);
   }).length;

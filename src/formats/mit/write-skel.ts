@@ -1,4 +1,4 @@
-import { worldMatrices } from '../../core/forward-kinematics.ts';
+import { jointMatrices } from '../../core/forward-kinematics.ts';
 import { DofKind, noParent, type Skeleton } from '../../core/skeleton.ts';
 import { encodeLines, writeFloat64 } from '../text/write-number.ts';
 
@@ -36,11 +36,11 @@ export function standsTurned(skeleton: Skeleton, joint: number): boolean {
 
 /** (jointCount × 3) from each parent's place to the joint's at rest, along the world's axes. */
 function worldOffsets(skeleton: Skeleton): Float64Array {
-  const worldFromJoint = worldMatrices(skeleton, skeleton.qRest);
+  const characterFromJoint = jointMatrices(skeleton, skeleton.qRest);
   return skeleton.restOffsets.map((_, i) => {
     const [joint, axis] = [Math.floor(i / 3), i % 3];
     const parent = skeleton.parents[joint]!;
-    const start = parent === noParent ? 0 : worldFromJoint[parent * 16 + 12 + axis]!;
-    return worldFromJoint[joint * 16 + 12 + axis]! - start;
+    const start = parent === noParent ? 0 : characterFromJoint[parent * 16 + 12 + axis]!;
+    return characterFromJoint[joint * 16 + 12 + axis]! - start;
   });
 }

@@ -2,7 +2,6 @@ import type { GUI } from 'lil-gui';
 import { diagonal } from '../../core/bounds.ts';
 import { type Command, resetJoint, setPose, setValue } from '../../document/commands.ts';
 import type { CharacterState } from '../../document/document.ts';
-import { shownSelected } from '../../document/shown-pose.ts';
 import type { Editor } from '../editor.ts';
 import { axisNames, type JointValue, jointValues, valueName } from '../joint-values.ts';
 import { addValueRow, type ValueRow } from './value-row.ts';
@@ -92,8 +91,7 @@ export class JointFolder {
 
   /** (qCount) the pose that is shown. */
   private get shown(): Float64Array {
-    const { store, session } = this.editor;
-    return shownSelected(store, session)?.pose.q ?? this.state.q;
+    return this.editor.evaluations.selected()?.pose.q ?? this.state.q;
   }
 
   private build(): void {

@@ -2,7 +2,6 @@ import { effect } from '@preact/signals-core';
 import type { GUI } from 'lil-gui';
 import type { Character } from '../../core/character.ts';
 import type { CharacterId } from '../../document/document.ts';
-import { shownSelected } from '../../document/shown-pose.ts';
 import { chooseFiles } from '../choose-files.ts';
 import type { Editor } from '../editor.ts';
 import { stepJoint } from '../keymap.ts';
@@ -36,7 +35,7 @@ export function addPoseFolder(gui: GUI, editor: Editor): void {
   let shownId: CharacterId | null = null;
 
   effect(() => {
-    const state = shownSelected(editor.store, editor.session)?.state;
+    const state = editor.evaluations.selected()?.state;
     const character = state?.character ?? null;
     if (character !== shown || (state?.id ?? null) !== shownId) {
       joints?.destroy();

@@ -1,5 +1,4 @@
 import { useState } from 'preact/hooks';
-import { shownSelected } from '../../document/shown-pose.ts';
 import { bonesAt, framesOf, posedRotation, weighedCount } from '../bone-facts.ts';
 import type { Editor } from '../editor.ts';
 import { fixedText } from '../number-text.ts';
@@ -10,9 +9,9 @@ import { fixedText } from '../number-text.ts';
  */
 export function BonePanel({ editor }: { readonly editor: Editor }) {
   const [chosenOpen, setChosenOpen] = useState<boolean | null>(null);
-  const { store, session } = editor;
+  const { evaluations, session } = editor;
   const selected = session.selectedJoint.value;
-  const jointCount = shownSelected(store, session)?.state.character.skeleton.jointCount ?? 0;
+  const jointCount = evaluations.selected()?.state.character.skeleton.jointCount ?? 0;
   if (jointCount < 2) return null;
   const open = chosenOpen ?? selected !== null;
   // What is closed follows nothing.
@@ -40,7 +39,7 @@ interface BoneProperties {
 
 function BonesOfJoint({ editor, joint }: BoneProperties) {
   const [choice, setChoice] = useState(0);
-  const shown = shownSelected(editor.store, editor.session);
+  const shown = editor.evaluations.selected();
   if (!shown) return null;
   const { character } = shown.state;
   const { skeleton } = character;
@@ -93,7 +92,7 @@ function BonesOfJoint({ editor, joint }: BoneProperties) {
       <Matrix
         caption="S, R as posed"
         rows={rotationRows}
-        of={posedRotation(skeleton, bone, shown.pose.q)}
+        of={posedRotation(skeleton, bone, shown.characterFromJoint)}
       />
       <Matrix caption="Axes at rest, world" heads={['t', 'n', 'b']} rows={rotationRows} of={axes} />
     </>

@@ -1,7 +1,6 @@
 import { printable } from '../../core/diagnostics.ts';
 import { selectedCharacter } from '../../document/document.ts';
 import type { ActiveDof } from '../../document/session.ts';
-import { shownSelected } from '../../document/shown-pose.ts';
 import { ancestorsOf } from '../joint-rows.ts';
 import { formatDegrees } from '../angle-text.ts';
 import type { Drawer, Editor } from '../editor.ts';
@@ -92,10 +91,10 @@ function LitBoneLabel({ editor: { store, session } }: { readonly editor: Editor 
 }
 
 function valueOf(
-  { store, session, ballAngles }: Editor,
+  { evaluations, ballAngles }: Editor,
   { index, ballAxis }: ActiveDof,
 ): number | undefined {
-  const shown = shownSelected(store, session);
+  const shown = evaluations.selected();
   if (!shown || ballAxis === undefined) return shown?.pose.q[index];
   return ballAngles.of(shown.state.character.skeleton, shown.pose.q, index)[ballAxis];
 }

@@ -1,6 +1,5 @@
 import { setPose } from '../../document/commands.ts';
 import { jointOfValue } from '../../core/pose.ts';
-import { shownSelected } from '../../document/shown-pose.ts';
 import { beginDrag, type DragMode, type DragPointer } from '../../posing/drag.ts';
 import { canTurn } from '../../posing/joint-frames.ts';
 import { axesOf } from '../../view/camera.ts';
@@ -19,10 +18,10 @@ const leastReach = 8;
 export const boneTool: Tool = {
   id: 'bone',
   press(place, button, editor) {
-    const { store, session } = editor;
+    const { evaluations, session } = editor;
     if (!session.boneMode.value || button !== 0) return null;
     const target = boneAt(editor, place);
-    const shown = shownSelected(store, session);
+    const shown = evaluations.selected();
     if (!target || !shown || !canTurn(shown.state.character.skeleton, target.joint)) return null;
     showHover(editor, place, target);
     return turnBone(editor, place, target);
@@ -34,8 +33,8 @@ export const boneTool: Tool = {
  * the bone; each time that Alt comes or goes, the drag goes on from the pose of the moment.
  */
 function turnBone(editor: Editor, from: ToolPlace, target: BoneTarget): ToolDrag {
-  const { store, session, viewer } = editor;
-  const { state, pose } = shownSelected(store, session)!;
+  const { store, session, viewer, evaluations } = editor;
+  const { state, pose } = evaluations.selected()!;
   const { skeleton } = state.character;
   const label = `Turn ${skeleton.names[target.joint]!}`;
   const gesture = store.begin(label);

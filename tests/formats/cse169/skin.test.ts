@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
-import { worldMatrices } from '../../../src/core/forward-kinematics.ts';
+import { jointMatrices } from '../../../src/core/forward-kinematics.ts';
 import { readSkin } from '../../../src/formats/cse169/skin.ts';
 import { linearBlend } from '../../../src/skinning/linear-blend.ts';
-import { skinVertices } from '../../../src/skinning/skin-vertices.ts';
+import { skinVertices } from '../../support/skin-vertices.ts';
 import {
   inverse,
   multiply,
@@ -109,7 +109,7 @@ describe('readSkin', () => {
       return [0, 1, 2].map((axis) => moved.reduce((sum, at) => sum + at[axis]!, 0));
     });
     expect(largestDifference(positions, expected)).toBeLessThan(1e-6);
-    const world = worldMatrices(skeleton, skeleton.qRest);
+    const world = jointMatrices(skeleton, skeleton.qRest);
     expect(
       largestDifference(
         numbersAt(world, 2, 16),

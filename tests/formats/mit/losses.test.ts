@@ -1,11 +1,11 @@
 import { describe, expect, it } from 'vitest';
 import { buildCharacter } from '../../../src/core/build-character.ts';
 import type { Character } from '../../../src/core/character.ts';
-import { worldMatrices } from '../../../src/core/forward-kinematics.ts';
+import { jointMatrices } from '../../../src/core/forward-kinematics.ts';
 import { restPose } from '../../../src/core/pose.ts';
 import { writeMit } from '../../../src/formats/mit/write-character.ts';
 import { linearBlend } from '../../../src/skinning/linear-blend.ts';
-import { skinVertices } from '../../../src/skinning/skin-vertices.ts';
+import { skinVertices } from '../../support/skin-vertices.ts';
 import { characterOfRig, partsOfRig } from '../../fixtures/character-of-rig.ts';
 import { allRigs, rotatedTree } from '../../fixtures/rigs.ts';
 import { largestDifference } from '../../support/compare.ts';
@@ -109,7 +109,7 @@ describe('what is written for lack of better', () => {
     const character = characterOfRig(rotatedTree());
     const again = await readAgain(character);
     const places = ({ skeleton }: Character): number[] => {
-      const world = worldMatrices(skeleton, skeleton.qRest);
+      const world = jointMatrices(skeleton, skeleton.qRest);
       return Array.from(skeleton.jointOfSource, (joint) => [
         ...world.subarray(joint * 16 + 12, joint * 16 + 15),
       ]).flat();

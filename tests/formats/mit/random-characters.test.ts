@@ -9,8 +9,8 @@ import { writeMit } from '../../../src/formats/mit/write-character.ts';
 import { readObj } from '../../../src/formats/obj/read-obj.ts';
 import { writeObj } from '../../../src/formats/obj/write-obj.ts';
 import { methods } from '../../../src/skinning/registry.ts';
-import { skinVertices } from '../../../src/skinning/skin-vertices.ts';
-import { worldMatrices } from '../../../src/core/forward-kinematics.ts';
+import { skinVertices } from '../../support/skin-vertices.ts';
+import { jointMatrices } from '../../../src/core/forward-kinematics.ts';
 import { readOne } from '../../support/files.ts';
 import { meshParts, skinnedParts } from '../../support/random-parts.ts';
 
@@ -68,7 +68,7 @@ describe('random characters', () => {
         for (const skin of [character.skin, normalizeSkin(character.skin)]) {
           for (const method of methods) {
             const palette = new Float32Array(skeleton.jointCount * method.vec4sPerEntry * 4);
-            method.packPalette(skin, worldMatrices(skeleton, pose.q), palette);
+            method.packPalette(skin, jointMatrices(skeleton, pose.q), palette);
             const { positions, normals } = skinVertices(character, skin, pose, method);
             expectNoSubnormals({ palette, positions, normals, weights: skin.weights });
           }

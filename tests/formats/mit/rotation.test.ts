@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { worldMatrices } from '../../../src/core/forward-kinematics.ts';
+import { jointMatrices } from '../../../src/core/forward-kinematics.ts';
 import { poseFromJson } from '../../../src/formats/pose-json.ts';
 import { multiply, rotationAbout, translation } from '../../reference/matrix.ts';
 import { columnMajor, largestDifference } from '../../support/compare.ts';
@@ -20,6 +20,6 @@ describe('a joint of 6.837', () => {
     const child = multiply(root, multiply(translation([0, 5, 0]), rotation(-2, 0.4, 0.9)));
     const expected = [...columnMajor(root), ...columnMajor(child)];
     const bound = tolerances.kinematics * 50;
-    expect(largestDifference(worldMatrices(skeleton, value!.q), expected)).toBeLessThan(bound);
+    expect(largestDifference(jointMatrices(skeleton, value!.q), expected)).toBeLessThan(bound);
   });
 });

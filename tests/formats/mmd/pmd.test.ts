@@ -1,12 +1,12 @@
 import { describe, expect, it } from 'vitest';
 import type { Character } from '../../../src/core/character.ts';
 import { defaultLimits } from '../../../src/core/limits.ts';
-import { worldMatrices } from '../../../src/core/forward-kinematics.ts';
+import { jointMatrices } from '../../../src/core/forward-kinematics.ts';
 import { DofKind } from '../../../src/core/skeleton.ts';
 import { convertCharacter } from '../../../src/formats/convert.ts';
 import { readPmd } from '../../../src/formats/mmd/pmd.ts';
 import { linearBlend } from '../../../src/skinning/linear-blend.ts';
-import { skinVertices } from '../../../src/skinning/skin-vertices.ts';
+import { skinVertices } from '../../support/skin-vertices.ts';
 import { expectPosable, expectSound } from '../../support/check-character.ts';
 import { largestDifference, numbersAt } from '../../support/compare.ts';
 import { readContents, readOne } from '../../support/files.ts';
@@ -98,7 +98,7 @@ describe('readPmd', () => {
     const moved = skinVertices(character, skin, { q }, linearBlend).positions;
     const wanted = mesh.positions.map((value, i) => value + [1, 2, 3][i % 3]!);
     expect(largestDifference(moved, wanted)).toBeLessThan(1e-6);
-    expect([...worldMatrices(skeleton, q).subarray(12, 15)]).toEqual([1, 2, 1]);
+    expect([...jointMatrices(skeleton, q).subarray(12, 15)]).toEqual([1, 2, 1]);
   });
 
   it('lays morphs on the vertices of the base', async () => {

@@ -7,7 +7,7 @@ import type {
   SkinParts,
 } from '../../../src/core/character-parts.ts';
 import { DiagnosticLog } from '../../../src/core/diagnostics.ts';
-import { worldMatrices } from '../../../src/core/forward-kinematics.ts';
+import { jointMatrices } from '../../../src/core/forward-kinematics.ts';
 import { defaultLimits } from '../../../src/core/limits.ts';
 import { ballHinges, rootSlides } from '../../../src/formats/cse169/joint-dofs.ts';
 import { roundWeights } from '../mit-text.ts';
@@ -61,7 +61,7 @@ function bindMatrices(): Float64Array {
   const unlimited = skeletonParts(({ bind }) => bind);
   const skeleton = buildSkeleton(unlimited, new DiagnosticLog('insect.skel'), defaultLimits);
   if (!skeleton) throw new Error('the skeleton could not be built');
-  return Float64Array.from(rounded(worldMatrices(skeleton, skeleton.qRest), 6));
+  return Float64Array.from(rounded(jointMatrices(skeleton, skeleton.qRest), 6));
 }
 
 /** Weights in whole ten-thousandths, so that a row sums to 1. */

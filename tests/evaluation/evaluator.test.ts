@@ -1,0 +1,120 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { includePositions, emptyBounds } from '../../src/core/bounds.ts';
+import { jointMatrices } from '../../src/core/forward-kinematics.ts';
+import { type CharacterState, characterState } from '../../src/document/document.ts';
+import type { Evaluation } from '../../src/evaluation/evaluation.ts';
+import { Evaluator } from '../../src/evaluation/evaluator.ts';
+import { methods } from '../../src/skinning/registry.ts';
+import { skinVertices } from '../support/skin-vertices.ts';
+import { characterOfRig } from '../fixtures/character-of-rig.ts';
+import { allRigs } from '../fixtures/rigs.ts';
+
+const characters = Object.values(allRigs).map((rig) => characterOfRig(rig()));
+
+function stateOf(which: number): CharacterState {
+  return characterState(1 + which, characters[which % characters.length]!, 'linear-blend');
+}
+
+/** An edit of any kind of what a character's evaluation is a function of. */
+const edits: readonly ((state: CharacterState, amount: number) => CharacterState)[] = [
+  (state, amount) => ({ ...state, q: state.q.map((value) => value + amount) }),
+  (state, amount) => ({
+    ...state,
+    method: methods[Math.abs(Math.trunc(amount * 100)) % methods.length]!.id,
+  }),
+  (state, amount) => ({ ...state, normalizeWeights: amount > 0 }),
+  (state, amount) => ({ ...state, morphWeights: state.morphWeights.map(() => amount) }),
+  (state) => state,
+];
+
+const steps = fc.array(
+  fc.tuple(fc.nat(edits.length - 1), fc.double({ noNaN: true, min: -2, max: 2 })),
+  { maxLength: 12 },
+);
+
+describe('an evaluation', () => {
+  it('is a function of character and moment alone, whatever was shown before', () => {
+    fc.assert(
+      fc.property(fc.nat(characters.length - 1), steps, (which, chosen) => {
+        let state = stateOf(which);
+        const evaluator = new Evaluator(state);
+        for (const [edit, amount] of chosen) {
+          state = edits[edit]!(state, amount);
+          const shown = evaluator.evaluate(state, amount);
+          // Some stages are read, others not: what is skipped must not be missed later.
+          if (amount > 0) expectFresh(shown, state, amount);
+        }
+        expectFresh(evaluator.evaluate(state, 0), state, 0);
+      }),
+    );
+  });
+
+  it('agrees with the whole way on the CPU, by every method', () => {
+    for (const [which, character] of characters.entries()) {
+      for (const method of methods) {
+        const state = { ...stateOf(which), method: method.id };
+        const shown = new Evaluator(state).evaluate(state, 0);
+        const { positions } = skinVertices(character, character.skin, state, method);
+        expect(shown.vertices().positions).toEqual(positions);
+        const joints = jointMatrices(character.skeleton, state.q);
+        expect(shown.characterFromJoint).toEqual(joints);
+        const box = emptyBounds();
+        includePositions(box, positions, character.mesh.vertexCount);
+        for (let at = 12; at < joints.length; at += 16) {
+          includePositions(box, joints.subarray(at, at + 3), 1);
+        }
+        if (character.mesh.pointCount > 0) expect(shown.bounds()).toEqual(box);
+      }
+    }
+  });
+
+  it('keeps the revisions and the arrays of stages whose inputs did not change', () => {
+    const state = stateOf(0);
+    const evaluator = new Evaluator(state);
+    const first = { ...evaluator.evaluate(state, 0).revisions };
+    const { palette, characterFromJoint } = evaluator;
+    expect(evaluator.evaluate({ ...state }, 7).revisions).toEqual(first);
+    expect(evaluator.palette).toBe(palette);
+
+    const shaped = { ...state, morphWeights: state.morphWeights.slice() };
+    const second = evaluator.evaluate(shaped, 0).revisions;
+    expect([second.pose, second.palette]).toEqual([first.pose, first.palette]);
+    expect(second.rest).toBeGreaterThan(first.rest);
+    expect(second.vertices).toBeGreaterThan(first.vertices);
+
+    const other = evaluator.evaluate({ ...shaped, method: 'rigid' }, 0).revisions;
+    expect(other.pose).toBe(first.pose);
+    expect(other.palette).toBeGreaterThan(first.palette);
+    expect(evaluator.characterFromJoint).toBe(characterFromJoint);
+  });
+
+  it('never meets a revision of another evaluator', () => {
+    const seen = new Set<number>();
+    for (let which = 0; which < 20; which++) {
+      const state = stateOf(which);
+      const { vertices } = new Evaluator(state).evaluate(state, 0).revisions;
+      expect(seen).not.toContain(vertices);
+      seen.add(vertices);
+    }
+  });
+
+  it('gives a snapshot that the next moment leaves alone', () => {
+    const state = stateOf(0);
+    const evaluator = new Evaluator(state);
+    const kept = evaluator.evaluate(state, 0).snapshot();
+    const before = kept.q.slice();
+    state.q.fill(0.5);
+    evaluator.evaluate({ ...state, q: state.q.map((value) => value + 1) }, 0).vertices();
+    expect(kept.q).toEqual(before);
+  });
+});
+
+function expectFresh(shown: Evaluation, state: CharacterState, time: number): void {
+  const fresh = new Evaluator(state).evaluate(state, time);
+  expect(shown.pose).toEqual(fresh.pose);
+  expect(shown.characterFromJoint).toEqual(fresh.characterFromJoint);
+  expect(shown.palette).toEqual(fresh.palette);
+  expect(shown.vertices()).toEqual(fresh.vertices());
+  expect(shown.bounds()).toEqual(fresh.bounds());
+}

@@ -1,0 +1,28 @@
+import { jointMatrices } from '../../src/core/forward-kinematics.ts';
+import type { Character } from '../../src/core/character.ts';
+import type { Pose } from '../../src/core/pose.ts';
+import type { Skin } from '../../src/core/skin.ts';
+import { restMesh } from '../../src/skinning/rest-mesh.ts';
+import type { SkinningMethod, VertexStreams } from '../../src/skinning/method.ts';
+
+/**
+ * The whole way on the CPU: pose → matrices → palette → vertices, morphs before. It stands beside the
+ * evaluation, which is held to it.
+ */
+export function skinVertices(
+  character: Character,
+  skin: Skin,
+  pose: Pose,
+  method: SkinningMethod,
+): VertexStreams {
+  const { skeleton } = character;
+  const mesh = restMesh(character, pose);
+  const palette = new Float32Array(skin.paletteJoint.length * method.vec4sPerEntry * 4);
+  method.packPalette(skin, jointMatrices(skeleton, pose.q), palette);
+  const out = {
+    positions: new Float32Array(mesh.vertexCount * 3),
+    normals: new Float32Array(mesh.vertexCount * 3),
+  };
+  method.deform(mesh, skin, palette, out);
+  return out;
+}
