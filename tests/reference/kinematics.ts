@@ -24,21 +24,22 @@ export interface Joint {
 export type Values = readonly (readonly (readonly number[])[])[];
 
 /**
- * The handout, part 3: a node's frame is its parent's times its own, down the tree. Recursive, from
- * each joint up to its root, so that the order of the joints cannot matter.
+ * The handout, part 3: a node's frame is its parent's times its own, down the tree. From each joint it
+ * goes up to the root and back, so that the order of the joints cannot matter.
  */
 export function characterFromJoints(joints: readonly Joint[], values: Values): Matrix[] {
   const known: (Matrix | undefined)[] = joints.map(() => undefined);
   return joints.map((_, index) => worldOf(index));
 
   function worldOf(index: number): Matrix {
-    const found = known[index];
-    if (found) return found;
-    const joint = joints[index]!;
-    const local = localMatrix(joint, values[index]!);
-    const world = joint.parent === -1 ? local : multiply(worldOf(joint.parent), local);
-    known[index] = world;
-    return world;
+    const path: number[] = [];
+    for (let at = index; at !== -1 && !known[at]; at = joints[at]!.parent) path.push(at);
+    for (const at of path.reverse()) {
+      const { parent } = joints[at]!;
+      const local = localMatrix(joints[at]!, values[at]!);
+      known[at] = parent === -1 ? local : multiply(known[parent]!, local);
+    }
+    return known[index]!;
   }
 }
 
