@@ -14,7 +14,7 @@ export default defineConfig({
   build: {
     target: 'es2022',
     sourcemap: false,
-    modulePreload: { polyfill: false },
+    modulePreload: false,
     // Small files stay files: a strict content policy allows no data: addresses.
     assetsInlineLimit: 0,
   },

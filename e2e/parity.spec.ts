@@ -16,11 +16,11 @@ for (const { id, files } of catalogue) {
     await watchSkinStage(page);
     await openSmallView(page, `model=${id}`);
     expect(files.length, 'files of a character').toBeGreaterThanOrEqual(3);
-    for (const { label } of methods) {
+    for (const [index, { label }] of methods.entries()) {
       await choose(page, 'Method', label);
-      expect(await verify(page), `${label}, as bundled`).toMatchObject(same);
+      expect(await verify(page), `${label}, as it was`).toMatchObject(same);
       const jointCount = await page.evaluate(() => window.sinew.characters[0]!.joints.length);
-      await setPose(page, wildPose(jointCount, 1));
+      await setPose(page, wildPose(jointCount, 1 + index));
       expect(await verify(page), `${label}, in a wild pose`).toMatchObject(same);
     }
     const runs = await skinRuns(page);

@@ -22,16 +22,20 @@ function packed(count: number): Uint8Array {
   return zipSync(files);
 }
 
-test('each of several characters in an archive is offered', async ({ page }) => {
+test('several characters of an archive stand in the scene, by one step of undo', async ({
+  page,
+}) => {
   await openApp(page, 'model=tube');
   await drop(page, [{ name: 'all.zip', content: packed(3) }]);
   expect(await page.evaluate(() => window.sinew.problems)).toEqual([]);
+  await expect(page.locator('.status strong')).toHaveText('made0');
   for (const name of ['made2', 'made0', 'made1']) {
-    await page.locator('.picker').getByRole('button', { name, exact: true }).click();
+    await page.locator('.scene-list').getByRole('button', { name, exact: true }).click();
     await expect(page.locator('.status strong')).toHaveText(name);
   }
   await page.getByRole('button', { name: 'Undo' }).click();
-  await expect(page.locator('.status strong')).toHaveText('made0');
+  await expect(page.locator('.status strong')).toHaveText('tube');
+  expect(await page.evaluate(() => window.sinew.characters.length)).toBe(1);
 });
 
 test('files dropped again after a change keep pose and camera', async ({ page }) => {

@@ -1,8 +1,12 @@
 import { signal } from '@preact/signals-core';
 import { BallAngles } from '../document/ball-angles.ts';
-import { resetPose } from '../document/commands.ts';
-import { selectedCharacter } from '../document/document.ts';
+import { removeActor, resetPose } from '../document/edits.ts';
+import { openCharacter } from '../document/open-characters.ts';
+import { selectActor } from '../document/reconcile.ts';
+import { selectedActor } from '../document/selected-actor.ts';
 import { Transport } from '../document/transport.ts';
+import { placeInRow } from '../evaluation/placing.ts';
+import { sceneBounds } from '../evaluation/scene-bounds.ts';
 import { readableExtensions } from '../formats/extensions.ts';
 import { writeObj } from '../formats/obj/write-obj.ts';
 import { poseToJson } from '../formats/pose-json.ts';
@@ -16,7 +20,7 @@ import { savePicture } from './save-picture.ts';
 /** Joins what is open to all that the interface can ask for. */
 export function createEditor(opening: Opening): Editor {
   const { store, session, evaluations, viewer, verification, notice } = opening;
-  const selected = () => selectedCharacter(store.document.value);
+  const selected = () => selectedActor(store, session);
 
   const editor: Editor = {
     ...opening,
@@ -26,6 +30,26 @@ export function createEditor(opening: Opening): Editor {
     letterKeys: signal(true),
     drawer: signal<Drawer | null>(null),
     fileExtensions: [...new Set([...readableExtensions, '.json', '.png'])],
+
+    select(id) {
+      selectActor(session, store.scene.value, id);
+    },
+
+    removeSelected() {
+      const actor = selected();
+      if (!actor) return;
+      store.dispatch(removeActor(actor));
+      notice.value = `${actor.character.name} removed`;
+    },
+
+    duplicateSelected() {
+      const actor = selected();
+      if (!actor) return;
+      const [transform] = placeInRow(sceneBounds(evaluations.all()), [actor.character]);
+      const kept = { ...actor, transform: { ...actor.transform, position: transform!.position } };
+      store.dispatch(openCharacter(null, actor.character, actor.method, kept));
+      notice.value = `${actor.character.name} added once more`;
+    },
 
     resetAll() {
       const state = selected();
@@ -69,7 +93,7 @@ export function createEditor(opening: Opening): Editor {
         notice.value = 'There is no mesh to export';
         return;
       }
-      const bytes = writeObj(state.character.mesh, viewer.vertices('cpu'));
+      const bytes = writeObj(state.character.mesh, viewer.vertices(state, 'cpu'));
       download(`${state.character.name}-posed.obj`, bytes as BlobPart, 'text/plain');
       notice.value = 'Posed mesh saved as OBJ';
     },
@@ -79,7 +103,7 @@ export function createEditor(opening: Opening): Editor {
     },
 
     verify() {
-      verification.value = verifyShown(store, viewer);
+      verification.value = verifyShown(selected(), viewer);
       if (!verification.value) notice.value = 'There is nothing on the GPU to verify';
     },
   };

@@ -1,9 +1,9 @@
 import { computed, type Signal, signal } from '@preact/signals-core';
-import { selectedCharacter, type Source } from '../document/document.ts';
+import { selectActor } from '../document/reconcile.ts';
+import { selectedActor } from '../document/selected-actor.ts';
 import type { Session } from '../document/session.ts';
 import type { Store } from '../document/store.ts';
 import type { Evaluations } from '../evaluation/evaluations.ts';
-import type { FileEntry } from '../formats/format.ts';
 import type { ReadCharacter } from '../formats/read-characters.ts';
 import type { Opening, ThemeChoice } from '../ui/editor.ts';
 import type { WorkspaceId } from '../ui/workspace.ts';
@@ -23,20 +23,21 @@ export function createOpening(
   viewer: Viewer,
   catalogue: Signal<readonly CatalogueEntry[]>,
 ): Opening {
-  const opener = new FileOpener(store, session);
+  const opener = new FileOpener(store, session, evaluations);
   const workspaceId = signal<WorkspaceId>(workspaces[0]!.id);
   const openedId = computed(() => {
-    const source = selectedCharacter(store.document.value)?.source;
+    const source = selectedActor(store, session)?.source;
     return source?.kind === 'bundled' ? source.id : null;
   });
   const own = signal<readonly ReadCharacter[]>([]);
   const verification = signal<Verification | null>(null);
-  const selected = computed(() => selectedCharacter(store.document.value)?.character);
+  const selected = computed(() => selectedActor(store, session)?.character);
   // What was verified is of one character, whatever puts another in its place.
   selected.subscribe(() => (verification.value = null));
   const notice = signal('');
   const meter = new ProgressMeter();
   let current = new AbortController();
+  let latest: Promise<unknown> = Promise.resolve();
 
   const opening: Opening = {
     store,
@@ -53,42 +54,67 @@ export function createOpening(
     notice,
     theme: signal<ThemeChoice>('system'),
 
-    async openFiles(files) {
-      const outcome = await whileOpening('Reading', (signal) =>
-        open(files, signal, { kind: 'files' }),
-      );
+    async openFiles(files, add = false) {
+      const outcome = await whileOpening('Reading', async (signal) => {
+        const { openOwnFiles } = await import('./open-own-files.ts');
+        const openBundled = (id: string): Promise<void> => opening.openBundled(id);
+        return openOwnFiles(opener, files, { signal, onProgress: meter.report, openBundled, add });
+      });
       if (!outcome) return;
       const { found, opened, reopened, posed } = outcome;
       if (opened) {
         own.value = found;
-        showOpened(opened.name, reopened);
+        const more = found.length > 1 ? ` and ${found.length - 1} more` : '';
+        showOpened(`${opened.name}${more}`, reopened ? 'updated; pose and camera kept' : word(add));
       } else if (posed) notice.value = 'Pose set';
       else notice.value = 'Nothing could be opened; see Problems';
     },
 
-    async openBundled(id) {
+    async openBundled(id, add = false) {
       const entry = catalogue.value.find((each) => each.id === id);
       if (!entry) {
         notice.value = `There is no character "${id}"`;
         return;
       }
-      const outcome = await whileOpening(`Loading ${entry.label}`, async (signal) =>
-        open(await fetchBundled(entry, signal), signal, { kind: 'bundled', id }),
+      const source = { kind: 'bundled', id } as const;
+      // A copy of what is there already shares all but its pose.
+      const same = store.scene.value.actors.find(
+        ({ source: from }) => from.kind === 'bundled' && from.id === id,
       );
-      if (outcome?.opened) showOpened(entry.label, false);
+      if (add && same) {
+        opener.showAll([{ character: same.character, files: [] }], { source, add });
+        showOpened(entry.label, word(add));
+        return;
+      }
+      const outcome = await whileOpening(`Loading ${entry.label}`, async (signal) =>
+        opener.openBundled(await fetchBundled(entry, signal), signal, meter.report, {
+          source,
+          add,
+        }),
+      );
+      if (outcome?.opened) showOpened(entry.label, word(add));
     },
 
-    openOwn(character) {
-      // Already open, it stays as it was posed.
-      if (selectedCharacter(store.document.value)?.character === character.character) return;
-      opener.show(character, { kind: 'files' });
-      showOpened(character.character.name, false);
+    openOwn(read, add = false) {
+      const there = store.scene.value.actors.find(({ character }) => character === read.character);
+      // Already in the scene, it stays as it was posed.
+      if (there && !add) selectActor(session, store.scene.value, there.id);
+      else {
+        opener.showAll([read], { source: { kind: 'files' }, add });
+        showOpened(read.character.name, word(add));
+      }
     },
 
     cancelOpening() {
       current.abort();
       meter.clear();
       notice.value = 'Cancelled';
+    },
+
+    async whenOpened() {
+      let last;
+      do await (last = latest);
+      while (last !== latest);
     },
 
     setWorkspace(id) {
@@ -103,10 +129,6 @@ export function createOpening(
   };
   return opening;
 
-  function open(files: readonly FileEntry[], signal: AbortSignal, source: Source) {
-    return opener.open(files, signal, meter.report, (id) => opening.openBundled(id), source);
-  }
-
   /** Ends what is being opened, and opens; what fails becomes a word, and the page stays as it was. */
   async function whileOpening(
     title: string,
@@ -114,8 +136,10 @@ export function createOpening(
   ): Promise<OpenOutcome | undefined> {
     current.abort();
     const { signal } = (current = new AbortController());
+    const working = meter.during(title, () => work(signal));
+    latest = working.catch(() => undefined); // which is told below
     try {
-      return await meter.during(title, () => work(signal));
+      return await working;
     } catch (error) {
       if (signal.aborted) return undefined;
       if (error instanceof FetchError || error instanceof TaskStartError)
@@ -128,9 +152,13 @@ export function createOpening(
     }
   }
 
-  function showOpened(name: string, reopened: boolean): void {
+  function showOpened(name: string, what: string): void {
     const workspace = workspaces.find(({ id }) => id === workspaceId.value);
-    if (workspace?.framed && !reopened) viewer.frameAll();
-    notice.value = reopened ? `${name} updated; pose and camera kept` : `${name} opened`;
+    if (workspace?.framed && !what.startsWith('updated')) viewer.frameAll();
+    notice.value = `${name} ${what}`;
   }
+}
+
+function word(add: boolean): string {
+  return add ? 'added' : 'opened';
 }

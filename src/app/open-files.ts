@@ -1,22 +1,29 @@
 import type { Character } from '../core/character.ts';
-import type { Diagnostic } from '../core/diagnostics.ts';
-import { openCharacter, setPose } from '../document/commands.ts';
-import {
-  type CharacterState,
-  type KeptState,
-  selectedCharacter,
-  type Source,
-} from '../document/document.ts';
+import { openCharacter, openCharacters } from '../document/open-characters.ts';
+import type { Actor, KeptState, Source } from '../document/scene.ts';
+import { dropJoints } from '../document/reconcile.ts';
+import { selectedActor } from '../document/selected-actor.ts';
 import type { Session } from '../document/session.ts';
 import type { Store } from '../document/store.ts';
-import { baseName, extensionOf } from '../formats/file-entry.ts';
-import { companionExtensions, textureExtensions } from '../formats/extensions.ts';
+import type { Evaluations } from '../evaluation/evaluations.ts';
+import { placeInRow } from '../evaluation/placing.ts';
+import { sceneBounds } from '../evaluation/scene-bounds.ts';
 import type { FileEntry } from '../formats/format.ts';
 import type { ReadCharacter, ReadProgress } from '../formats/read-characters.ts';
 import { defaultMethod } from '../skinning/registry.ts';
 import type { MethodId } from '../skinning/method.ts';
+import type { OpenedFiles } from './renewal.ts';
 import { readFiles } from './read-files.ts';
 import { readPoses, sortFiles } from './sort-files.ts';
+
+/** Where characters come from, and whether they join the others or take the place of the selected one. */
+export interface OpenWay {
+  readonly source: Source;
+  readonly add: boolean;
+}
+
+/** More than these of one drop would be a crowd; the rest is offered by name. */
+const mostAtOnce = 12;
 
 /** What became of files that were dropped, chosen or fetched. */
 export interface OpenOutcome {
@@ -33,87 +40,93 @@ export interface OpenOutcome {
  * of undo. Parts that the open character lacks complete it; its own files, changed, renew it.
  */
 export class FileOpener {
-  private readonly store: Store;
-  private readonly session: Session;
+  readonly store: Store;
+  readonly session: Session;
+  private readonly evaluations: Evaluations;
   /** The files of each character that was opened, so that later drops can complete or renew it. */
   private readonly filesOf = new WeakMap<Character, readonly FileEntry[]>();
 
-  constructor(store: Store, session: Session) {
+  constructor(store: Store, session: Session, evaluations: Evaluations) {
     this.store = store;
     this.session = session;
+    this.evaluations = evaluations;
   }
 
-  /**
-   * @param signal aborted where the user cancels, or where later files take over
-   * @param openBundled opens a bundled character, for pictures that remember one
-   * @param source a bundled character neither completes nor renews what is open
-   * @returns nothing where it was aborted; the page is then as it was
-   */
-  async open(
+  /** Opens a bundled character, with its pose. */
+  async openBundled(
     files: readonly FileEntry[],
     signal: AbortSignal,
     onProgress: ReadProgress,
-    openBundled: (id: string) => Promise<void>,
-    source: Source,
+    way: OpenWay,
   ): Promise<OpenOutcome | undefined> {
-    const fresh = source.kind === 'bundled';
     const { poses, notes, parts } = await sortFiles(files);
-    const completed = fresh ? parts : this.completed(parts);
-    const onlyPictures = completed.every(isPicture);
-    const { characters, diagnostics } = onlyPictures
-      ? { characters: [], diagnostics: completed.map(plainPicture) }
-      : await readFiles(completed, signal, onProgress);
+    const { characters, diagnostics } = await readFiles(parts, signal, onProgress);
     if (signal.aborted) return undefined;
     const problems = [...diagnostics];
-    const first = characters[0];
-    const remembered = notes.at(-1)?.bundled;
-    if (!first && remembered !== undefined) await openBundled(remembered);
-    const renewed = first && !fresh && this.renews(first) ? this.selected : undefined;
-    const character = first?.character ?? this.selected?.character;
-    const q = character && readPoses({ poses, notes }, character, problems);
-    if (first) {
-      this.show(first, source, q, renewed);
-      problems.push(...missingParts(first.character));
-    } else if (q && this.selected) {
-      this.store.dispatch(setPose(this.selected.id, q, 'Open a pose'));
-    }
+    const [first] = characters;
+    if (first) this.showAll([first], way, readPoses({ poses, notes }, first.character, problems));
     this.session.problems.value = problems;
-    return {
-      found: characters,
-      opened: first?.character ?? null,
-      reopened: renewed !== undefined,
-      posed: q !== undefined,
-    };
+    const opened = first?.character ?? null;
+    return { found: characters, opened, reopened: false, posed: false };
   }
 
   /**
-   * Opens a character that was read, at the given pose or the file's.
+   * Opens characters that were read, at their files' poses: in the place of the selected actor, or beside
+   * all others; several stand in a row.
    *
-   * @param before the open one, of the same files: its pose, shape and clip go on, and it plays on
+   * @param q a pose of the first
    */
-  show(read: ReadCharacter, source: Source, q?: Float64Array, before?: CharacterState): void {
-    const { character } = read;
-    const kept = {
-      source,
-      ...(before && keptState(before, character)),
-      ...(q && { q, clip: null }),
-    };
-    this.filesOf.set(character, read.files);
-    this.store.dispatch(openCharacter(character, this.methodFor(character), kept));
-    if (!before || before.character.clips.length === 0) {
-      this.session.clipIndex.value = 0;
-      this.session.clipTime.value = character.clips[0]?.start ?? 0;
+  showAll(found: readonly ReadCharacter[], { source, add }: OpenWay, q?: Float64Array): void {
+    const shown = found.slice(0, mostAtOnce);
+    const replaced = add ? undefined : this.selected;
+    const others = this.evaluations.all().filter(({ state }) => state.id !== replaced?.id);
+    // Where it stood among others, the next one stands; alone, it stands as by itself.
+    const kept =
+      replaced && others.length > 0 && shown.length === 1 ? replaced.transform : undefined;
+    const places = placeInRow(
+      sceneBounds(others),
+      shown.map(({ character }) => character),
+    );
+    for (const { character, files } of shown) {
+      if (files.length > 0) this.filesOf.set(character, files);
     }
-    if (before) return;
-    this.session.selectedJoint.value = null;
-    this.session.hoveredJoint.value = null;
-    this.session.hoveredBone.value = null;
-    this.session.hoverPlace.value = null;
-    this.session.activeDof.value = null;
+    const actors = shown.map(({ character }, index) => ({
+      character,
+      method: this.methodFor(character),
+      kept: {
+        source,
+        transform: kept ?? places[index]!,
+        ...(q && index === 0 && { q }),
+      },
+    }));
+    this.store.dispatch(openCharacters(replaced?.id ?? null, actors));
+    this.beginClip(shown[0]!.character);
+    dropJoints(this.session);
   }
 
-  private get selected(): CharacterState | undefined {
-    return selectedCharacter(this.store.document.value);
+  /** Puts an actor's files, read again, in its place: its pose, shape and clip go on, and it plays on. */
+  renew(read: ReadCharacter, before: Actor, kept: KeptState): void {
+    const { character } = read;
+    this.filesOf.set(character, read.files);
+    this.store.dispatch(openCharacter(before.id, character, this.methodFor(character), kept));
+    if (before.character.clips.length === 0) this.beginClip(character);
+  }
+
+  private beginClip({ clips }: Character): void {
+    this.session.clipIndex.value = 0;
+    // While another actor plays, the time is its.
+    if (!this.session.playing.value) this.session.clipTime.value = clips[0]?.start ?? 0;
+  }
+
+  /** The selected character with its files, where these are known. */
+  get openedFiles(): OpenedFiles | undefined {
+    const character = this.selected?.character;
+    const files = character && this.filesOf.get(character);
+    return files && { character, files };
+  }
+
+  get selected(): Actor | undefined {
+    return selectedActor(this.store, this.session);
   }
 
   /** The character's own method, unless the user chose another for the one before. */
@@ -122,78 +135,4 @@ export class FileOpener {
     const chosen = before && before.method !== defaultMethod(before.character).id;
     return chosen ? before.method : defaultMethod(character).id;
   }
-
-  /**
-   * The files, with those of the open character where all that came is what it lacks, or its own files
-   * once more.
-   */
-  private completed(files: readonly FileEntry[]): readonly FileEntry[] {
-    const character = this.selected?.character;
-    const before = character && this.filesOf.get(character);
-    if (!before || files.length === 0) return files;
-    const nameOf = ({ path }: FileEntry): string => baseName(path).toLowerCase();
-    const [oldNames, newNames] = [before.map(nameOf), files.map(nameOf)];
-    const missing = character.missing.map((what) => what.toLowerCase());
-    const belong = files.every(
-      (file) =>
-        [...missing, ...companionExtensions].includes(extensionOf(file.path)) ||
-        [...missing, ...oldNames].includes(nameOf(file)),
-    );
-    if (!belong) return files;
-    return [...before.filter((file) => !newNames.includes(nameOf(file))), ...files];
-  }
-
-  /** Whether a character came of the open one's files, or of them and more, with the same joints. */
-  private renews({ character, files }: ReadCharacter): boolean {
-    const before = this.selected?.character;
-    const old = before && this.filesOf.get(before);
-    if (!old) return false;
-    const paths = new Set(files.map(({ path }) => baseName(path).toLowerCase()));
-    const { names } = character.skeleton;
-    const sameJoints =
-      names.length === before.skeleton.names.length &&
-      names.every((name, joint) => name === before.skeleton.names[joint]);
-    return sameJoints && old.every(({ path }) => paths.has(baseName(path).toLowerCase()));
-  }
-}
-
-/** What the character that is open hands on to the one that its files, read again, make. */
-function keptState(before: CharacterState, character: Character): KeptState {
-  const { q, morphWeights, normalizeWeights, clip } = before;
-  const { morphs, clips } = before.character;
-  const weights = new Map(morphs.map(({ name }, index) => [name, morphWeights[index]!]));
-  const bound = character.clips.findIndex(({ name }) => name === clips[clip ?? -1]?.name);
-  return {
-    q,
-    morphWeights: Float64Array.from(character.morphs, ({ name }) => weights.get(name) ?? 0),
-    clip: bound === -1 ? null : bound,
-    normalizeWeights,
-  };
-}
-
-/** What the character's files leave out, with the way to add it. */
-function missingParts({ name, missing }: Character): Diagnostic[] {
-  return missing.map((what) => ({
-    severity: 'warning',
-    code: 'file/missing',
-    file: name,
-    expected: what.startsWith('.') ? `${name}${what}` : what,
-    found: 'no such file',
-    effect: 'the rest is shown; drop the file here to complete the character',
-  }));
-}
-
-function plainPicture({ path }: FileEntry): Diagnostic {
-  return {
-    severity: 'warning',
-    code: 'file/unknown',
-    file: path,
-    expected: 'a PNG that Sinew saved, or a picture that a material of the open character names',
-    found: 'another picture',
-    effect: 'the file is not used',
-  };
-}
-
-function isPicture({ path }: FileEntry): boolean {
-  return textureExtensions.includes(extensionOf(path));
 }

@@ -1,18 +1,25 @@
 import type { Diagnostic } from '../core/diagnostics.ts';
-import { setMorphWeight, setPose } from '../document/commands.ts';
-import { selectedCharacter } from '../document/document.ts';
+import { bindClip, removeActor, setMorphWeight, setPose } from '../document/edits.ts';
+import type { Actor } from '../document/scene.ts';
+import { selectedActor } from '../document/selected-actor.ts';
 import type { SkinDevice } from '../document/session.ts';
 import type { FileEntry } from '../formats/format.ts';
 import { poseFromJson, type PoseJson, poseToJson } from '../formats/pose-json.ts';
 import { formatDiagnostic } from '../core/diagnostics.ts';
 import type { Editor } from '../ui/editor.ts';
 import { fileEntry } from '../ui/file-entry.ts';
+import type { MethodId } from '../skinning/method.ts';
+import type { Camera } from '../view/camera.ts';
 import { decodeImage } from '../view/decode-image.ts';
 import { capturePicture, encodePicture, type PictureFormat } from '../view/picture.ts';
 import { type Verification, verifyShown } from '../view/verify.ts';
 import { fetchFile } from './catalogue.ts';
 
+/** The id or the name of an actor; the first of that name. */
+export type ActorName = number | string;
+
 export interface CharacterSummary {
+  readonly id: number;
   readonly name: string;
   readonly joints: readonly string[];
   readonly vertexCount: number;
@@ -27,6 +34,14 @@ export interface CaptureOptions {
   readonly height?: number;
   /** Floor and backdrop; true where absent. */
   readonly background?: boolean;
+  /** Side by side, from the left; what the page shows where absent. */
+  readonly views?: readonly CaptureView[];
+}
+
+/** A view of the scene; what is absent is as the page shows it. */
+export interface CaptureView {
+  readonly camera?: Partial<Camera>;
+  readonly method?: MethodId;
 }
 
 /** `window.sinew`: the page for scripts and tests; see docs/scripting.md. */
@@ -36,19 +51,26 @@ export interface Scripting {
   /** Files to read, the id of a bundled character, or URLs of this page's own origin. */
   open(source: readonly File[] | FileList | string | readonly string[]): Promise<void>;
   readonly characters: readonly CharacterSummary[];
+  /** Adds a character, named as `open` takes it, beside those that are there, and selects it. */
+  add(source: readonly File[] | FileList | string | readonly string[]): Promise<void>;
+  /** Selects an actor: what the members below act on where none is named. */
+  select(actor: ActorName): void;
+  remove(actor?: ActorName): void;
   /** The pose, or sets it: joints that are not named take the file's pose. */
-  pose(json?: PoseJson): PoseJson;
+  pose(json?: PoseJson, actor?: ActorName): PoseJson;
   /** Weights of the character's morphs by name, or sets those that are named. */
-  morphs(weights?: Readonly<Record<string, number>>): Record<string, number>;
-  /** Names of the character's clips. */
+  morphs(weights?: Readonly<Record<string, number>>, actor?: ActorName): Record<string, number>;
+  /** Names of the selected character's clips. */
   readonly clips: readonly string[];
   /** Shows a clip's pose at a time (seconds), paused; the chosen clip where none is named. */
-  seek(time: number, clip?: string): void;
+  seek(time: number, clip?: string, actor?: ActorName): void;
   /** Plays the chosen clip, or pauses it. */
   togglePlay(): void;
   /** (vertices × 3) posed positions, in the file's order and units. */
-  vertices(device: SkinDevice): Float32Array;
-  verify(): Verification | null;
+  vertices(device: SkinDevice, actor?: ActorName): Float32Array;
+  verify(actor?: ActorName): Verification | null;
+  /** Settles when all that is being read or decoded has been drawn. */
+  settled(): Promise<void>;
   /** The view's pixels as a file, or the same view at another size. */
   capture(options?: CaptureOptions): Promise<Blob>;
   readonly problems: readonly Diagnostic[];
@@ -60,66 +82,85 @@ export function createScripting(editor: Editor, ready: Promise<void>): Scripting
   const { store, session, evaluations, viewer } = editor;
   return {
     ready,
-    async open(source) {
-      if (typeof source === 'string' && editor.bundled.value.some(({ id }) => id === source)) {
-        await editor.openBundled(source);
-      } else await editor.openFiles(await entriesOf(source));
+    open: (source) => open(source, false),
+    add: (source) => open(source, true),
+    select: (name) => editor.select(find(name)!.id),
+    remove(name) {
+      const actor = find(name);
+      if (actor) store.dispatch(removeActor(actor));
     },
     get characters() {
-      const { characters, selectedId } = store.document.value;
-      return characters.map(({ id, character: { name, skeleton, mesh } }) => ({
+      const selected = find();
+      return store.scene.value.actors.map(({ id, character: { name, skeleton, mesh } }) => ({
+        id,
         name,
         joints: skeleton.names,
         vertexCount: mesh.pointCount,
         triangleCount: mesh.indices.length / 3,
-        selected: id === selectedId,
+        selected: id === selected?.id,
       }));
     },
-    pose(json) {
-      const shown = evaluations.selected();
-      if (!shown) return {};
-      const { skeleton } = shown.state.character;
-      if (json === undefined) return poseToJson(skeleton, shown.pose);
+    pose(json, name) {
+      const actor = find(name);
+      if (!actor) return {};
+      const { skeleton } = actor.character;
+      if (json === undefined) return poseToJson(skeleton, evaluations.of(actor).pose);
       const { value, diagnostics } = poseFromJson('pose', json, skeleton);
       if (!value) throw new Error(diagnostics.map(formatDiagnostic).join('\n'));
       if (diagnostics.length > 0) session.problems.value = diagnostics;
-      store.dispatch(setPose(shown.state.id, value.q));
+      store.dispatch(setPose(actor.id, value.q));
       return poseToJson(skeleton, value);
     },
-    morphs(weights = {}) {
-      const state = selectedCharacter(store.document.value);
-      if (!state) return {};
-      const names = state.character.morphs.map(({ name }) => name);
-      for (const [name, weight] of Object.entries(weights)) {
-        const index = names.indexOf(name);
+    morphs(weights = {}, name) {
+      const actor = find(name);
+      if (!actor) return {};
+      const names = actor.character.morphs.map((morph) => morph.name);
+      for (const [morph, weight] of Object.entries(weights)) {
+        const index = names.indexOf(morph);
         if (index === -1 || !Number.isFinite(weight)) {
           throw new Error(`expected a number for one of ${names.join(', ') || 'no morphs'}`);
         }
-        store.dispatch(setMorphWeight(state.id, index, weight, `Shape ${name}`));
+        store.dispatch(setMorphWeight(actor.id, index, weight, `Shape ${morph}`));
       }
-      const now = selectedCharacter(store.document.value)!.morphWeights;
-      return Object.fromEntries(names.map((name, index) => [name, now[index]!]));
+      const now = find(actor.id)!.morphWeights;
+      return Object.fromEntries(names.map((morph, index) => [morph, now[index]!]));
     },
     get clips() {
-      const state = selectedCharacter(store.document.value);
-      return state?.character.clips.map(({ name }) => name) ?? [];
+      return find()?.character.clips.map(({ name }) => name) ?? [];
     },
-    seek(time, clip) {
-      const { clips } = this;
-      const index = clip === undefined ? editor.transport.clipIndex : clips.indexOf(clip);
-      if (clips[index] === undefined) {
+    seek(time, clip, name) {
+      const actor = find(name);
+      const isSelected = actor?.id === find()?.id;
+      const clips = actor?.character.clips.map((each) => each.name) ?? [];
+      const chosen = isSelected ? editor.transport.clipIndex : (actor?.clip ?? 0);
+      const index = clip === undefined ? chosen : clips.indexOf(clip);
+      if (!actor || clips[index] === undefined) {
         throw new Error(`expected one of ${clips.join(', ') || 'no clips'}`);
+      }
+      if (!isSelected) {
+        store.dispatch(bindClip(actor.id, index));
+        session.playing.value = false;
+        session.clipTime.value = time;
+        return;
       }
       if (index !== editor.transport.clipIndex) editor.transport.choose(index);
       editor.transport.seek(time);
     },
     togglePlay: () => editor.transport.togglePlay(),
-    vertices: (device) => viewer.vertices(device),
-    verify: () => verifyShown(store, viewer),
-    async capture({ format = 'png', width, height, background = true } = {}) {
-      await texturesShown(store);
+    vertices(device, name) {
+      const actor = find(name);
+      return actor ? viewer.vertices(actor, device) : new Float32Array(0);
+    },
+    settled,
+    verify: (name) => verifyShown(find(name), viewer),
+    async capture({ format = 'png', width, height, background = true, views } = {}) {
+      await settled();
       const size = width !== undefined && height !== undefined ? { width, height } : undefined;
-      return encodePicture(capturePicture(viewer, size, background), format);
+      const contents = views?.map(({ camera, method }) => ({
+        camera: { ...viewer.camera.value, ...camera },
+        overrides: method === undefined ? {} : { method },
+      }));
+      return encodePicture(capturePicture(viewer, size, background, contents), format);
     },
     get problems() {
       return session.problems.value;
@@ -128,12 +169,32 @@ export function createScripting(editor: Editor, ready: Promise<void>): Scripting
       return viewer.liveObjects;
     },
   };
+
+  async function settled(): Promise<void> {
+    await editor.whenOpened();
+    await texturesShown(store);
+  }
+
+  /** The actor of a name, or the selected one; throws where there is none of the name. */
+  function find(name?: ActorName): Actor | undefined {
+    if (name === undefined) return selectedActor(store, session);
+    const found = store.scene.value.actors.find(
+      ({ id, character }) => id === name || character.name === name,
+    );
+    if (!found) throw new Error(`there is no actor ${JSON.stringify(name)}`);
+    return found;
+  }
+
+  async function open(source: Parameters<Scripting['open']>[0], add: boolean): Promise<void> {
+    if (typeof source === 'string' && editor.bundled.value.some(({ id }) => id === source)) {
+      await editor.openBundled(source, add);
+    } else await editor.openFiles(await entriesOf(source), add);
+  }
 }
 
-/** Once the pictures of the character's surfaces are decoded and in the view. */
-async function texturesShown({ document }: Editor['store']): Promise<void> {
-  const images = selectedCharacter(document.value)?.character.images ?? [];
-  if (images.length === 0) return;
+/** Once the pictures of all surfaces are decoded and in the view. */
+async function texturesShown({ scene }: Editor['store']): Promise<void> {
+  const images = scene.value.actors.flatMap(({ character }) => character.images);
   await Promise.all(images.map(decodeImage));
   await new Promise((resolve) => requestAnimationFrame(resolve));
 }

@@ -44,7 +44,7 @@ export async function start(root: HTMLElement): Promise<void> {
     influenceTexture: textures.includes('influences'),
   };
   const viewer = new Viewer(layout.canvas, store, session, evaluations, skinLayout, () => {
-    if (store.document.value.characters.length === 0) return;
+    if (store.scene.value.actors.length === 0) return;
     if (performance.getEntriesByName('first-frame').length > 0) return;
     performance.mark('first-frame');
     firstFrameShown();
@@ -57,7 +57,7 @@ export async function start(root: HTMLElement): Promise<void> {
 
   await openNamed(opening, catalogue, listed, parameters);
   // Without a character or a context there is no picture to wait for; the rest is as alive.
-  if (store.document.value.characters.length === 0 || !viewer.available.value) firstFrameShown();
+  if (store.scene.value.actors.length === 0 || !viewer.available.value) firstFrameShown();
   await firstFrame;
   const { startInterface } = await import('./start-interface.tsx');
   window.sinew = startInterface(layout, opening, ready);

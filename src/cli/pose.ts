@@ -4,7 +4,7 @@ import type { Character } from '../core/character.ts';
 import { type Diagnostic, hasErrors } from '../core/diagnostics.ts';
 import type { Mesh } from '../core/mesh.ts';
 import type { Pose } from '../core/pose.ts';
-import { characterState } from '../document/document.ts';
+import { createActor } from '../document/scene.ts';
 import { Evaluator } from '../evaluation/evaluator.ts';
 import { extensionOf } from '../formats/file-entry.ts';
 import { writeObj } from '../formats/obj/write-obj.ts';
@@ -89,7 +89,7 @@ function readPose(
 function poseMesh(character: Character, posed: Pose, options: Options): Uint8Array {
   const method = options.method ?? defaultMethod(character).id;
   const kept = { ...posed, normalizeWeights: options.normalize };
-  const skinned = new Evaluator(characterState(1, character, method, kept)).vertices();
+  const skinned = new Evaluator(createActor(1, character, method, kept)).vertices();
   const isMirrored = options.keepFileSpace && character.meta.fileSpace === 'left-handed';
   const { mesh, positions } = isMirrored
     ? mirrored(character.mesh, skinned.positions)

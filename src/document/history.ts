@@ -1,13 +1,13 @@
-import type { CharacterState, Document } from './document.ts';
+import type { Actor, Scene } from './scene.ts';
 
 /** One step of undo: the documents before and after share all that did not change. */
 export interface HistoryEntry {
   readonly label: string;
-  readonly before: Document;
-  readonly after: Document;
+  readonly before: Scene;
+  readonly after: Scene;
 }
 
-/** What can be undone and redone, newest last; a value like the document. */
+/** What can be undone and redone, newest last; a value like the scene. */
 export interface History {
   readonly past: readonly HistoryEntry[];
   readonly future: readonly HistoryEntry[];
@@ -40,14 +40,14 @@ export function stepForward({ past, future }: History): History {
 
 /** Bytes that only this step keeps alive: what is in `before` and no longer in `after`. */
 function sizeOf({ before, after }: HistoryEntry): number {
-  return before.characters
-    .filter((state) => !after.characters.includes(state))
-    .reduce((sum, state) => sum + sizeOfReplaced(state, after), 0);
+  return before.actors
+    .filter((actor) => !after.actors.includes(actor))
+    .reduce((sum, actor) => sum + sizeOfReplaced(actor, after), 0);
 }
 
-function sizeOfReplaced(state: CharacterState, after: Document): number {
-  const { character, q, morphWeights } = state;
-  if (after.characters.some((each) => each.character === character))
+function sizeOfReplaced(actor: Actor, after: Scene): number {
+  const { character, q, morphWeights } = actor;
+  if (after.actors.some((each) => each.character === character))
     return q.byteLength + morphWeights.byteLength;
   const { mesh, skin } = character;
   const arrays = [mesh.positions, mesh.normals, mesh.indices, mesh.pointOf, mesh.uvs];

@@ -1,25 +1,46 @@
+import { batch } from '@preact/signals-core';
 import type { Character } from '../core/character.ts';
 import type { Skeleton } from '../core/skeleton.ts';
-import { type Document, selectedCharacter } from './document.ts';
+import { type ActorId, actorById, type Scene } from './scene.ts';
 import type { Session } from './session.ts';
 
 /**
- * Drops from the session what the document no longer has: joints and bones of another skeleton, a
- * clip that is not there, playing without a bound clip. It runs with every change of the document,
- * undo and redo too, so that nothing that reads both has to ask.
+ * Drops from the session what the scene no longer has: a selected actor that is gone, joints and bones
+ * of another skeleton, a clip that is not there, playing without a bound clip. It runs with every change
+ * of the scene, undo and redo too, so that nothing that reads both has to ask.
  */
-export function reconcile(session: Session, before: Document, after: Document): void {
-  const [old, now] = [selectedCharacter(before), selectedCharacter(after)];
-  if (old === now) return;
-  if (!haveSameJoints(old?.character, now?.character)) dropJoints(session);
-  const { hoveredBone, clipIndex, playing } = session;
-  const bone = hoveredBone.value;
-  if (bone && !now?.character.bones.includes(bone)) hoveredBone.value = null;
-  if (!now?.character.clips[clipIndex.value]) clipIndex.value = 0;
-  if ((now?.clip ?? null) === null) playing.value = false;
+export function reconcile(session: Session, before: Scene, after: Scene): void {
+  const { selectedActorId, playing } = session;
+  const old = actorById(before, selectedActorId.value);
+  // What comes, by an opening or an undo, is what is looked at next; else the last is as good as any.
+  const came = after.actors.find(({ id }) => !actorById(before, id));
+  const now = came ?? actorById(after, selectedActorId.value) ?? after.actors.at(-1);
+  selectedActorId.value = now?.id ?? null;
+  if (old !== now) fitJoints(session, old?.character, now?.character);
+  if (!after.actors.some(({ clip }) => clip !== null)) playing.value = false;
 }
 
-function dropJoints(session: Session): void {
+/** Selects another actor of the scene. */
+export function selectActor(session: Session, scene: Scene, id: ActorId): void {
+  const { selectedActorId } = session;
+  if (id === selectedActorId.value) return;
+  batch(() => {
+    selectedActorId.value = id;
+    dropJoints(session);
+    fitJoints(session, undefined, actorById(scene, id)?.character);
+  });
+}
+
+function fitJoints(session: Session, old?: Character, now?: Character): void {
+  if (!haveSameJoints(old, now)) dropJoints(session);
+  const { hoveredBone, clipIndex } = session;
+  const bone = hoveredBone.value;
+  if (bone && !now?.bones.includes(bone)) hoveredBone.value = null;
+  if (!now?.clips[clipIndex.value]) clipIndex.value = 0;
+}
+
+/** Lets go of joint, bone and degree of freedom. */
+export function dropJoints(session: Session): void {
   session.selectedJoint.value = null;
   session.hoveredJoint.value = null;
   session.hoveredBone.value = null;

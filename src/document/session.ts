@@ -1,6 +1,8 @@
 import { signal } from '@preact/signals-core';
 import type { Bone } from '../core/bones.ts';
 import type { Diagnostic } from '../core/diagnostics.ts';
+import type { ActorId } from './scene.ts';
+import type { MethodId } from '../skinning/method.ts';
 import type { PlayMode } from '../posing/playhead.ts';
 
 export type Shading = 'smooth' | 'faceted';
@@ -53,7 +55,7 @@ export interface Look {
   readonly shading: Shading;
 }
 
-/** What is neither saved nor undone: how the document is looked at. */
+/** What is neither saved nor undone: how the scene is looked at. */
 export class Session {
   readonly showSkin = signal(true);
   readonly showSkeleton = signal(false);
@@ -61,8 +63,12 @@ export class Session {
   readonly showAxes = signal(false);
   readonly translucent = signal(false);
   readonly shading = signal<Shading>('smooth');
+  /** Shown beside each actor's own, or none. */
+  readonly comparedMethod = signal<MethodId | null>(null);
   readonly skinDevice = signal<SkinDevice>('gpu');
   readonly lights = signal<readonly Light[]>(studioLights);
+  readonly selectedActorId = signal<ActorId | null>(null);
+  /** Of the selected actor. */
   readonly selectedJoint = signal<number | null>(null);
   /** The joint under the pointer. */
   readonly hoveredJoint = signal<number | null>(null);

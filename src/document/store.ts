@@ -1,39 +1,39 @@
 import { batch, computed, type ReadonlySignal, signal } from '@preact/signals-core';
-import type { Command } from './commands.ts';
-import { type Document, emptyDocument } from './document.ts';
+import type { Edit } from './edits.ts';
+import { emptyScene, sameScene, type Scene } from './scene.ts';
 import { emptyHistory, type History, record, stepBack, stepForward } from './history.ts';
 
 /** A change that is still under way, a slider or bone drag: one step of undo in the end. */
 export interface Gesture {
   /** False once committed or cancelled, by whoever. */
   readonly isOpen: boolean;
-  /** Shows the outcome of the command on the document as it was when the gesture began. */
-  preview(command: Command): void;
+  /** Shows the outcome of the edit on the scene as it was when the gesture began. */
+  preview(edit: Edit): void;
   commit(): void;
-  /** Restores the document of the beginning, bit for bit. */
+  /** Restores the scene of the beginning, bit for bit. */
   cancel(): void;
 }
 
-/** Holds the document and its history; every change goes through here. */
+/** Holds the scene and its history; every change goes through here. */
 export class Store {
-  private readonly current = signal<Document>(emptyDocument);
+  private readonly current = signal<Scene>(emptyScene);
   private readonly history = signal<History>(emptyHistory);
-  private readonly onChange: (before: Document, after: Document) => void;
+  private readonly onChange: (before: Scene, after: Scene) => void;
   private open: Gesture | null = null;
 
-  readonly document: ReadonlySignal<Document> = this.current;
+  readonly scene: ReadonlySignal<Scene> = this.current;
   /** What Undo and Redo would do, or null. */
   readonly undoLabel = computed(() => this.history.value.past.at(-1)?.label ?? null);
   readonly redoLabel = computed(() => this.history.value.future.at(-1)?.label ?? null);
 
   /** @param onChange runs with every change, undo and redo too, before anything that follows it */
-  constructor(onChange: (before: Document, after: Document) => void = () => undefined) {
+  constructor(onChange: (before: Scene, after: Scene) => void = () => undefined) {
     this.onChange = onChange;
   }
 
-  dispatch(command: Command): void {
-    const gesture = this.begin(command.label);
-    gesture.preview(command);
+  dispatch(edit: Edit): void {
+    const gesture = this.begin(edit.label);
+    gesture.preview(edit);
     gesture.commit();
   }
 
@@ -46,15 +46,21 @@ export class Store {
       get isOpen() {
         return isOpen();
       },
-      preview: (command) => {
-        if (isOpen()) this.show(command.apply(before));
+      preview: (edit) => {
+        if (isOpen()) this.show(edit.apply(before));
       },
       commit: () => {
         if (!isOpen()) return;
         this.open = null;
         const after = this.current.value;
+        // What changed nothing is no step, and leaves the very scene of before.
+        if (sameScene(before, after)) {
+          this.show(before);
+          return;
+        }
         // An empty page is nothing to go back to: the first character opens without a step of undo.
-        if (after === before || before.characters.length === 0) return;
+        const isFirst = before.actors.length === 0 && this.history.value.past.length === 0;
+        if (isFirst) return;
         this.history.value = record(this.history.value, { label, before, after });
       },
       cancel: () => {
@@ -90,8 +96,8 @@ export class Store {
     this.history.value = stepForward(this.history.value);
   }
 
-  /** In one batch, so that nobody meets a session that does not fit the document. */
-  private show(after: Document): void {
+  /** In one batch, so that nobody meets a session that does not fit the scene. */
+  private show(after: Scene): void {
     const before = this.current.value;
     if (after === before) return;
     batch(() => {

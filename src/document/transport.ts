@@ -1,7 +1,8 @@
 import type { Clip } from '../core/clip.ts';
 import { advance } from '../posing/playhead.ts';
-import { bindClip } from './commands.ts';
-import { type CharacterState, selectedCharacter } from './document.ts';
+import { bindClip } from './edits.ts';
+import type { Actor } from './scene.ts';
+import { selectedActor } from './selected-actor.ts';
 import type { Session } from './session.ts';
 import type { Store } from './store.ts';
 
@@ -81,8 +82,9 @@ export class Transport {
 
   /** So much time has passed while playing. */
   pass(seconds: number): void {
-    const { session, clip } = this;
-    if (!clip || !this.isBound) {
+    const { session } = this;
+    const clip = this.isBound ? this.clip : this.otherBoundClip;
+    if (!clip) {
       session.playing.value = false;
       return;
     }
@@ -93,8 +95,14 @@ export class Transport {
     if (moved.ended) session.playing.value = false;
   }
 
-  private get state(): CharacterState | undefined {
-    return selectedCharacter(this.store.document.value);
+  /** Of an actor that plays while another is selected. */
+  private get otherBoundClip(): Clip | undefined {
+    const bound = this.store.scene.value.actors.find(({ clip }) => clip !== null);
+    return bound?.character.clips[bound.clip ?? -1];
+  }
+
+  private get state(): Actor | undefined {
+    return selectedActor(this.store, this.session);
   }
 
   private bind(): Clip | undefined {

@@ -2,7 +2,8 @@ import type { Bounds } from '../core/bounds.ts';
 import type { Mesh } from '../core/mesh.ts';
 import type { Pose } from '../core/pose.ts';
 import type { Skin } from '../core/skin.ts';
-import type { CharacterState } from '../document/document.ts';
+import type { Actor } from '../document/scene.ts';
+import type { DisplayTransform } from './display-transform.ts';
 import type { SkinningMethod, VertexStreams } from '../skinning/method.ts';
 
 /**
@@ -18,15 +19,17 @@ export interface Revisions {
   readonly palette: number;
   /** Of `vertices` and `bounds`. */
   readonly vertices: number;
+  /** Of `display`. */
+  readonly display: number;
 }
 
 /**
- * A character of the document at a moment, as numbers: the only place where it becomes some. Stages are
+ * A character of the scene at a moment, as numbers: the only place where it becomes some. Stages are
  * computed when they are first read. The arrays are written again at the next moment; what is kept
  * beyond it is a copy (`snapshot`).
  */
 export interface Evaluation {
-  readonly state: CharacterState;
+  readonly state: Actor;
   /** What is shown: the edited pose under what the pose layers make of it. */
   readonly pose: Pose;
   /** (jointCount × 16) column-major, float64: a joint's frame → character space. */
@@ -37,6 +40,8 @@ export interface Evaluation {
   readonly method: SkinningMethod;
   /** (entryCount × vec4sPerEntry × 4) what the method's kernel reads. */
   readonly palette: Float32Array;
+  /** Where it stands in the scene. */
+  readonly display: DisplayTransform;
   readonly revisions: Revisions;
   /** Posed positions and normals, on the CPU; character space. */
   vertices(): VertexStreams;

@@ -1,47 +1,60 @@
-import { type CharacterState, type Document, selectedCharacter } from '../document/document.ts';
+import type { Actor } from '../document/scene.ts';
+import { selectedActor } from '../document/selected-actor.ts';
 import type { Session } from '../document/session.ts';
 import type { Store } from '../document/store.ts';
+import type { MethodId } from '../skinning/method.ts';
+import { timeInClip } from '../posing/playhead.ts';
 import type { Evaluation } from './evaluation.ts';
 import { Evaluator } from './evaluator.ts';
 
+/** What of every actor is other than the scene has it: for views beside the usual one. */
+export interface Overrides {
+  readonly method?: MethodId;
+}
+
 /**
- * The document as it is shown at the session's time: one evaluator a character, which view, picking,
- * panels, pictures and exports share. To read follows the document and the time.
+ * The scene as it is shown at the session's time: one evaluator a character, which view, picking,
+ * panels, pictures and exports share. To read follows the scene and the time.
  */
 export class Evaluations {
   private readonly store: Store;
   private readonly session: Session;
-  private readonly evaluators = new Map<number, Evaluator>();
+  private readonly evaluators = new Map<string, Evaluator>();
 
   constructor(store: Store, session: Session) {
     this.store = store;
     this.session = session;
   }
 
-  /** Of every character; evaluators of those that are gone are let go. */
-  all(): readonly Evaluation[] {
-    const document = this.store.document.value;
-    this.forget(document);
-    return document.characters.map((state) => this.of(state));
+  /** Of every actor. */
+  all(overrides?: Overrides): readonly Evaluation[] {
+    return this.store.scene.value.actors.map((actor) => this.of(actor, overrides));
+  }
+
+  /** Lets go of the evaluators of actors and overrides that are no longer shown. */
+  keepOnly(shown: readonly Evaluation[]): void {
+    for (const [key, evaluator] of this.evaluators) {
+      const isIn = this.store.scene.value.actors.some(({ id }) => id === evaluator.state.id);
+      const isPlain = key === String(evaluator.state.id);
+      if (!isIn || !(isPlain || shown.includes(evaluator))) this.evaluators.delete(key);
+    }
   }
 
   /** Of the selected character, if there is one. */
   selected(): Evaluation | undefined {
-    const state = selectedCharacter(this.store.document.value);
-    return state && this.of(state);
+    const actor = selectedActor(this.store, this.session);
+    return actor && this.of(actor);
   }
 
-  private of(state: CharacterState): Evaluation {
-    let evaluator = this.evaluators.get(state.id);
-    if (!evaluator?.fits(state)) {
-      this.evaluators.set(state.id, (evaluator = new Evaluator(state)));
-    }
-    return evaluator.evaluate(state, this.session.clipTime.value);
-  }
-
-  private forget({ characters }: Document): void {
-    for (const id of this.evaluators.keys()) {
-      if (!characters.some((state) => state.id === id)) this.evaluators.delete(id);
-    }
+  /** Of an actor of the scene. */
+  of(actor: Actor, { method }: Overrides = {}): Evaluation {
+    const shown = method === undefined ? actor : { ...actor, method };
+    const key = method === undefined ? String(actor.id) : `${actor.id} ${method}`;
+    let evaluator = this.evaluators.get(key);
+    if (!evaluator?.fits(shown)) this.evaluators.set(key, (evaluator = new Evaluator(shown)));
+    const { clipTime, playMode } = this.session;
+    const clip = actor.clip === null ? undefined : actor.character.clips[actor.clip];
+    const time = clip ? timeInClip(clip, clipTime.value, playMode.value) : 0;
+    return evaluator.evaluate(shown, time);
   }
 }

@@ -3,18 +3,19 @@ import { forwardKinematics } from '../core/forward-kinematics.ts';
 import type { Mesh } from '../core/mesh.ts';
 import type { Pose } from '../core/pose.ts';
 import type { Skin } from '../core/skin.ts';
-import { type CharacterState, skinInUse } from '../document/document.ts';
+import { type Actor, skinInUse } from '../document/scene.ts';
 import { poseLayers } from '../posing/layers.ts';
 import type { SkinningMethod, VertexStreams } from '../skinning/method.ts';
 import { methodById } from '../skinning/registry.ts';
 import { restMesh } from '../skinning/rest-mesh.ts';
+import { type DisplayTransform, displayTransform } from './display-transform.ts';
 import type { Evaluation, Revisions } from './evaluation.ts';
 import { posedBounds } from './posed-bounds.ts';
 import { Stage } from './stage.ts';
 
 /** Evaluates one character at one moment after another; belongs to whoever looks. */
 export class Evaluator implements Evaluation {
-  private now: CharacterState;
+  private now: Actor;
   private time = 0;
   private readonly layered: Float64Array;
   private readonly joints: Float64Array;
@@ -27,8 +28,9 @@ export class Evaluator implements Evaluation {
   private readonly paletteStage: Stage<Float32Array>;
   private readonly vertexStage: Stage<VertexStreams>;
   private readonly boundsStage: Stage<Bounds>;
+  private readonly displayStage: Stage<DisplayTransform>;
 
-  constructor(state: CharacterState) {
+  constructor(state: Actor) {
     this.now = state;
     const { character } = state;
     const { skeleton } = character;
@@ -61,21 +63,25 @@ export class Evaluator implements Evaluation {
       () => [this.vertexStage.revision],
       () => posedBounds(character, this.vertices().positions, this.characterFromJoint),
     );
+    this.displayStage = new Stage(
+      () => [this.now.transform],
+      () => displayTransform(character, this.now.transform),
+    );
   }
 
   /** Whether a state can be evaluated here: it is of the same character. */
-  fits({ id, character }: CharacterState): boolean {
+  fits({ id, character }: Actor): boolean {
     return id === this.now.id && character === this.now.character;
   }
 
   /** @param time seconds of the bound clip */
-  evaluate(state: CharacterState, time: number): Evaluation {
+  evaluate(state: Actor, time: number): Evaluation {
     this.now = state;
     this.time = time;
     return this;
   }
 
-  get state(): CharacterState {
+  get state(): Actor {
     return this.now;
   }
 
@@ -103,12 +109,17 @@ export class Evaluator implements Evaluation {
     return this.paletteStage.value;
   }
 
+  get display(): DisplayTransform {
+    return this.displayStage.value;
+  }
+
   get revisions(): Revisions {
     return {
       pose: this.jointStage.revision,
       rest: this.restStage.revision,
       palette: this.paletteStage.revision,
       vertices: this.vertexStage.revision,
+      display: this.displayStage.revision,
     };
   }
 

@@ -46,6 +46,21 @@ export class RenderTarget {
     this.copy(this.resolved, null);
   }
 
+  /** Puts another's resolved picture into this one's, its lower left corner at x, y. */
+  paste(part: RenderTarget, x: number, y: number): void {
+    const { gl } = this;
+    const { width, height } = part;
+    gl.bindFramebuffer(gl.READ_FRAMEBUFFER, part.resolved);
+    gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, this.resolved);
+    gl.blitFramebuffer(
+      ...[0, 0, width, height],
+      ...[x, y, x + width, y + height],
+      gl.COLOR_BUFFER_BIT,
+      gl.NEAREST,
+    );
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+  }
+
   /** (width × height × 4) bytes RGBA, the bottom row first. */
   readPixels(): Uint8Array {
     const { gl, width, height } = this;

@@ -35,6 +35,19 @@ export function advance(
   return { time: start + (back ? cycle - at : at), forward: !back, ended: false };
 }
 
+/**
+ * The time at which a clip is shown at a time of the scene, in which several play: within its range,
+ * again and again, but where playing goes on past it.
+ */
+export function timeInClip(
+  { start, end }: Pick<Clip, 'start' | 'end'>,
+  time: number,
+  mode: PlayMode,
+): number {
+  if (mode === 'go on' || (time >= start && time <= end)) return time;
+  return end > start ? start + modulo(time - start, end - start) : start;
+}
+
 function modulo(value: number, divisor: number): number {
   return ((value % divisor) + divisor) % divisor;
 }

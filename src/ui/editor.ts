@@ -1,5 +1,6 @@
 import type { ReadonlySignal, Signal } from '@preact/signals-core';
 import type { BallAngles } from '../document/ball-angles.ts';
+import type { ActorId } from '../document/scene.ts';
 import type { Session } from '../document/session.ts';
 import type { Store } from '../document/store.ts';
 import type { Transport } from '../document/transport.ts';
@@ -61,10 +62,13 @@ export interface Opening {
   /** A word on what was just done, for the status line. */
   readonly notice: Signal<string>;
   readonly theme: Signal<ThemeChoice>;
-  readonly openFiles: (files: readonly FileEntry[]) => Promise<void>;
-  openBundled(id: string): Promise<void>;
-  openOwn(character: ReadCharacter): void;
+  /** @param add beside the others; else in the place of the selected one */
+  readonly openFiles: (files: readonly FileEntry[], add?: boolean) => Promise<void>;
+  openBundled(id: string, add?: boolean): Promise<void>;
+  openOwn(character: ReadCharacter, add?: boolean): void;
   cancelOpening(): void;
+  /** Settles when nothing is being opened. */
+  whenOpened(): Promise<void>;
   setWorkspace(id: WorkspaceId): void;
 }
 
@@ -79,6 +83,11 @@ export interface Editor extends Opening {
   readonly drawer: Signal<Drawer | null>;
   /** Endings that the file dialog offers. */
   readonly fileExtensions: readonly string[];
+  /** Selects an actor of the scene. */
+  select(id: ActorId): void;
+  removeSelected(): void;
+  /** Adds a copy of the selected actor, as it is posed, beside the others. */
+  duplicateSelected(): void;
   resetAll(): void;
   /** Selects a joint and takes the keyboard to its first slider. */
   editJoint(joint: number): void;

@@ -1,7 +1,8 @@
-import { resetJoint, setPose } from '../document/commands.ts';
-import { selectedCharacter } from '../document/document.ts';
+import { resetJoint, setPose } from '../document/edits.ts';
+import { selectedActor } from '../document/selected-actor.ts';
 import type { Session } from '../document/session.ts';
 import { rollJoint } from '../posing/roll-joint.ts';
+import { methods } from '../skinning/registry.ts';
 import { firstPersonFrom, orbitFrom, walk } from '../view/first-person.ts';
 import { orbit } from '../view/camera.ts';
 import type { Editor } from './editor.ts';
@@ -46,11 +47,17 @@ const jointSelected: readonly KeyBinding[] = [
   { key: 'r', shift: true, label: 'Reset the joint', run: resetSelected },
 ];
 
+/** No joint is selected: keys are for the whole character. */
+const actorSelected: readonly KeyBinding[] = [
+  { key: 'Delete', label: 'Remove the character', run: (editor) => editor.removeSelected() },
+];
+
 /** Keys that act everywhere but in text fields. */
 const everywhere: readonly KeyBinding[] = [
   { key: 'a', label: 'Axes on, off', run: ({ session }) => toggle(session.showAxes) },
   { key: 's', label: 'Skin, skeleton, both', run: cycleDrawn },
   { key: 't', label: 'Translucent skin', run: ({ session }) => toggle(session.translucent) },
+  { key: 'x', label: 'Compare methods side by side, on, off', run: toggleCompared },
   { key: 'j', label: 'Save a picture', run: savePicture },
   { key: 'r', label: 'Reset the pose', run: (editor) => editor.resetAll() },
   { key: '[', label: 'Previous joint', run: (editor) => stepJoint(editor, -1) },
@@ -83,6 +90,12 @@ const everywhere: readonly KeyBinding[] = [
 export const withCommand: readonly KeyBinding[] = [
   { key: 'z', command: true, label: 'Undo', run: ({ store }) => store.undo() },
   { key: 'z', command: true, shift: true, label: 'Redo', run: ({ store }) => store.redo() },
+  {
+    key: 'd',
+    command: true,
+    label: 'Duplicate the character',
+    run: (editor) => editor.duplicateSelected(),
+  },
 ];
 
 /** Keys that act in one state of the editor, before those that act everywhere. */
@@ -108,6 +121,11 @@ export const contexts: readonly KeyContext[] = [
     label: 'A selected joint',
     isActive: ({ session }) => session.selectedJoint.value !== null,
     keys: jointSelected,
+  },
+  {
+    label: 'No joint selected',
+    isActive: ({ session }) => session.selectedJoint.value === null,
+    keys: actorSelected,
   },
   { label: '', isActive: () => true, keys: everywhere },
 ];
@@ -139,7 +157,7 @@ function savePicture(editor: Editor): void {
 
 /** Selects the joint before or after the selected one, round and round. */
 export function stepJoint({ store, session }: Editor, step: 1 | -1): void {
-  const count = selectedCharacter(store.document.value)?.character.skeleton.jointCount ?? 0;
+  const count = selectedActor(store, session)?.character.skeleton.jointCount ?? 0;
   if (count === 0) return;
   const { selectedJoint } = session;
   const from = selectedJoint.value ?? (step > 0 ? -1 : count);
@@ -181,6 +199,14 @@ function step({ viewer: { camera } }: Editor, ahead: number, right: number): voi
 
 function toggle(flag: { value: boolean }): void {
   flag.value = !flag.value;
+}
+
+/** Beside the selected actor's method the first other one. */
+function toggleCompared({ store, session }: Editor): void {
+  const { comparedMethod } = session;
+  const own = selectedActor(store, session)?.method;
+  const other = methods.find(({ id }) => id !== own);
+  comparedMethod.value = comparedMethod.value === null && other ? other.id : null;
 }
 
 /** Skin alone, skeleton alone, both, and round again. */

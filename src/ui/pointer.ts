@@ -1,5 +1,6 @@
 import { zoom } from '../view/camera.ts';
-import { boneAt } from '../view/pick.ts';
+import { selectActor } from '../document/reconcile.ts';
+import { boneAt, selectedBoneAt } from '../view/pick.ts';
 import type { Editor } from './editor.ts';
 import { showHover } from './hover.ts';
 import type { ToolDrag, ToolPlace } from './tool.ts';
@@ -27,7 +28,7 @@ export function listenToPointer(canvas: HTMLCanvasElement, editor: Editor): void
 
   canvas.addEventListener('pointerdown', (event) => {
     if (event.pointerType === 'mouse' && places.size > 0) return;
-    const place = placeOf(event, canvas);
+    const place = placeOf(event, canvas, editor.viewer.contents.length);
     places.set(event.pointerId, place);
     canvas.setPointerCapture(event.pointerId);
     canvas.focus({ preventScroll: true });
@@ -38,7 +39,7 @@ export function listenToPointer(canvas: HTMLCanvasElement, editor: Editor): void
     pressed = isFirst && event.button === 0 ? place : null;
   });
   canvas.addEventListener('pointermove', (event) => {
-    const place = placeOf(event, canvas);
+    const place = placeOf(event, canvas, editor.viewer.contents.length);
     if (!places.has(event.pointerId)) {
       hover(place);
       return;
@@ -55,7 +56,7 @@ export function listenToPointer(canvas: HTMLCanvasElement, editor: Editor): void
     if (!places.delete(event.pointerId)) return;
     drag?.end();
     drag = null;
-    if (pressed) click(placeOf(event, canvas));
+    if (pressed) click(placeOf(event, canvas, editor.viewer.contents.length));
     pressed = null;
   });
   canvas.addEventListener('pointercancel', (event) => {
@@ -87,23 +88,31 @@ export function listenToPointer(canvas: HTMLCanvasElement, editor: Editor): void
   /** Where neither bones nor bone mode are on, nothing lights: the pointer is for looking. */
   function hover(place: ToolPlace): void {
     const lights = session.showSkeleton.value || session.boneMode.value;
-    showHover(editor, place, lights && !session.playing.value ? boneAt(editor, place) : null);
+    showHover(
+      editor,
+      place,
+      lights && !session.playing.value ? selectedBoneAt(editor, place) : null,
+    );
   }
 
   function click(place: ToolPlace): void {
     const target = boneAt(editor, place);
     const { selectedJoint, activeDof } = session;
     if (!target) return;
+    selectActor(session, editor.store.scene.value, target.actorId);
     if (selectedJoint.value !== target.joint) activeDof.value = null;
     selectedJoint.value = target.joint;
   }
 }
 
-function placeOf(event: PointerEvent, canvas: HTMLCanvasElement): ToolPlace {
+function placeOf(event: PointerEvent, canvas: HTMLCanvasElement, viewCount: number): ToolPlace {
   const { left, top, width, height } = canvas.getBoundingClientRect();
   const [pixelX, pixelY] = [event.clientX - left, event.clientY - top];
+  // Of views side by side each has its own left and right.
+  const each = width / viewCount;
+  const within = pixelX - each * Math.min(viewCount - 1, Math.max(0, Math.floor(pixelX / each)));
   return {
-    x: (pixelX / width) * 2 - 1,
+    x: (within / each) * 2 - 1,
     y: 1 - (pixelY / height) * 2,
     pixelX,
     pixelY,

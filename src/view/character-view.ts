@@ -1,11 +1,11 @@
 import type { Skin } from '../core/skin.ts';
-import type { Character } from '../core/character.ts';
-import type { CharacterState } from '../document/document.ts';
+import type { Actor } from '../document/scene.ts';
 import type { SkinDevice } from '../document/session.ts';
 import type { Evaluation } from '../evaluation/evaluation.ts';
 import type { Gpu } from '../gl/gpu.ts';
 import type { Program } from '../gl/program.ts';
-import { type DisplayTransform, displayTransform } from './display-transform.ts';
+import type { DisplayTransform } from '../evaluation/display-transform.ts';
+import type { GpuPools } from './gpu-pools.ts';
 import type { Programs } from './programs.ts';
 import { type LayoutChoice, SkinnedMesh } from './skinned-mesh.ts';
 import { type OnImage, SurfaceTextures } from './surface-textures.ts';
@@ -13,14 +13,11 @@ import { type Surface, surfacesOf } from './surfaces.ts';
 
 /** A character of the document with its objects on the GPU, brought up to date on demand. */
 export class CharacterView {
-  readonly display: DisplayTransform;
-  readonly skin: Skin;
+  private skin: Skin;
   readonly skinned: SkinnedMesh;
   readonly surfaces: readonly Surface[];
   readonly textures: SurfaceTextures;
-  private readonly character: Character;
-  /** As last shown; brought up to date with the document before each picture. */
-  evaluation: Evaluation;
+  readonly evaluation: Evaluation;
   /** Milliseconds that the last change of pose took on the CPU. */
   poseMilliseconds = 0;
   private shownDevice: SkinDevice | null = null;
@@ -30,6 +27,7 @@ export class CharacterView {
   constructor(
     gpu: Gpu,
     programs: Programs,
+    pools: GpuPools,
     evaluation: Evaluation,
     onImage: OnImage,
     layout?: LayoutChoice,
@@ -37,29 +35,26 @@ export class CharacterView {
     const { character } = evaluation.state;
     this.evaluation = evaluation;
     this.skin = evaluation.skin;
-    this.display = displayTransform(character);
-    this.skinned = new SkinnedMesh(gpu, programs, character.mesh, this.skin, layout);
+    this.skinned = new SkinnedMesh(gpu, programs, pools, character.mesh, this.skin, layout);
     this.surfaces = surfacesOf(character);
-    this.textures = new SurfaceTextures(gpu, character, onImage);
-    this.character = character;
+    this.textures = new SurfaceTextures(gpu, pools, character, onImage);
   }
 
-  get state(): CharacterState {
+  get state(): Actor {
     return this.evaluation.state;
+  }
+
+  get display(): DisplayTransform {
+    return this.evaluation.display;
   }
 
   get characterFromJoint(): Float64Array {
     return this.evaluation.characterFromJoint;
   }
 
-  /** Changes with posed vertices and joints, so that what derives from them can tell. */
-  get revision(): number {
-    return this.shownVertices;
-  }
-
-  /** Whether this view's buffers are those that the evaluation needs. */
-  fits({ state: { character }, skin }: Evaluation): boolean {
-    return character === this.character && skin === this.skin;
+  /** Changes with posed vertices, joints and the place, so that what derives from them can tell. */
+  get revision(): string {
+    return `${this.shownVertices}.${this.evaluation.revisions.display}`;
   }
 
   /** Fills the posed buffers where what is evaluated or the device changed; else does nothing. */
@@ -68,6 +63,10 @@ export class CharacterView {
     const { rest, vertices } = evaluation.revisions;
     if (this.shownVertices === vertices && this.shownDevice === device) return;
     const begin = performance.now();
+    if (this.skin !== evaluation.skin) {
+      this.skin = evaluation.skin;
+      this.skinned.useSkin(this.skin);
+    }
     if (this.shownRest !== rest) this.skinned.writeRest(evaluation.rest);
     if (device === 'gpu') this.skinned.skinOnGpu(evaluation.method, evaluation.palette);
     else this.skinned.upload(evaluation.vertices());

@@ -1,8 +1,10 @@
 import type { Bone } from '../core/bones.ts';
+import type { ActorId } from '../document/scene.ts';
 import type { Light, SkeletonStyle } from '../document/session.ts';
 import type { UniformValue } from '../gl/program.ts';
-import { type Camera, clipFromScene, eyeOf } from './camera.ts';
+import { clipFromScene, eyeOf } from './camera.ts';
 import type { CharacterView } from './character-view.ts';
+import type { RenderView, Viewport } from './render-view.ts';
 import type { Theme } from './theme.ts';
 
 /** What is shown of the scene, beside the document. */
@@ -16,7 +18,8 @@ export interface ViewOptions {
   /** Floor and backdrop; without them the picture is transparent around the characters. */
   readonly showStudio: boolean;
   readonly faceted: boolean;
-  /** Of the selected character, or null. */
+  readonly selectedActorId: ActorId | null;
+  /** Of the selected actor, or null. */
   readonly selectedJoint: number | null;
   readonly hoveredJoint: number | null;
   /** Of the selected character, or null: one of its own bones. */
@@ -30,6 +33,7 @@ export interface Frame {
   readonly characters: readonly CharacterView[];
   readonly options: ViewOptions;
   readonly theme: Theme;
+  readonly viewport: Viewport;
   /** Uniforms that passes share: camera, backdrop and, once prepared, lights and shadows. */
   readonly uniforms: Readonly<Record<string, UniformValue>>;
 }
@@ -38,10 +42,9 @@ export function createFrame(
   characters: readonly CharacterView[],
   options: ViewOptions,
   theme: Theme,
-  camera: Camera,
-  width: number,
-  height: number,
+  { camera, viewport }: RenderView,
 ): Frame {
+  const { width, height } = viewport;
   const uniforms = {
     clipFromScene: Float32Array.from(clipFromScene(camera, width / height)),
     eye: eyeOf(camera),
@@ -49,5 +52,5 @@ export function createFrame(
     backdropTop: theme.backdropTop,
     backdropBottom: theme.backdropBottom,
   };
-  return { characters, options, theme, uniforms };
+  return { characters, options, theme, viewport, uniforms };
 }

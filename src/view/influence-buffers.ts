@@ -3,7 +3,7 @@ import { largestInfluenceCount, type Skin } from '../core/skin.ts';
 import { Buffer } from '../gl/buffer.ts';
 import { DataTexture } from '../gl/data-texture.ts';
 import type { Gpu } from '../gl/gpu.ts';
-import type { Owner } from '../gl/owner.ts';
+import { Owner } from '../gl/owner.ts';
 import type { Attribute } from '../gl/vertex-array.ts';
 import {
   lanes,
@@ -18,20 +18,28 @@ export interface InfluenceBuffers {
   readonly pairs: number;
   readonly attributes: Readonly<Record<string, Attribute>>;
   readonly texture: DataTexture | null;
+  dispose(): void;
 }
 
-/** @param owner disposes of what is made, also where a later part can't be made */
 export function createInfluenceBuffers(
-  owner: Owner,
   gpu: Gpu,
   mesh: Mesh,
   skin: Skin,
   forceTexture = false,
 ): InfluenceBuffers {
   const pairs = Math.max(1, Math.ceil(largestInfluenceCount(skin) / lanes));
-  return pairs > maximumPairs || forceTexture
-    ? createTexture(owner, gpu, mesh, skin)
-    : createAttributes(owner, gpu, mesh, skin, pairs);
+  // Disposes of what was made, also where a later part can't be made.
+  const owner = new Owner();
+  try {
+    const made =
+      pairs > maximumPairs || forceTexture
+        ? createTexture(owner, gpu, mesh, skin)
+        : createAttributes(owner, gpu, mesh, skin, pairs);
+    return { ...made, dispose: () => owner.dispose() };
+  } catch (error) {
+    owner.dispose();
+    throw error;
+  }
 }
 
 function createAttributes(
@@ -40,7 +48,7 @@ function createAttributes(
   mesh: Mesh,
   skin: Skin,
   pairs: number,
-): InfluenceBuffers {
+): Omit<InfluenceBuffers, 'dispose'> {
   const { entries, weights } = packAttributeInfluences(mesh, skin, pairs);
   const entryBuffer = owner.own(new Buffer(gpu, 'vertex', entries));
   const weightBuffer = owner.own(new Buffer(gpu, 'vertex', weights));
@@ -63,7 +71,12 @@ function createAttributes(
   return { pairs, attributes, texture: null };
 }
 
-function createTexture(owner: Owner, gpu: Gpu, mesh: Mesh, skin: Skin): InfluenceBuffers {
+function createTexture(
+  owner: Owner,
+  gpu: Gpu,
+  mesh: Mesh,
+  skin: Skin,
+): Omit<InfluenceBuffers, 'dispose'> {
   const { ranges, texels } = packTextureInfluences(mesh, skin);
   const texture = owner.own(new DataTexture(gpu, 'data-rg32f', texels.length / 2));
   texture.write(texels);

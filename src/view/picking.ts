@@ -3,7 +3,7 @@ import type { Character } from '../core/character.ts';
 import { type Ray, rayInFrame } from '../core/ray.ts';
 import { type BoneHit, pickBone as pickPosedBone } from '../posing/pick-bone.ts';
 import { type Camera, clipFromScene, eyeOf } from './camera.ts';
-import type { DisplayTransform } from './display-transform.ts';
+import type { DisplayTransform } from '../evaluation/display-transform.ts';
 import { boneReach, jointRadius } from './solid-sizes.ts';
 
 /** What is needed of a posed character to pick its joints. */

@@ -1,3 +1,4 @@
+import type { ViewContent } from './render-view.ts';
 import type { CaptureSize, Viewer } from './viewer.ts';
 
 export type PictureFormat = 'png' | 'jpeg';
@@ -14,9 +15,10 @@ export function capturePicture(
   viewer: Viewer,
   size: CaptureSize = viewer.size.value,
   showStudio = true,
+  contents?: readonly ViewContent[],
 ): Picture {
   const { width, height } = size;
-  return pictureFromGl(viewer.readPixels(size, showStudio), width, height);
+  return pictureFromGl(viewer.readPixels(size, showStudio, contents), width, height);
 }
 
 /**

@@ -1,4 +1,4 @@
-import { type CharacterState, skinInUse } from '../document/document.ts';
+import { type Actor, skinInUse } from '../document/scene.ts';
 import type { SkinDevice } from '../document/session.ts';
 import type { Skin } from '../core/skin.ts';
 import type { Evaluation } from '../evaluation/evaluation.ts';
@@ -6,6 +6,7 @@ import { Gpu, GpuLimitError } from '../gl/gpu.ts';
 import { RenderTarget } from '../gl/render-target.ts';
 import { CharacterView } from './character-view.ts';
 import type { Frame } from './frame.ts';
+import { GpuPools } from './gpu-pools.ts';
 import { Lighting } from './lighting.ts';
 import type { Pass, PassInstance } from './pass.ts';
 import { Programs } from './programs.ts';
@@ -18,11 +19,12 @@ export class Renderer {
   /** What is drawn, in order; each is made at its first picture. */
   passes: readonly Pass[] = [];
   private readonly programs: Programs;
+  private readonly pools = new GpuPools();
   private readonly lighting: Lighting;
   private readonly instances = new Map<Pass, PassInstance>();
   private readonly layout: LayoutChoice;
   private readonly onImage: OnImage;
-  private views: readonly CharacterView[] = [];
+  private views: ReadonlyMap<Evaluation, CharacterView> = new Map();
   private target: RenderTarget | null = null;
   /** Why the GPU does not take a character, by its skin: not tried again for every picture. */
   private readonly refusals = new WeakMap<Skin, string>();
@@ -36,43 +38,44 @@ export class Renderer {
     gl.enable(gl.DEPTH_TEST);
   }
 
-  /** Brings the views in line with the document and their poses up to date. */
-  sync(evaluations: readonly Evaluation[], device: SkinDevice): readonly CharacterView[] {
-    const kept = new Set<CharacterView>();
-    for (const evaluation of evaluations) {
-      const found = this.views.find((each) => each.fits(evaluation) && !kept.has(each));
-      const view = found ?? this.createView(evaluation);
-      if (!view) continue;
-      view.evaluation = evaluation;
-      kept.add(view);
+  /** Brings the objects on the GPU in line with what is to be shown, and their poses up to date. */
+  sync(shown: readonly Evaluation[], device: SkinDevice): void {
+    const views = new Map<Evaluation, CharacterView>();
+    for (const evaluation of shown) {
+      const view = this.views.get(evaluation) ?? this.createView(evaluation);
+      if (view) views.set(evaluation, view);
     }
-    for (const view of this.views) if (!kept.has(view)) view.dispose();
-    this.views = [...kept];
-    for (const view of this.views) view.update(device);
-    return this.views;
+    for (const [evaluation, view] of this.views) if (!views.has(evaluation)) view.dispose();
+    this.views = views;
+    for (const view of views.values()) view.update(device);
+  }
+
+  /** Those that the GPU takes, as last synced. */
+  viewsOf(evaluations: readonly Evaluation[]): readonly CharacterView[] {
+    return evaluations.flatMap((evaluation) => this.views.get(evaluation) ?? []);
   }
 
   /** Why the character can't be drawn, or null. */
-  refusalOf(state: CharacterState): string | null {
+  refusalOf(state: Actor): string | null {
     return this.refusals.get(skinInUse(state)) ?? null;
   }
 
-  /** Draws the frame at the view's size, ready to be shown or read. */
-  draw(frame: Frame, width: number, height: number): RenderTarget {
+  /** Draws frames, each in its own part of a picture, ready to be shown or read. */
+  draw(frames: readonly Frame[], width: number, height: number): RenderTarget {
     if (this.target?.width !== width || this.target.height !== height) {
       this.target?.dispose();
       this.target = null;
       this.target = new RenderTarget(this.gpu, width, height);
     }
-    this.drawInto(this.target, frame);
+    this.drawInto(this.target, frames);
     return this.target;
   }
 
-  /** Draws the frame at any size; (width × height × 4) bytes RGBA, the bottom row first. */
-  capture(frame: Frame, width: number, height: number): Uint8Array {
+  /** Draws frames at any size; (width × height × 4) bytes RGBA, the bottom row first. */
+  capture(frames: readonly Frame[], width: number, height: number): Uint8Array {
     const target = new RenderTarget(this.gpu, width, height);
     try {
-      this.drawInto(target, frame);
+      this.drawInto(target, frames);
       return target.readPixels();
     } finally {
       target.dispose();
@@ -80,7 +83,7 @@ export class Renderer {
   }
 
   dispose(): void {
-    for (const view of this.views) view.dispose();
+    for (const view of this.views.values()) view.dispose();
     for (const pass of this.instances.values()) pass.dispose();
     this.lighting.dispose();
     this.programs.dispose();
@@ -91,7 +94,14 @@ export class Renderer {
     const { skin } = evaluation;
     if (this.refusals.has(skin)) return null;
     try {
-      return new CharacterView(this.gpu, this.programs, evaluation, this.onImage, this.layout);
+      return new CharacterView(
+        this.gpu,
+        this.programs,
+        this.pools,
+        evaluation,
+        this.onImage,
+        this.layout,
+      );
     } catch (error) {
       if (!(error instanceof GpuLimitError)) throw error;
       this.refusals.set(skin, error.message);
@@ -105,7 +115,29 @@ export class Renderer {
     return instance;
   }
 
-  private drawInto(target: RenderTarget, frame: Frame): void {
+  /**
+   * Each of several frames is drawn by itself and then put in its place: so it is the picture that it
+   * would be alone, whatever rounding an offset would bring.
+   */
+  private drawInto(target: RenderTarget, frames: readonly Frame[]): void {
+    const [only] = frames;
+    if (only && frames.length === 1) {
+      this.drawFrame(target, only);
+      return;
+    }
+    for (const frame of frames) {
+      const { x, y, width, height } = frame.viewport;
+      const part = new RenderTarget(this.gpu, width, height);
+      try {
+        this.drawFrame(part, frame);
+        target.paste(part, x, y);
+      } finally {
+        part.dispose();
+      }
+    }
+  }
+
+  private drawFrame(target: RenderTarget, frame: Frame): void {
     const { gl } = this.gpu;
     const lights = this.lighting.prepare(frame);
     const litFrame = { ...frame, uniforms: { ...frame.uniforms, ...lights } };

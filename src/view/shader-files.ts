@@ -1,14 +1,24 @@
 import type { ShaderFiles } from '../gl/shader-library.ts';
 
-const root = '../../shaders/';
+const files: Record<string, string> = {};
 
-/** All shaders of the app, by path below shaders/. */
-export const shaderFiles: ShaderFiles = Object.fromEntries(
-  Object.entries(
-    import.meta.glob<string>('../../shaders/**/*.glsl', {
-      query: '?raw',
-      import: 'default',
-      eager: true,
-    }),
-  ).map(([path, source]) => [path.slice(root.length), source]),
+/** The shaders that are loaded, by path below shaders/. */
+export const shaderFiles: ShaderFiles = files;
+
+/** @param found by path from the importing file, which ends in shaders/ and the path below it */
+export function addShaderFiles(found: Readonly<Record<string, string>>): void {
+  for (const [path, source] of Object.entries(found)) {
+    files[path.slice(path.lastIndexOf('shaders/') + 'shaders/'.length)] = source;
+  }
+}
+
+// Those of the first picture; the passes that come after it bring their own.
+addShaderFiles(
+  import.meta.glob<string>(
+    [
+      '../../shaders/{lib,skinning}/*.glsl',
+      '../../shaders/passes/{backdrop,blur,contact-shadow,floor,key-shadow,mesh}.*.glsl',
+    ],
+    { query: '?raw', import: 'default', eager: true },
+  ),
 );

@@ -3,11 +3,14 @@ import type { Skin } from '../core/skin.ts';
 import { Buffer } from '../gl/buffer.ts';
 import { Feedback } from '../gl/feedback.ts';
 import type { Gpu } from '../gl/gpu.ts';
+import type { Lease } from '../gl/pool.ts';
 import { Owner } from '../gl/owner.ts';
 import type { Program } from '../gl/program.ts';
 import { VertexArray } from '../gl/vertex-array.ts';
 import type { SkinningMethod, VertexStreams } from '../skinning/method.ts';
 import { createInfluenceBuffers, type InfluenceBuffers } from './influence-buffers.ts';
+import type { GpuPools } from './gpu-pools.ts';
+import { MeshBuffers, RestBuffers } from './mesh-buffers.ts';
 import { PaletteBuffer } from './palette-buffer.ts';
 import type { Programs } from './programs.ts';
 
@@ -22,54 +25,78 @@ export interface LayoutChoice {
 }
 
 /**
- * A mesh on the GPU with the buffers that hold its posed vertices. Skinning is a stage: a transform
- * feedback program, or the CPU, fills those buffers once for a changed pose; every pass draws them.
+ * An actor's mesh on the GPU: what its character has is shared with its copies, the buffers that hold
+ * its posed vertices are its own. Skinning is a stage: a transform feedback program, or the CPU, fills
+ * those buffers once for a changed pose; every pass draws them.
  */
 export class SkinnedMesh {
   readonly mesh: Mesh;
   private readonly gpu: Gpu;
   private readonly programs: Programs;
+  private readonly pools: GpuPools;
   private readonly owner = new Owner();
-  private readonly restPositions: Buffer;
-  private readonly restNormals: Buffer;
+  private readonly shared: Lease<MeshBuffers>;
   private readonly posedPositions: Buffer;
   private readonly posedNormals: Buffer;
-  private readonly indices: Buffer;
-  private readonly uvs: Buffer | null;
-  private readonly influences: InfluenceBuffers;
   private readonly feedback: Feedback;
   private readonly arrays = new Map<Program, VertexArray>();
+  private readonly layout: LayoutChoice;
+  /** Vertices at rest that are not the mesh's own; none while they are. */
+  private shaped: RestBuffers | null = null;
+  private influences: Lease<InfluenceBuffers>;
   private palette: PaletteBuffer | null = null;
   private paletteRowCount = 0;
-  private readonly layout: LayoutChoice;
 
-  constructor(gpu: Gpu, programs: Programs, mesh: Mesh, skin: Skin, layout: LayoutChoice = {}) {
+  constructor(
+    gpu: Gpu,
+    programs: Programs,
+    pools: GpuPools,
+    mesh: Mesh,
+    skin: Skin,
+    layout: LayoutChoice = {},
+  ) {
     this.gpu = gpu;
     this.programs = programs;
+    this.pools = pools;
     this.mesh = mesh;
     this.layout = layout;
     const { owner } = this;
     const reserve = (): Buffer =>
       owner.own(new Buffer(gpu, 'vertex', mesh.vertexCount * bytesPerTriple));
     try {
-      this.restPositions = owner.own(new Buffer(gpu, 'vertex', mesh.positions));
-      this.restNormals = owner.own(new Buffer(gpu, 'vertex', mesh.normals));
+      const shared = pools.meshes.lease(mesh, () => new MeshBuffers(gpu, mesh));
+      this.shared = shared;
+      owner.own({ dispose: () => shared.release() });
       this.posedPositions = reserve();
       this.posedNormals = reserve();
-      this.indices = owner.own(new Buffer(gpu, 'index', mesh.indices));
-      this.uvs = mesh.uvs && owner.own(new Buffer(gpu, 'vertex', mesh.uvs));
-      this.influences = createInfluenceBuffers(owner, gpu, mesh, skin, layout.influenceTexture);
       this.feedback = owner.own(new Feedback(gpu, [this.posedPositions, this.posedNormals]));
+      this.influences = this.leaseInfluences(skin);
     } catch (error) {
       owner.dispose();
       throw error;
     }
   }
 
-  /** Puts other vertices at rest in the place of the mesh's own. */
-  writeRest({ positions, normals }: VertexStreams): void {
-    this.restPositions.write(positions);
-    this.restNormals.write(normals);
+  /** Puts other weights in the place of those in use. */
+  useSkin(skin: Skin): void {
+    const former = this.influences;
+    this.influences = this.leaseInfluences(skin);
+    former.release();
+    this.forgetArrays();
+  }
+
+  /** Puts other vertices at rest in the place of those in use. */
+  writeRest(rest: Mesh): void {
+    if (rest.positions === this.mesh.positions) {
+      if (!this.shaped) return;
+      this.shaped.dispose();
+      this.shaped = null;
+      this.forgetArrays();
+    } else if (this.shaped) this.shaped.write(rest);
+    else {
+      this.shaped = new RestBuffers(this.gpu, rest);
+      this.forgetArrays();
+    }
   }
 
   /** Fills the posed buffers on the GPU. */
@@ -78,12 +105,12 @@ export class SkinnedMesh {
     paletteBuffer.write(palette);
     const program = this.programs.skinStage({
       method,
-      influencePairs: this.influences.pairs,
+      influencePairs: this.influences.value.pairs,
       paletteRows: paletteBuffer.blockRows,
     });
     program.use();
     paletteBuffer.bind(program);
-    this.influences.texture?.bind(influenceUnit);
+    this.influences.value.texture?.bind(influenceUnit);
     program.set({ influenceTexture: influenceUnit });
     this.arrayFor(program).bind();
     this.feedback.run(this.mesh.vertexCount);
@@ -113,9 +140,24 @@ export class SkinnedMesh {
   }
 
   dispose(): void {
-    for (const array of this.arrays.values()) array.dispose();
+    this.forgetArrays();
     this.palette?.dispose();
+    this.shaped?.dispose();
+    this.influences.release();
     this.owner.dispose();
+  }
+
+  private leaseInfluences(skin: Skin): Lease<InfluenceBuffers> {
+    const { influenceTexture } = this.layout;
+    return this.pools.influences.lease(skin, () =>
+      createInfluenceBuffers(this.gpu, this.mesh, skin, influenceTexture),
+    );
+  }
+
+  /** They are connected to buffers that are no longer those in use. */
+  private forgetArrays(): void {
+    for (const array of this.arrays.values()) array.dispose();
+    this.arrays.clear();
   }
 
   private paletteFor(rowCount: number): PaletteBuffer {
@@ -130,15 +172,17 @@ export class SkinnedMesh {
   private arrayFor(program: Program): VertexArray {
     let array = this.arrays.get(program);
     if (!array) {
+      const { uvs, indices, rest: own } = this.shared.value;
+      const rest = this.shaped ?? own;
       const attributes = {
-        restPosition: { buffer: this.restPositions, size: 3 },
-        restNormal: { buffer: this.restNormals, size: 3 },
+        restPosition: { buffer: rest.positions, size: 3 },
+        restNormal: { buffer: rest.normals, size: 3 },
         posedPosition: { buffer: this.posedPositions, size: 3 },
         posedNormal: { buffer: this.posedNormals, size: 3 },
-        ...(this.uvs ? { uv: { buffer: this.uvs, size: 2 } as const } : {}),
-        ...this.influences.attributes,
+        ...(uvs ? { uv: { buffer: uvs, size: 2 } as const } : {}),
+        ...this.influences.value.attributes,
       } as const;
-      array = new VertexArray(this.gpu, program, attributes, this.indices);
+      array = new VertexArray(this.gpu, program, attributes, indices);
       this.arrays.set(program, array);
     }
     return array;

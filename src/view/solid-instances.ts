@@ -2,6 +2,7 @@ import { mat4 } from 'gl-matrix';
 import { tangentAxes } from '../core/bone-frames.ts';
 import type { Bone } from '../core/bones.ts';
 import type { CharacterView } from './character-view.ts';
+import type { ViewOptions } from './frame.ts';
 import { instanceSize } from './instanced-solid.ts';
 import { boneRadius, boneReach, jointRadius } from './solid-sizes.ts';
 import { palette } from './theme.ts';
@@ -17,6 +18,12 @@ type Color = readonly number[];
 export interface JointMarks {
   readonly selected: number | null;
   readonly hovered: number | null;
+}
+
+/** Those of a view: selected and hovered joints are of the selected actor. */
+export function marksOf({ state }: CharacterView, options: ViewOptions): JointMarks {
+  if (state.id !== options.selectedActorId) return { selected: null, hovered: null };
+  return { selected: options.selectedJoint, hovered: options.hoveredJoint };
 }
 
 function colorOf(joint: number, { selected, hovered }: JointMarks, plain: Color): Color {

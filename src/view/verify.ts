@@ -1,6 +1,5 @@
 import { diagonal } from '../core/bounds.ts';
-import { type CharacterState, selectedCharacter, skinInUse } from '../document/document.ts';
-import type { Store } from '../document/store.ts';
+import { type Actor, skinInUse } from '../document/scene.ts';
 import { largestBindError } from '../skinning/bind-error.ts';
 import type { VertexStreams } from '../skinning/method.ts';
 import type { Viewer } from './viewer.ts';
@@ -29,17 +28,12 @@ export interface Verification extends Difference {
 }
 
 /** Compares the buffers that are drawn, skinned by the GPU, with the CPU's vertices. */
-export function verifyShown(store: Store, viewer: Viewer): Verification | null {
-  const state = selectedCharacter(store.document.value);
-  if (!state || !viewer.available.value || viewer.refusal.value !== null) return null;
-  return verifySkin(state, viewer.skin(state, 'gpu'), viewer.skin(state, 'cpu'));
+export function verifyShown(actor: Actor | undefined, viewer: Viewer): Verification | null {
+  if (!actor || !viewer.available.value || viewer.refusalOf(actor) !== null) return null;
+  return verifySkin(actor, viewer.skin(actor, 'gpu'), viewer.skin(actor, 'cpu'));
 }
 
-export function verifySkin(
-  state: CharacterState,
-  gpu: VertexStreams,
-  cpu: VertexStreams,
-): Verification {
+export function verifySkin(state: Actor, gpu: VertexStreams, cpu: VertexStreams): Verification {
   const { character } = state;
   const difference = compareVertices(gpu, cpu, character.mesh.pointOf);
   return {

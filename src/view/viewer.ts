@@ -1,6 +1,7 @@
 import { effect, signal } from '@preact/signals-core';
 import { assert } from '../core/assert.ts';
-import { type CharacterState, selectedCharacter } from '../document/document.ts';
+import type { Actor } from '../document/scene.ts';
+import { selectedActor } from '../document/selected-actor.ts';
 import type { Session, SkinDevice } from '../document/session.ts';
 import type { Store } from '../document/store.ts';
 import type { Evaluations } from '../evaluation/evaluations.ts';
@@ -9,8 +10,9 @@ import { type Camera, frameBox } from './camera.ts';
 import { createFrame, type Frame } from './frame.ts';
 import type { Pass } from './pass.ts';
 import { firstPasses } from './passes/first.ts';
-import { sceneBounds } from './scene-bounds.ts';
+import { sceneBounds } from '../evaluation/scene-bounds.ts';
 import { Renderer } from './renderer.ts';
+import { type RenderView, sideBySide, type ViewContent } from './render-view.ts';
 import type { LayoutChoice } from './skinned-mesh.ts';
 import { type ThemeName, themes } from './theme.ts';
 
@@ -75,8 +77,17 @@ export class Viewer {
     });
   }
 
+  /** What is shown: the scene as it is and, where it is compared, the same by another method beside it. */
+  get contents(): readonly ViewContent[] {
+    const camera = this.camera.value;
+    const method = this.session.comparedMethod.value;
+    const own = { camera, overrides: {} };
+    return method === null ? [own] : [own, { camera, overrides: { method } }];
+  }
+
+  /** Of one view of those that stand side by side. */
   get aspect(): number {
-    return this.size.value.width / this.size.value.height;
+    return this.size.value.width / this.contents.length / this.size.value.height;
   }
 
   resize(width: number, height: number): void {
@@ -98,26 +109,34 @@ export class Viewer {
   /**
    * The pixels of the view at a size, with or without its studio; a caller asks first whether the view is
    * `available`.
+   *
+   * @param contents side by side; as shown where absent
    * @returns (width × height × 4) bytes RGBA as GL gives them, the bottom row first
    */
-  readPixels({ width, height }: CaptureSize, showStudio: boolean): Uint8Array {
-    return this.present().capture(this.createFrame(width, height, showStudio), width, height);
+  readPixels(
+    { width, height }: CaptureSize,
+    showStudio: boolean,
+    contents: readonly ViewContent[] = this.contents,
+  ): Uint8Array {
+    const frames = this.createFrames(sideBySide(contents, width, height), showStudio);
+    return this.present().capture(frames, width, height);
   }
 
-  /** (pointCount × 3) posed positions of the selected character, file order and units. */
-  vertices(device: SkinDevice): Float32Array {
-    const state = selectedCharacter(this.store.document.value);
-    if (!state) return new Float32Array(0);
-    const { positions } = this.skin(state, device);
-    return positions.slice(0, state.character.mesh.pointCount * 3);
+  /** (pointCount × 3) posed positions of an actor, file order and units. */
+  vertices(actor: Actor, device: SkinDevice): Float32Array {
+    const { positions } = this.skin(actor, device);
+    return positions.slice(0, actor.character.mesh.pointCount * 3);
+  }
+
+  /** Why an actor can't be drawn, or null; known once it was tried. */
+  refusalOf(actor: Actor): string | null {
+    return this.renderer?.refusalOf(actor) ?? null;
   }
 
   /** All posed render vertices: the very buffers that are drawn, skinned by the GPU, or the CPU's. */
-  skin(state: CharacterState, device: SkinDevice): VertexStreams {
+  skin(state: Actor, device: SkinDevice): VertexStreams {
     if (device === 'gpu') return this.readBack(state);
-    const evaluation = this.evaluations.all().find((each) => each.state === state);
-    assert(evaluation !== undefined, 'a character of the document');
-    const { positions, normals } = evaluation.vertices();
+    const { positions, normals } = this.evaluations.of(state).vertices();
     return { positions: positions.slice(), normals: normals.slice() };
   }
 
@@ -159,9 +178,11 @@ export class Viewer {
     ];
   }
 
-  private readBack(state: CharacterState): VertexStreams {
-    const views = this.present().sync(this.evaluations.all(), 'gpu');
-    const view = views.find((each) => each.state === state);
+  private readBack(state: Actor): VertexStreams {
+    const renderer = this.present();
+    const evaluation = this.evaluations.of(state);
+    renderer.sync(this.evaluations.all(), 'gpu');
+    const [view] = renderer.viewsOf([evaluation]);
     assert(view !== undefined, 'a character that the GPU takes');
     // What was shown from the CPU comes back with the next picture.
     this.requestFrame();
@@ -183,30 +204,31 @@ export class Viewer {
     this.frameRequest = 0;
     if (!this.available.value) return;
     const { width, height } = this.size.value;
-    this.present()
-      .draw(this.createFrame(width, height, true), width, height)
-      .show();
+    const frames = this.createFrames(sideBySide(this.contents, width, height), true);
+    this.present().draw(frames, width, height).show();
     this.onFrame();
   }
 
-  private createFrame(width: number, height: number, showStudio: boolean): Frame {
-    const { passes, document, evaluations, device, options, theme, camera } = this.readState();
+  private createFrames(views: readonly RenderView[], showStudio: boolean): Frame[] {
+    const { passes, selected, device, options, theme } = this.readState();
     const renderer = this.present();
     renderer.passes = passes;
-    const views = renderer.sync(evaluations, device);
-    const selected = selectedCharacter(document);
+    const shown = views.map(({ overrides }) => this.evaluations.all(overrides));
+    this.evaluations.keepOnly(shown.flat());
+    renderer.sync(shown.flat(), device);
     this.refusal.value = selected ? renderer.refusalOf(selected) : null;
-    const shown = views.find(({ state }) => state === selected);
-    if (shown) this.poseMilliseconds.value = shown.poseMilliseconds;
-    const all = { ...options, showStudio };
-    return createFrame(views, all, themes[theme], camera, width, height);
+    const [first] = selected ? renderer.viewsOf([this.evaluations.of(selected)]) : [];
+    if (first) this.poseMilliseconds.value = first.poseMilliseconds;
+    return views.map((view, index) =>
+      createFrame(renderer.viewsOf(shown[index]!), { ...options, showStudio }, themes[theme], view),
+    );
   }
 
   /** All signals that the picture depends on. */
   private readState() {
     const { session } = this;
     return {
-      document: this.store.document.value,
+      selected: selectedActor(this.store, session),
       passes: this.passes.value,
       evaluations: this.evaluations.all(),
       device: session.skinDevice.value,
@@ -218,13 +240,14 @@ export class Viewer {
         showAxes: session.showAxes.value,
         translucent: session.translucent.value,
         faceted: session.shading.value === 'faceted',
+        selectedActorId: session.selectedActorId.value,
         selectedJoint: session.selectedJoint.value,
         hoveredJoint: session.hoveredJoint.value,
         hoveredBone: session.hoveredBone.value,
         lights: session.lights.value,
       },
       theme: this.theme.value,
-      camera: this.camera.value,
+      contents: this.contents,
       size: this.size.value,
       available: this.available.value,
     };

@@ -1,15 +1,15 @@
 import { describe, expect, it } from 'vitest';
-import { characterState, type Document } from '../../src/document/document.ts';
+import { createActor, type Scene } from '../../src/document/scene.ts';
 import { emptyHistory, record, stepBack, stepForward } from '../../src/document/history.ts';
 import { characterOfRig } from '../fixtures/character-of-rig.ts';
 import { allRigs } from '../fixtures/rigs.ts';
 
 const character = characterOfRig(Object.values(allRigs)[0]!());
 
-function documentWith(values: number): Document {
+function documentWith(values: number): Scene {
   const kept = { q: new Float64Array(values), morphWeights: new Float64Array(0) };
-  const state = characterState(1, character, 'linear-blend', kept);
-  return { characters: [state], selectedId: 1 };
+  const state = createActor(1, character, 'linear-blend', kept);
+  return { actors: [state] };
 }
 
 /** Steps of 80 bytes each: ten values of a pose. */
@@ -36,7 +36,7 @@ describe('the history', () => {
     const opened = {
       label: 'open',
       before: documentWith(1),
-      after: { characters: [], selectedId: 1 },
+      after: { actors: [] },
     };
     const posed = { label: 'pose', before: documentWith(1), after: documentWith(1) };
     const small = 200;

@@ -6,21 +6,18 @@ import { axisDofs } from '../../src/core/pose.ts';
 import { DofKind } from '../../src/core/skeleton.ts';
 import {
   bindClip,
-  type Command,
-  openCharacter,
+  type Edit,
   resetJoint,
   resetPose,
   setMethod,
   setMorphWeight,
   setNormalizeWeights,
   setPose,
+  setTransform,
   setValue,
-} from '../../src/document/commands.ts';
-import {
-  type CharacterState,
-  type Document,
-  selectedCharacter,
-} from '../../src/document/document.ts';
+} from '../../src/document/edits.ts';
+import { openCharacter } from '../../src/document/open-characters.ts';
+import { type Actor, type Scene, unmoved } from '../../src/document/scene.ts';
 import { Store } from '../../src/document/store.ts';
 import { Evaluator } from '../../src/evaluation/evaluator.ts';
 import { methods } from '../../src/skinning/registry.ts';
@@ -54,38 +51,41 @@ function withMorphAndClip(rig: Rig): Character {
 
 function openStore(): Store {
   const store = new Store();
-  store.dispatch(openCharacter(characters[0]!, 'linear-blend'));
+  store.dispatch(openCharacter(null, characters[0]!, 'linear-blend'));
   return store;
 }
 
-function selected(store: Store): CharacterState {
-  return selectedCharacter(store.document.value)!;
+function selected(store: Store): Actor {
+  return store.scene.value.actors.at(-1)!;
 }
 
-function turn(store: Store, index: number, value: number, label = 'turn'): Command {
+function turn(store: Store, index: number, value: number, label = 'turn'): Edit {
   const { id, q } = selected(store);
   return setValue(id, q, index, value, label);
 }
 
-/** Everything that a document holds, to the bit: floats as hexadecimal bytes. */
-function bits({ characters: states, selectedId }: Document): string {
-  const parts = states.map(({ id, character, q, morphWeights, clip, method, normalizeWeights }) => [
-    id,
-    characters.indexOf(character),
-    ...[q, morphWeights].map(({ buffer }) => Buffer.from(buffer).toString('hex')),
-    clip,
-    method,
-    normalizeWeights,
-  ]);
-  return JSON.stringify([selectedId, parts]);
+/** Everything that a scene holds, to the bit: floats as hexadecimal bytes. */
+function bits({ actors }: Scene): string {
+  const parts = actors.map(
+    ({ id, character, transform, q, morphWeights, clip, method, normalizeWeights }) => [
+      transform,
+      id,
+      characters.indexOf(character),
+      ...[q, morphWeights].map(({ buffer }) => Buffer.from(buffer).toString('hex')),
+      clip,
+      method,
+      normalizeWeights,
+    ],
+  );
+  return JSON.stringify(parts);
 }
 
 /** A command of any kind for the character that is selected. */
-function commandOf(store: Store, kind: number, amount: number): Command {
+function commandOf(store: Store, kind: number, amount: number): Edit {
   const { id, q, character } = selected(store);
   const index = Math.abs(Math.trunc(amount * 1e6)) % q.length;
   const joint = index % character.skeleton.jointCount;
-  const kinds: (() => Command)[] = [
+  const kinds: (() => Edit)[] = [
     () => turn(store, index, amount),
     () =>
       setPose(
@@ -96,7 +96,9 @@ function commandOf(store: Store, kind: number, amount: number): Command {
     () => resetJoint(selected(store), q, joint),
     () => setMethod(id, methods[index % methods.length]!.id),
     () => setNormalizeWeights(id, amount > 0),
-    () => openCharacter(characters[index % characters.length]!, 'rigid'),
+    () => openCharacter(id, characters[index % characters.length]!, 'rigid'),
+    () => openCharacter(null, characters[index % characters.length]!, 'linear-blend'),
+    () => setTransform(id, { ...unmoved, position: [amount, 0, 0] }, 'move'),
     () => setMorphWeight(id, index % character.morphs.length, amount, 'morph'),
     () => bindClip(id, amount > 0 ? 0 : null),
   ];
@@ -110,18 +112,20 @@ describe('the store', () => {
     fc.assert(
       fc.property(fc.array(step, { maxLength: 40 }), (steps) => {
         const store = openStore();
-        const seen = [bits(store.document.value)];
+        const seen = [bits(store.scene.value)];
         for (const [kind, amount] of steps) {
           store.dispatch(commandOf(store, kind, amount));
-          seen.push(bits(store.document.value));
+          // What changes nothing is no step.
+          const now = bits(store.scene.value);
+          if (now !== seen.at(-1)) seen.push(now);
         }
         for (const expected of seen.slice(0, -1).reverse()) {
           store.undo();
-          expect(bits(store.document.value)).toBe(expected);
+          expect(bits(store.scene.value)).toBe(expected);
         }
         for (const expected of seen.slice(1)) {
           store.redo();
-          expect(bits(store.document.value)).toBe(expected);
+          expect(bits(store.scene.value)).toBe(expected);
         }
       }),
     );
@@ -136,25 +140,25 @@ describe('the store', () => {
 
   it('makes one entry of a gesture, however many previews it has', () => {
     const store = openStore();
-    const before = bits(store.document.value);
+    const before = bits(store.scene.value);
     const gesture = store.begin('Turn elbow X');
     for (let i = 1; i <= 20; i++) gesture.preview(turn(store, 0, i / 10));
     gesture.commit();
     expect(selected(store).q[0]).toBe(2);
     expect(store.undoLabel.value).toBe('Turn elbow X');
     store.undo();
-    expect(bits(store.document.value)).toBe(before);
+    expect(bits(store.scene.value)).toBe(before);
     expect(store.undoLabel.value).toBeNull();
     expect(store.redoLabel.value).toBe('Turn elbow X');
   });
 
   it('restores the exact bits when a gesture is cancelled, and records nothing', () => {
     const store = openStore();
-    const before = store.document.value;
+    const before = store.scene.value;
     const gesture = store.begin('Turn');
     gesture.preview(turn(store, 0, Math.PI / 7));
     expect(store.cancelGesture()).toBe(true);
-    expect(store.document.value).toBe(before);
+    expect(store.scene.value).toBe(before);
     expect(store.undoLabel.value).toBeNull();
     expect(gesture.isOpen).toBe(false);
   });
@@ -164,10 +168,10 @@ describe('the store', () => {
     const gesture = store.begin('Turn');
     gesture.preview(turn(store, 0, 1));
     store.undo();
-    const after = store.document.value;
+    const after = store.scene.value;
     gesture.preview(turn(store, 0, 2));
     gesture.commit();
-    expect(store.document.value).toBe(after);
+    expect(store.scene.value).toBe(after);
   });
 
   it('commits an open gesture before another begins', () => {
@@ -184,6 +188,20 @@ describe('the store', () => {
     expect(store.undoLabel.value).toBeNull();
   });
 
+  it('takes an edit that changes nothing for no step, and keeps the very scene', () => {
+    const store = openStore();
+    const before = store.scene.value;
+    const { id, q } = selected(store);
+    store.dispatch(setPose(id, q));
+    store.dispatch(setMethod(id, 'linear-blend'));
+    const gesture = store.begin('There and back');
+    gesture.preview(turn(store, 0, 1));
+    gesture.preview(setPose(id, q));
+    gesture.commit();
+    expect(store.undoLabel.value).toBeNull();
+    expect(store.scene.value).toBe(before);
+  });
+
   it('forgets what was undone once something else is done', () => {
     const store = openStore();
     store.dispatch(turn(store, 0, 1, 'first'));
@@ -196,7 +214,7 @@ describe('the store', () => {
     const store = openStore();
     const { id } = selected(store);
     store.dispatch(bindClip(id, 0));
-    const bound = store.document.value;
+    const bound = store.scene.value;
     const shown = new Evaluator(selected(store)).evaluate(selected(store), 1).pose;
     const { skeleton } = selected(store).character;
     const turned = axisDofs(skeleton, skeleton.jointOfSource[8]!).find(
@@ -211,7 +229,7 @@ describe('the store', () => {
     expect(selected(store).q[turned.index]).toBeCloseTo(0.5, 12);
     expect(selected(store).q[edited]).toBe(0.25);
     store.undo();
-    expect(store.document.value).toBe(bound);
+    expect(store.scene.value).toBe(bound);
   });
 
   it('takes a wrong caller for an error', () => {

@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { openCharacter } from '../../src/document/commands.ts';
-import { selectedCharacter } from '../../src/document/document.ts';
+import { openCharacter } from '../../src/document/open-characters.ts';
+import { selectedActor } from '../../src/document/selected-actor.ts';
+import { reconcile } from '../../src/document/reconcile.ts';
 import { Session } from '../../src/document/session.ts';
 import { Store } from '../../src/document/store.ts';
 import { Transport } from '../../src/document/transport.ts';
@@ -14,11 +15,13 @@ const anim = `animation { range 0 2 numchannels 9
   ${'channel { extrapolate constant constant keys 1 { 0 0 linear linear } }'.repeat(2)} }`;
 
 async function open(files: Record<string, string>) {
-  const store = new Store();
   const session = new Session();
+  const store = new Store((before, after) => reconcile(session, before, after));
   const transport = new Transport(store, session);
-  store.dispatch(openCharacter(await readOne(files), 'linear-blend'));
-  const { skeleton } = selectedCharacter(store.document.value)!.character;
+  store.dispatch(
+    openCharacter(session.selectedActorId.value, await readOne(files), 'linear-blend'),
+  );
+  const { skeleton } = selectedActor(store, session)!.character;
   const kneeX = skeleton.dofQ[skeleton.dofStart[2]! - 1]!;
   const evaluations = new Evaluations(store, session);
   const shownKnee = (): number => evaluations.selected()!.pose.q[kneeX]!;
@@ -94,7 +97,7 @@ describe('the transport', () => {
   it('has a clip of the character that undo brings back, whichever was chosen of another', async () => {
     const { store, session, transport } = await open(files);
     const two = await readOne({ ...files, 'leg_two.anim': anim.replace('range 0 2', 'range 1 2') });
-    store.dispatch(openCharacter(two, 'linear-blend'));
+    store.dispatch(openCharacter(session.selectedActorId.value, two, 'linear-blend'));
     transport.choose(1);
     expect(transport.clip).toBe(two.clips[1]);
     store.undo();
@@ -105,12 +108,12 @@ describe('the transport', () => {
 
   it('does nothing for a character without clips', async () => {
     const { store, session, transport } = await open({ 'leg.skel': skel });
-    const before = store.document.value;
+    const before = store.scene.value;
     transport.togglePlay();
     transport.seek(1);
     transport.step(1);
     expect(transport.clip).toBeUndefined();
     expect(session.playing.value).toBe(false);
-    expect(store.document.value).toBe(before);
+    expect(store.scene.value).toBe(before);
   });
 });

@@ -2,7 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { includePositions, emptyBounds } from '../../src/core/bounds.ts';
 import { jointMatrices } from '../../src/core/forward-kinematics.ts';
-import { type CharacterState, characterState } from '../../src/document/document.ts';
+import { type Actor, createActor } from '../../src/document/scene.ts';
 import type { Evaluation } from '../../src/evaluation/evaluation.ts';
 import { Evaluator } from '../../src/evaluation/evaluator.ts';
 import { methods } from '../../src/skinning/registry.ts';
@@ -12,12 +12,12 @@ import { allRigs } from '../fixtures/rigs.ts';
 
 const characters = Object.values(allRigs).map((rig) => characterOfRig(rig()));
 
-function stateOf(which: number): CharacterState {
-  return characterState(1 + which, characters[which % characters.length]!, 'linear-blend');
+function stateOf(which: number): Actor {
+  return createActor(1 + which, characters[which % characters.length]!, 'linear-blend');
 }
 
 /** An edit of any kind of what a character's evaluation is a function of. */
-const edits: readonly ((state: CharacterState, amount: number) => CharacterState)[] = [
+const edits: readonly ((state: Actor, amount: number) => Actor)[] = [
   (state, amount) => ({ ...state, q: state.q.map((value) => value + amount) }),
   (state, amount) => ({
     ...state,
@@ -110,7 +110,7 @@ describe('an evaluation', () => {
   });
 });
 
-function expectFresh(shown: Evaluation, state: CharacterState, time: number): void {
+function expectFresh(shown: Evaluation, state: Actor, time: number): void {
   const fresh = new Evaluator(state).evaluate(state, time);
   expect(shown.pose).toEqual(fresh.pose);
   expect(shown.characterFromJoint).toEqual(fresh.characterFromJoint);

@@ -1,7 +1,7 @@
 import { vec3 } from 'gl-matrix';
 import { describe, expect, it } from 'vitest';
 import { jointMatrices } from '../../src/core/forward-kinematics.ts';
-import { displayTransform } from '../../src/view/display-transform.ts';
+import { displayTransform } from '../../src/evaluation/display-transform.ts';
 import { pickBox } from '../../src/view/pick-box.ts';
 import { characterRay } from '../../src/view/picking.ts';
 import { poseFromJson } from '../../src/formats/pose-json.ts';

@@ -4,7 +4,7 @@ import type { Character } from '../../src/core/character.ts';
 import { jointMatrices } from '../../src/core/forward-kinematics.ts';
 import { pointOnRay } from '../../src/core/ray.ts';
 import { type Camera, clipFromScene } from '../../src/view/camera.ts';
-import { displayTransform } from '../../src/view/display-transform.ts';
+import { displayTransform } from '../../src/evaluation/display-transform.ts';
 import {
   characterRay,
   pickBone,

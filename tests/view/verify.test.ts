@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { characterState } from '../../src/document/document.ts';
+import { createActor } from '../../src/document/scene.ts';
 import type { VertexStreams } from '../../src/skinning/method.ts';
 import { methodById } from '../../src/skinning/registry.ts';
 import { skinVertices } from '../support/skin-vertices.ts';
@@ -8,7 +8,7 @@ import { characterOfRig } from '../fixtures/character-of-rig.ts';
 import { allRigs } from '../fixtures/rigs.ts';
 
 const character = characterOfRig(Object.values(allRigs)[0]!());
-const state = characterState(1, character, 'linear-blend');
+const state = createActor(1, character, 'linear-blend');
 const { q } = state;
 const posed = skinVertices(character, character.skin, { q }, methodById('linear-blend'));
 

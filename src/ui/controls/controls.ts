@@ -6,6 +6,7 @@ import { addBoneFolder } from './bone-folder.ts';
 import { addLightsFolder } from './lights-folder.ts';
 import { addMorphFolder } from './morph-folder.ts';
 import { addPictureFolder } from './picture-folder.ts';
+import { addPlaceFolder } from './place-folder.ts';
 import { addPoseFolder } from './pose-folder.ts';
 import { addSliderRoles } from './slider-role.ts';
 import { addSkinFolder } from './skin-folder.ts';
@@ -17,6 +18,7 @@ export function createControls(container: HTMLElement, editor: Editor): void {
   addPoseFolder(gui, editor);
   addMorphFolder(gui, editor);
   addBoneFolder(gui, editor);
+  addPlaceFolder(gui, editor);
   addSkinFolder(gui, editor);
   addViewFolder(gui, editor);
   addLightsFolder(gui, editor);

@@ -1,7 +1,7 @@
 import type { GUI } from 'lil-gui';
 import { diagonal } from '../../core/bounds.ts';
-import { type Command, resetJoint, setPose, setValue } from '../../document/commands.ts';
-import type { CharacterState } from '../../document/document.ts';
+import { type Edit, resetJoint, setPose, setValue } from '../../document/edits.ts';
+import type { Actor } from '../../document/scene.ts';
 import type { Editor } from '../editor.ts';
 import { axisNames, type JointValue, jointValues, valueName } from '../joint-values.ts';
 import { addValueRow, type ValueRow } from './value-row.ts';
@@ -15,12 +15,12 @@ export class JointFolder {
   private readonly folder: GUI;
   private readonly editor: Editor;
   private readonly joint: number;
-  private readonly state: CharacterState;
+  private readonly state: Actor;
   private built = false;
   /** Opened by the selection or a search, not by hand. */
   private openedForShow = false;
 
-  constructor(parent: GUI, editor: Editor, state: CharacterState, joint: number) {
+  constructor(parent: GUI, editor: Editor, state: Actor, joint: number) {
     this.editor = editor;
     this.state = state;
     this.joint = joint;
@@ -141,7 +141,7 @@ export class JointFolder {
     return this.editor.ballAngles.of(this.state.character.skeleton, q, index)[axis];
   }
 
-  private write({ index, axis, ofBall }: JointValue, number: number, label: string): Command {
+  private write({ index, axis, ofBall }: JointValue, number: number, label: string): Edit {
     const { id, character } = this.state;
     if (!ofBall) return setValue(id, this.shown, index, number, label);
     const { ballAngles } = this.editor;

@@ -1,8 +1,9 @@
 import { effect } from '@preact/signals-core';
 import type { GUI } from 'lil-gui';
 import type { Character } from '../../core/character.ts';
-import { setMorphWeight } from '../../document/commands.ts';
-import { type CharacterId, selectedCharacter } from '../../document/document.ts';
+import { setMorphWeight } from '../../document/edits.ts';
+import type { ActorId } from '../../document/scene.ts';
+import { selectedActor } from '../../document/selected-actor.ts';
 import type { Editor } from '../editor.ts';
 import { addValueRow, type ValueRow } from './value-row.ts';
 
@@ -11,14 +12,14 @@ const reach = 100;
 
 /** A slider from 0 to 1 for every morph of the selected character. */
 export function addMorphFolder(gui: GUI, editor: Editor): void {
-  const { store } = editor;
+  const { store, session } = editor;
   const folder = gui.addFolder('Morphs');
   let shown: Character | null = null;
-  let shownId: CharacterId | null = null;
+  let shownId: ActorId | null = null;
   let rows: ValueRow[] = [];
 
   effect(() => {
-    const state = selectedCharacter(store.document.value);
+    const state = selectedActor(store, session);
     const character = state?.character ?? null;
     if (character !== shown || (state?.id ?? null) !== shownId) {
       shown = character;
@@ -35,7 +36,7 @@ export function addMorphFolder(gui: GUI, editor: Editor): void {
 
 function addMorphRow(
   folder: GUI,
-  { store }: Editor,
+  { store, session }: Editor,
   id: number,
   name: string,
   index: number,
@@ -49,7 +50,7 @@ function addMorphRow(
     isAngle: false,
     locked: false,
     legal: [-reach, reach],
-    read: () => selectedCharacter(store.document.value)?.morphWeights[index] ?? 0,
+    read: () => selectedActor(store, session)?.morphWeights[index] ?? 0,
     begin: () => store.begin(label),
     preview: (gesture, value) => gesture.preview(setMorphWeight(id, index, value, label)),
     reset: () => store.dispatch(setMorphWeight(id, index, 0, `Reset ${name}`)),

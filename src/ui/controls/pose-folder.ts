@@ -1,7 +1,7 @@
 import { effect } from '@preact/signals-core';
 import type { GUI } from 'lil-gui';
 import type { Character } from '../../core/character.ts';
-import type { CharacterId } from '../../document/document.ts';
+import type { ActorId } from '../../document/scene.ts';
 import { chooseFiles } from '../choose-files.ts';
 import type { Editor } from '../editor.ts';
 import { stepJoint } from '../keymap.ts';
@@ -32,7 +32,7 @@ export function addPoseFolder(gui: GUI, editor: Editor): void {
   let folders: JointFolder[] = [];
   let shown: Character | null = null;
   /** Rows write to the character of this id, which may be opened again under another. */
-  let shownId: CharacterId | null = null;
+  let shownId: ActorId | null = null;
 
   effect(() => {
     const state = editor.evaluations.selected()?.state;

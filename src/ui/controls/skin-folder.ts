@@ -1,7 +1,7 @@
 import { effect } from '@preact/signals-core';
 import type { GUI } from 'lil-gui';
-import { setMethod, setNormalizeWeights } from '../../document/commands.ts';
-import { selectedCharacter } from '../../document/document.ts';
+import { setMethod, setNormalizeWeights } from '../../document/edits.ts';
+import { selectedActor } from '../../document/selected-actor.ts';
 import type { Shading, SkinDevice } from '../../document/session.ts';
 import type { MethodId } from '../../skinning/method.ts';
 import { methods } from '../../skinning/registry.ts';
@@ -11,7 +11,7 @@ import { watch } from '../watch.ts';
 /** How the skin is deformed and shaded, and the check of its numbers. */
 export function addSkinFolder(gui: GUI, editor: Editor): void {
   const { store, session } = editor;
-  const selected = () => selectedCharacter(store.document.value);
+  const selected = () => selectedActor(store, session);
   const folder = gui.addFolder('Skin');
   const bound = {
     get method(): MethodId {
@@ -27,6 +27,12 @@ export function addSkinFolder(gui: GUI, editor: Editor): void {
     set normalize(normalize: boolean) {
       const state = selected();
       if (state) store.dispatch(setNormalizeWeights(state.id, normalize));
+    },
+    get compared(): MethodId | 'none' {
+      return session.comparedMethod.value ?? 'none';
+    },
+    set compared(method: MethodId | 'none') {
+      session.comparedMethod.value = method === 'none' ? null : method;
     },
     get shading(): Shading {
       return session.shading.value;
@@ -45,6 +51,7 @@ export function addSkinFolder(gui: GUI, editor: Editor): void {
   const choices = Object.fromEntries(methods.map(({ label, id }) => [label, id]));
   const rows = [
     folder.add(bound, 'method', choices).name('Method'),
+    folder.add(bound, 'compared', { Nothing: 'none', ...choices }).name('Compare with'),
     folder.add(bound, 'shading', { Smooth: 'smooth', Faceted: 'faceted' }).name('Shading'),
     folder.add(bound, 'device', { GPU: 'gpu', CPU: 'cpu' }).name('Skin on'),
     folder.add(bound, 'normalize').name('Normalise weights'),
@@ -54,7 +61,8 @@ export function addSkinFolder(gui: GUI, editor: Editor): void {
   result.className = 'verification';
   folder.$children.append(result);
 
-  watch([store.document, session.shading, session.skinDevice], () => {
+  const { shading, skinDevice, comparedMethod } = session;
+  watch([store.scene, session.selectedActorId, shading, skinDevice, comparedMethod], () => {
     for (const row of rows) row.updateDisplay();
   });
   effect(() => {

@@ -1,5 +1,6 @@
+import { useState } from 'preact/hooks';
 import { printable } from '../../core/diagnostics.ts';
-import { selectedCharacter } from '../../document/document.ts';
+import { selectedActor } from '../../document/selected-actor.ts';
 import { chooseFiles } from '../choose-files.ts';
 import type { Editor } from '../editor.ts';
 
@@ -8,14 +9,15 @@ const saveTargets = [
   ['cse169', 'CSE169 files'],
 ] as const;
 
-/** The bundled characters, one's own, and the way to more. */
+/** What stands in the scene, the bundled characters, one's own, and the way to more. */
 export function CharactersPanel({ editor }: { readonly editor: Editor }) {
   const { bundled, own, openedId, fileExtensions } = editor;
-  const shown = selectedCharacter(editor.store.document.value)?.character;
-  const open = (folder: boolean): void =>
-    chooseFiles(folder ? null : fileExtensions, (files) => void editor.openFiles(files));
+  const shown = selectedActor(editor.store, editor.session)?.character;
+  const open = (folder: boolean, add = false): void =>
+    chooseFiles(folder ? null : fileExtensions, (files) => void editor.openFiles(files, add));
   return (
     <section aria-labelledby="characters-title">
+      <SceneList editor={editor} />
       <h2 id="characters-title">Characters</h2>
       <ul class="picker">
         {bundled.value.map(({ id, label, credit }) => (
@@ -30,18 +32,21 @@ export function CharactersPanel({ editor }: { readonly editor: Editor }) {
             </button>
           </li>
         ))}
-        {own.value.map((read, index) => (
-          <li key={`own ${index}`}>
-            <button
-              type="button"
-              title="From your files"
-              aria-pressed={read.character === shown}
-              onClick={() => editor.openOwn(read)}
-            >
-              {printable(read.character.name, 80)}
-            </button>
-          </li>
-        ))}
+        {own.value.map((read, index) => {
+          const name = printable(read.character.name, 80);
+          return (
+            <li key={`own ${index}`}>
+              <button
+                type="button"
+                title="From your files"
+                aria-pressed={read.character === shown}
+                onClick={() => editor.openOwn(read)}
+              >
+                {name}
+              </button>
+            </li>
+          );
+        })}
       </ul>
       <button type="button" class="primary" onClick={() => open(false)}>
         Open files…
@@ -49,6 +54,7 @@ export function CharactersPanel({ editor }: { readonly editor: Editor }) {
       <button type="button" class="wide" onClick={() => open(true)}>
         Open folder…
       </button>
+      <AddMenu editor={editor} onFiles={() => open(false, true)} />
       {shown && (
         <div class="save-as">
           <span id="save-as">Save as</span>
@@ -69,4 +75,87 @@ export function CharactersPanel({ editor }: { readonly editor: Editor }) {
       </p>
     </section>
   );
+}
+
+interface AddMenuProperties {
+  readonly editor: Editor;
+  readonly onFiles: () => void;
+}
+
+/** Adds a character beside those that are there, where the list above replaces the selected one. */
+function AddMenu({ editor, onFiles }: AddMenuProperties) {
+  const [open, setOpen] = useState(false);
+  const add = (label: string, run: () => void) => (
+    <li key={label}>
+      <button
+        type="button"
+        onClick={() => {
+          setOpen(false);
+          run();
+        }}
+      >
+        {label}
+      </button>
+    </li>
+  );
+  return (
+    <>
+      <button type="button" class="wide" aria-expanded={open} onClick={() => setOpen(!open)}>
+        Add to the scene…
+      </button>
+      {open && (
+        <ul class="picker" aria-label="Add to the scene">
+          {editor.bundled.value.map(({ id, label }) =>
+            add(`Add ${label}`, () => void editor.openBundled(id, true)),
+          )}
+          {editor.own.value.map((read) =>
+            add(`Add ${printable(read.character.name, 80)}`, () => editor.openOwn(read, true)),
+          )}
+          {add('Add files…', onFiles)}
+        </ul>
+      )}
+    </>
+  );
+}
+
+/** The actors, one of them selected; a scene of one needs no list. */
+function SceneList({ editor }: { readonly editor: Editor }) {
+  const { actors } = editor.store.scene.value;
+  const selected = editor.session.selectedActorId.value;
+  if (actors.length < 2) return null;
+  const names = numberedNames(actors.map(({ character }) => printable(character.name, 80)));
+  return (
+    <>
+      <h2 id="scene-title">Scene ({actors.length})</h2>
+      <ul class="picker scene-list" aria-labelledby="scene-title">
+        {actors.map(({ id }, index) => (
+          <li key={id}>
+            <button type="button" aria-pressed={id === selected} onClick={() => editor.select(id)}>
+              {names[index]}
+            </button>
+          </li>
+        ))}
+      </ul>
+      <div class="buttons">
+        <button
+          type="button"
+          title="Duplicate (Ctrl/Cmd+D)"
+          onClick={() => editor.duplicateSelected()}
+        >
+          Duplicate
+        </button>
+        <button type="button" title="Remove (Delete)" onClick={() => editor.removeSelected()}>
+          Remove
+        </button>
+      </div>
+    </>
+  );
+}
+
+/** "human", "human 2": each tells its own from its copies. */
+function numberedNames(names: readonly string[]): string[] {
+  return names.map((name, index) => {
+    const before = names.slice(0, index).filter((other) => other === name).length;
+    return before === 0 ? name : `${name} ${before + 1}`;
+  });
 }

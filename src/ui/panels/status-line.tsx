@@ -1,12 +1,12 @@
 import { printable } from '../../core/diagnostics.ts';
-import { selectedCharacter } from '../../document/document.ts';
+import { selectedActor } from '../../document/selected-actor.ts';
 import { methodById } from '../../skinning/registry.ts';
 import type { Editor } from '../editor.ts';
 
 /** One line on what is shown, and on what was just done. */
 export function StatusLine({ editor }: { readonly editor: Editor }) {
   const { session, viewer, verification, notice } = editor;
-  const state = selectedCharacter(editor.store.document.value);
+  const state = selectedActor(editor.store, editor.session);
   const problems = session.problems.value.length;
   const found = verification.value;
   return (

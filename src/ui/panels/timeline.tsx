@@ -1,4 +1,4 @@
-import { selectedCharacter } from '../../document/document.ts';
+import { selectedActor } from '../../document/selected-actor.ts';
 import type { PlayMode } from '../../posing/playhead.ts';
 import type { Editor } from '../editor.ts';
 import { ClipCurves } from './clip-curves.tsx';
@@ -14,7 +14,7 @@ const modes: Readonly<Record<PlayMode, string>> = {
 /** Below the view, where the character has clips: plays them and shows their curves. */
 export function Timeline({ editor }: { readonly editor: Editor }) {
   const { store, session, transport } = editor;
-  const state = selectedCharacter(store.document.value);
+  const state = selectedActor(store, session);
   const { clipTime, playing, playSpeed, playMode } = session;
   const { clip, clipIndex } = transport;
   if (!state || !clip) return null;

@@ -1,6 +1,7 @@
 import { printable } from '../../core/diagnostics.ts';
-import { selectedCharacter } from '../../document/document.ts';
+import { selectedActor } from '../../document/selected-actor.ts';
 import type { ActiveDof } from '../../document/session.ts';
+import { methodById } from '../../skinning/registry.ts';
 import { ancestorsOf } from '../joint-rows.ts';
 import { formatDegrees } from '../angle-text.ts';
 import type { Drawer, Editor } from '../editor.ts';
@@ -15,6 +16,7 @@ export function ViewOverlay({ editor }: { readonly editor: Editor }) {
       <DrawerButtons editor={editor} />
       <ProgressBox editor={editor} />
       <ViewMessage editor={editor} />
+      <ComparedMethods editor={editor} />
       <ActiveDofText editor={editor} />
       <LitBoneLabel editor={editor} />
     </>
@@ -56,6 +58,20 @@ function ProgressBox({ editor }: { readonly editor: Editor }) {
   );
 }
 
+/** Over two halves, the method of each. */
+function ComparedMethods({ editor: { store, session } }: { readonly editor: Editor }) {
+  const compared = session.comparedMethod.value;
+  const own = selectedActor(store, session)?.method;
+  if (compared === null || own === undefined) return null;
+  return (
+    <div class="compared">
+      {[own, compared].map((method, half) => (
+        <span key={half}>{methodById(method).label}</span>
+      ))}
+    </div>
+  );
+}
+
 /** The degree of freedom last touched, with its value, in a corner of the picture. */
 function ActiveDofText({ editor }: { readonly editor: Editor }) {
   const dof = editor.session.activeDof.value;
@@ -74,7 +90,7 @@ function ActiveDofText({ editor }: { readonly editor: Editor }) {
 function LitBoneLabel({ editor: { store, session } }: { readonly editor: Editor }) {
   const place = session.hoverPlace.value;
   const joint = session.hoveredJoint.value;
-  const skeleton = selectedCharacter(store.document.value)?.character.skeleton;
+  const skeleton = selectedActor(store, session)?.character.skeleton;
   if (!place || joint === null || !skeleton) return null;
   const end = session.hoveredBone.value?.child ?? -1;
   const chain = ancestorsOf(skeleton, joint).slice(0, longestChain).reverse();

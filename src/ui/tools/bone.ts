@@ -1,9 +1,9 @@
-import { setPose } from '../../document/commands.ts';
+import { setPose } from '../../document/edits.ts';
 import { jointOfValue } from '../../core/pose.ts';
 import { beginDrag, type DragMode, type DragPointer } from '../../posing/drag.ts';
 import { canTurn } from '../../posing/joint-frames.ts';
 import { axesOf } from '../../view/camera.ts';
-import { type BoneTarget, boneAt, characterRayAt } from '../../view/pick.ts';
+import { type BoneTarget, selectedBoneAt, characterRayAt } from '../../view/pick.ts';
 import { sizeOfPixel } from '../../view/picking.ts';
 import type { Editor } from '../editor.ts';
 import { showHover } from '../hover.ts';
@@ -20,7 +20,7 @@ export const boneTool: Tool = {
   press(place, button, editor) {
     const { evaluations, session } = editor;
     if (!session.boneMode.value || button !== 0) return null;
-    const target = boneAt(editor, place);
+    const target = selectedBoneAt(editor, place);
     const shown = evaluations.selected();
     if (!target || !shown || !canTurn(shown.state.character.skeleton, target.joint)) return null;
     showHover(editor, place, target);

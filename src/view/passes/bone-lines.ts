@@ -1,7 +1,7 @@
 import type { Frame } from '../frame.ts';
 import { InstancedSolid } from '../instanced-solid.ts';
 import type { Pass } from '../pass.ts';
-import { boneLineInstances, litBoneInstance } from '../solid-instances.ts';
+import { boneLineInstances, litBoneInstance, marksOf } from '../solid-instances.ts';
 import { lineGrid, segment } from '../solid-shapes.ts';
 
 /** Of the grid that is wrapped to a cylinder. */
@@ -24,11 +24,12 @@ export const boneLinesPass: Pass = {
     const lit = new InstancedSolid(gpu, program, lineGrid(gridSize));
     return {
       draw(frame) {
-        const { showSkeleton, skeletonStyle, selectedJoint, hoveredJoint, translucent } =
-          frame.options;
-        const marks = { selected: selectedJoint, hovered: hoveredJoint };
+        const { options } = frame;
+        const { showSkeleton, skeletonStyle, translucent } = options;
         const withLines = showSkeleton && skeletonStyle === 'lines' ? frame.characters : [];
-        bones.write(joined(withLines.map((view) => boneLineInstances(view, marks))));
+        bones.write(
+          joined(withLines.map((view) => boneLineInstances(view, marksOf(view, options)))),
+        );
         lit.write(litBone(frame));
         program.use();
         program.set(frame.uniforms);
@@ -57,11 +58,9 @@ export const boneLinesPass: Pass = {
   },
 };
 
-/** Of the character that has the bone: hovering is of the selected one alone. */
-function litBone({ characters, options: { hoveredBone } }: Frame): Float32Array {
-  const view = characters.find(
-    ({ state }) => hoveredBone !== null && state.character.bones.includes(hoveredBone),
-  );
+/** Hovering is of the selected actor alone. */
+function litBone({ characters, options: { hoveredBone, selectedActorId } }: Frame): Float32Array {
+  const view = characters.find(({ state }) => state.id === selectedActorId);
   return view && hoveredBone ? litBoneInstance(view, hoveredBone) : new Float32Array(0);
 }
 

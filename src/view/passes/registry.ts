@@ -1,4 +1,5 @@
 import type { Pass } from '../pass.ts';
+import './later-shaders.ts';
 import { axesPass } from './axes.ts';
 import { backdropPass } from './backdrop.ts';
 import { boneLinesPass } from './bone-lines.ts';

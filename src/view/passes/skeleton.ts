@@ -9,6 +9,7 @@ import {
   boxInstances,
   jointInstances,
   type JointMarks,
+  marksOf,
 } from '../solid-instances.ts';
 import { cube, cylinder, sphere } from '../solid-shapes.ts';
 
@@ -125,6 +126,5 @@ function concatenate(
   { options }: Frame,
   instancesOf: (view: CharacterView, marks: JointMarks) => Float32Array,
 ): Float32Array {
-  const marks = { selected: options.selectedJoint, hovered: options.hoveredJoint };
-  return Float32Array.from(views.flatMap((view) => [...instancesOf(view, marks)]));
+  return Float32Array.from(views.flatMap((view) => [...instancesOf(view, marksOf(view, options))]));
 }

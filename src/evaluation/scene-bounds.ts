@@ -1,14 +1,12 @@
 import { type mat4, vec3 } from 'gl-matrix';
 import { type Bounds, emptyBounds, includePositions, isEmpty } from '../core/bounds.ts';
-import type { Evaluation } from '../evaluation/evaluation.ts';
-import { displayTransform } from './display-transform.ts';
+import type { Evaluation } from './evaluation.ts';
 
 /** The box about characters as they stand now, scene space. */
 export function sceneBounds(evaluations: readonly Evaluation[]): Bounds {
   const all = emptyBounds();
   for (const evaluation of evaluations) {
-    const { sceneFromCharacter } = displayTransform(evaluation.state.character);
-    includeBox(all, evaluation.bounds(), sceneFromCharacter);
+    includeBox(all, evaluation.bounds(), evaluation.display.sceneFromCharacter);
   }
   return all;
 }

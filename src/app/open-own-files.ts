@@ -1,0 +1,60 @@
+import { setPose } from '../document/edits.ts';
+import type { FileEntry } from '../formats/format.ts';
+import type { ReadProgress } from '../formats/read-characters.ts';
+import type { FileOpener, OpenOutcome } from './open-files.ts';
+import { readFiles } from './read-files.ts';
+import { completeFiles, keptState, missingParts, plainPictures, renews } from './renewal.ts';
+import { readPoses, sortFiles } from './sort-files.ts';
+
+interface OwnFilesOptions {
+  /** Aborted where the user cancels, or where later files take over. */
+  readonly signal: AbortSignal;
+  readonly onProgress: ReadProgress;
+  /** Opens a bundled character, for pictures that remember one. */
+  readonly openBundled: (id: string) => Promise<void>;
+  /** Beside the others: then they neither complete nor renew what is open. */
+  readonly add: boolean;
+}
+
+/**
+ * Opens one's own files. Loaded when some come: the first picture is of a bundled character.
+ *
+ * @returns nothing where it was aborted; the page is then as it was
+ */
+export async function openOwnFiles(
+  opener: FileOpener,
+  files: readonly FileEntry[],
+  { signal, onProgress, openBundled, add }: OwnFilesOptions,
+): Promise<OpenOutcome | undefined> {
+  const source = { kind: 'files' } as const;
+  const { poses, notes, parts } = await sortFiles(files);
+  const open = add ? undefined : opener.openedFiles;
+  const completed = completeFiles(parts, open);
+  const pictures = plainPictures(completed);
+  const { characters, diagnostics } = pictures
+    ? { characters: [], diagnostics: pictures }
+    : await readFiles(completed, signal, onProgress);
+  if (signal.aborted) return undefined;
+  const problems = [...diagnostics];
+  const [first] = characters;
+  const remembered = notes.at(-1)?.bundled;
+  if (!first && remembered !== undefined) await openBundled(remembered);
+  const renewed = first && renews(first, open) ? opener.selected : undefined;
+  const character = first?.character ?? opener.selected?.character;
+  const q = character && readPoses({ poses, notes }, character, problems);
+  if (first && renewed) {
+    const kept = keptState(renewed, first.character);
+    opener.renew(first, renewed, { source, ...kept, ...(q && { q, clip: null }) });
+  } else if (first) opener.showAll(characters, { source, add }, q);
+  else if (q && opener.selected) {
+    opener.store.dispatch(setPose(opener.selected.id, q, 'Open a pose'));
+  }
+  problems.push(...characters.flatMap((each) => missingParts(each.character)));
+  opener.session.problems.value = problems;
+  return {
+    found: characters,
+    opened: first?.character ?? null,
+    reopened: renewed !== undefined,
+    posed: q !== undefined,
+  };
+}

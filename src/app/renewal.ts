@@ -1,0 +1,90 @@
+import type { Character } from '../core/character.ts';
+import type { Diagnostic } from '../core/diagnostics.ts';
+import type { Actor, KeptState } from '../document/scene.ts';
+import { companionExtensions, textureExtensions } from '../formats/extensions.ts';
+import { baseName, extensionOf } from '../formats/file-entry.ts';
+import type { FileEntry } from '../formats/format.ts';
+import type { ReadCharacter } from '../formats/read-characters.ts';
+
+/** An open character with the files that it came from. */
+export interface OpenedFiles {
+  readonly character: Character;
+  readonly files: readonly FileEntry[];
+}
+
+/**
+ * The files, with those of the open character where all that came is what it lacks, or its own files once
+ * more.
+ */
+export function completeFiles(
+  came: readonly FileEntry[],
+  open: OpenedFiles | undefined,
+): readonly FileEntry[] {
+  if (!open || came.length === 0) return came;
+  const [oldNames, newNames] = [open.files.map(nameOf), came.map(nameOf)];
+  const missing = open.character.missing.map((what) => what.toLowerCase());
+  const belong = came.every(
+    (file) =>
+      [...missing, ...companionExtensions].includes(extensionOf(file.path)) ||
+      [...missing, ...oldNames].includes(nameOf(file)),
+  );
+  if (!belong) return came;
+  return [...open.files.filter((file) => !newNames.includes(nameOf(file))), ...came];
+}
+
+/** Whether a character came of the open one's files, or of them and more, with the same joints. */
+export function renews(
+  { character, files }: ReadCharacter,
+  open: OpenedFiles | undefined,
+): boolean {
+  if (!open) return false;
+  const came = new Set(files.map(nameOf));
+  const [{ names }, { names: oldNames }] = [character.skeleton, open.character.skeleton];
+  const sameJoints =
+    names.length === oldNames.length && names.every((name, joint) => name === oldNames[joint]);
+  return sameJoints && open.files.every((file) => came.has(nameOf(file)));
+}
+
+/** What an actor hands on to the one that its files, read again, make. */
+export function keptState(before: Actor, character: Character): KeptState {
+  const { q, morphWeights, normalizeWeights, clip, transform } = before;
+  const { morphs, clips } = before.character;
+  const weights = new Map(morphs.map(({ name }, index) => [name, morphWeights[index]!]));
+  const bound = character.clips.findIndex(({ name }) => name === clips[clip ?? -1]?.name);
+  return {
+    q,
+    transform,
+    morphWeights: Float64Array.from(character.morphs, ({ name }) => weights.get(name) ?? 0),
+    clip: bound === -1 ? null : bound,
+    normalizeWeights,
+  };
+}
+
+/** What the character's files leave out, with the way to add it. */
+export function missingParts({ name, missing }: Character): Diagnostic[] {
+  return missing.map((what) => ({
+    severity: 'warning',
+    code: 'file/missing',
+    file: name,
+    expected: what.startsWith('.') ? `${name}${what}` : what,
+    found: 'no such file',
+    effect: 'the rest is shown; drop the file here to complete the character',
+  }));
+}
+
+/** Pictures that no character came with are none of a character's files. */
+export function plainPictures(files: readonly FileEntry[]): Diagnostic[] | undefined {
+  if (!files.every(({ path }) => textureExtensions.includes(extensionOf(path)))) return undefined;
+  return files.map(({ path }) => ({
+    severity: 'warning',
+    code: 'file/unknown',
+    file: path,
+    expected: 'a PNG that Sinew saved, or a picture that a material of the open character names',
+    found: 'another picture',
+    effect: 'the file is not used',
+  }));
+}
+
+function nameOf({ path }: FileEntry): string {
+  return baseName(path).toLowerCase();
+}

@@ -1,0 +1,109 @@
+import { assert } from '../core/assert.ts';
+import { jointRange } from '../core/pose.ts';
+import type { MethodId } from '../skinning/method.ts';
+import type { Actor, ActorId, Scene, Transform } from './scene.ts';
+
+/** An edit: a pure function from scene to scene, with a name for the Undo button. */
+export interface Edit {
+  readonly label: string;
+  apply(scene: Scene): Scene;
+}
+
+/**
+ * Sets one value of a character's pose. An edit is of what is shown: of a bound clip the pose of the
+ * moment becomes the character's own, and the clip lets go.
+ *
+ * @param shown (qCount) the pose that is shown
+ */
+export function setValue(
+  id: ActorId,
+  shown: Float64Array,
+  index: number,
+  value: number,
+  label: string,
+): Edit {
+  assert(index >= 0 && index < shown.length, 'an index of q');
+  const q = shown.slice();
+  q[index] = value;
+  return setPose(id, q, label);
+}
+
+/** Puts a whole pose in the place of a character's. */
+export function setPose(id: ActorId, q: Float64Array, label = 'Set the pose'): Edit {
+  const own = q.slice();
+  return editActor(id, label, (actor) => {
+    assert(own.length === actor.q.length, 'a pose of the same skeleton');
+    return { ...actor, q: own, clip: null };
+  });
+}
+
+/** Back to the file's pose and shape. */
+export function resetPose(id: ActorId): Edit {
+  return editActor(id, 'Reset the pose', (actor) => ({
+    ...actor,
+    q: actor.character.skeleton.qRest.slice(),
+    morphWeights: new Float64Array(actor.morphWeights.length),
+    clip: null,
+  }));
+}
+
+/** One joint back to the file's pose; the others stay as they are shown. */
+export function resetJoint(
+  { id, character: { skeleton } }: Actor,
+  shown: Float64Array,
+  joint: number,
+): Edit {
+  const [from, to] = jointRange(skeleton, joint);
+  const q = shown.slice();
+  q.set(skeleton.qRest.subarray(from, to), from);
+  return setPose(id, q, `Reset ${skeleton.names[joint]!}`);
+}
+
+export function setMorphWeight(id: ActorId, index: number, weight: number, label: string): Edit {
+  return editActor(id, label, (actor) => {
+    assert(index >= 0 && index < actor.morphWeights.length, 'a morph of the character');
+    const morphWeights = actor.morphWeights.slice();
+    morphWeights[index] = weight;
+    return { ...actor, morphWeights };
+  });
+}
+
+/** Binds a clip, whose values are then shown over the pose; or none. */
+export function bindClip(id: ActorId, clip: number | null): Edit {
+  return editActor(id, clip === null ? 'Let the clip go' : 'Bind a clip', (actor) => {
+    assert(clip === null || clip < actor.character.clips.length, 'a clip of the character');
+    return { ...actor, clip };
+  });
+}
+
+export function setMethod(id: ActorId, method: MethodId): Edit {
+  return editActor(id, 'Change the skinning method', (actor) => ({ ...actor, method }));
+}
+
+export function setNormalizeWeights(id: ActorId, normalizeWeights: boolean): Edit {
+  const label = normalizeWeights ? 'Normalise weights' : 'Use weights as in the file';
+  return editActor(id, label, (actor) => ({ ...actor, normalizeWeights }));
+}
+
+/** Takes an actor out of the scene. */
+export function removeActor({ id, character }: Actor): Edit {
+  return {
+    label: `Remove ${character.name}`,
+    apply: (scene) => ({ ...scene, actors: scene.actors.filter((actor) => actor.id !== id) }),
+  };
+}
+
+/** Puts, turns or sizes an actor in the scene. */
+export function setTransform(id: ActorId, transform: Transform, label: string): Edit {
+  return editActor(id, label, (actor) => ({ ...actor, transform }));
+}
+
+function editActor(id: ActorId, label: string, edit: (actor: Actor) => Actor): Edit {
+  return {
+    label,
+    apply: (scene) => ({
+      ...scene,
+      actors: scene.actors.map((actor) => (actor.id === id ? edit(actor) : actor)),
+    }),
+  };
+}

@@ -1,0 +1,123 @@
+import type { Character } from '../core/character.ts';
+import { normalizeSkin, type Skin } from '../core/skin.ts';
+import type { MethodId } from '../skinning/method.ts';
+
+/**
+ * All that is saved and undone, as a value: never changed in place, so that an older scene stays what it
+ * was and undo restores the exact bits. Characters are shared by reference.
+ */
+export interface Scene {
+  readonly actors: readonly Actor[];
+}
+
+export type ActorId = number;
+
+/** Where a character came from; undo restores it with the actor. */
+export type Source = { readonly kind: 'bundled'; readonly id: string } | { readonly kind: 'files' };
+
+/** Where an actor was put, over the place where its character stands by itself; scene space. */
+export interface Transform {
+  readonly position: readonly [number, number, number];
+  /** Unit quaternion xyzw. */
+  readonly rotation: readonly [number, number, number, number];
+  /** Even in all directions, about the point between the feet. */
+  readonly scale: number;
+}
+
+/** A character in the scene, with all that its users made of it. */
+export interface Actor {
+  readonly id: ActorId;
+  readonly character: Character;
+  readonly source: Source;
+  readonly transform: Transform;
+  /** (qCount) the pose; never written in place. */
+  readonly q: Float64Array;
+  /** (morphCount) how much of each morph there is; never written in place. */
+  readonly morphWeights: Float64Array;
+  /** The bound clip, an index into the character's; its values are shown over `q`. */
+  readonly clip: number | null;
+  readonly method: MethodId;
+  /** Whether rows of weights are divided by their sum; the file's weights are used as they are. */
+  readonly normalizeWeights: boolean;
+}
+
+/** What of an actor may be other than as the files of its character have it. */
+export type KeptState = Partial<
+  Pick<Actor, 'source' | 'transform' | 'q' | 'morphWeights' | 'clip' | 'normalizeWeights'>
+>;
+
+export const emptyScene: Scene = { actors: [] };
+
+/** As a character stands by itself. */
+export const unmoved: Transform = { position: [0, 0, 0], rotation: [0, 0, 0, 1], scale: 1 };
+
+/** A character as its files have it but for what is given; its values are copied. */
+export function createActor(
+  id: ActorId,
+  character: Character,
+  method: MethodId,
+  kept: KeptState = {},
+): Actor {
+  const { source = { kind: 'files' }, transform = unmoved, clip = null } = kept;
+  return {
+    id,
+    character,
+    source,
+    transform,
+    q: (kept.q ?? character.skeleton.qRest).slice(),
+    morphWeights: kept.morphWeights?.slice() ?? new Float64Array(character.morphs.length),
+    clip,
+    method,
+    normalizeWeights: kept.normalizeWeights ?? false,
+  };
+}
+
+export function actorById({ actors }: Scene, id: ActorId | null): Actor | undefined {
+  return actors.find((actor) => actor.id === id);
+}
+
+/** An id that no actor of the scene has. */
+export function freeId({ actors }: Scene): ActorId {
+  return 1 + actors.reduce((largest, { id }) => Math.max(largest, id), 0);
+}
+
+/** Whether two scenes hold the same, to the bit. */
+export function sameScene(a: Scene, b: Scene): boolean {
+  if (a === b) return true;
+  return (
+    a.actors.length === b.actors.length &&
+    a.actors.every((actor, i) => sameActor(actor, b.actors[i]!))
+  );
+}
+
+function sameActor(a: Actor, b: Actor): boolean {
+  if (a === b) return true;
+  const { q, morphWeights, transform, ...others } = a;
+  return (
+    Object.entries(others).every(([key, value]) => b[key as keyof Actor] === value) &&
+    sameNumbers(q, b.q) &&
+    sameNumbers(morphWeights, b.morphWeights) &&
+    sameNumbers(numbersOf(transform), numbersOf(b.transform))
+  );
+}
+
+function numbersOf({ position, rotation, scale }: Transform): number[] {
+  return [...position, ...rotation, scale];
+}
+
+function sameNumbers(a: ArrayLike<number>, b: ArrayLike<number>): boolean {
+  if (a.length !== b.length) return false;
+  for (let i = 0; i < a.length; i++) if (!Object.is(a[i], b[i])) return false;
+  return true;
+}
+
+/** The weights in use: the file's, or those divided by their sums. */
+export function skinInUse({ character, normalizeWeights }: Actor): Skin {
+  if (!normalizeWeights) return character.skin;
+  let normalized = normalizedSkins.get(character.skin);
+  if (!normalized)
+    normalizedSkins.set(character.skin, (normalized = normalizeSkin(character.skin)));
+  return normalized;
+}
+
+const normalizedSkins = new WeakMap<Skin, Skin>();

@@ -1,0 +1,11 @@
+import { type Actor, actorById } from './scene.ts';
+import type { Session } from './session.ts';
+import type { Store } from './store.ts';
+
+/** The actor that panels and keys act on; none in an empty scene. To read follows both. */
+export function selectedActor(
+  { scene }: Pick<Store, 'scene'>,
+  { selectedActorId }: Session,
+): Actor | undefined {
+  return actorById(scene.value, selectedActorId.value);
+}

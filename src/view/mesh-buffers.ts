@@ -1,0 +1,55 @@
+import type { Mesh } from '../core/mesh.ts';
+import { Buffer } from '../gl/buffer.ts';
+import type { Gpu } from '../gl/gpu.ts';
+import { Owner } from '../gl/owner.ts';
+import type { VertexStreams } from '../skinning/method.ts';
+
+/** Vertices at rest, as the skin stage reads them. */
+export class RestBuffers {
+  readonly positions: Buffer;
+  readonly normals: Buffer;
+  private readonly owner = new Owner();
+
+  constructor(gpu: Gpu, { positions, normals }: VertexStreams) {
+    try {
+      this.positions = this.owner.own(new Buffer(gpu, 'vertex', positions));
+      this.normals = this.owner.own(new Buffer(gpu, 'vertex', normals));
+    } catch (error) {
+      this.owner.dispose();
+      throw error;
+    }
+  }
+
+  write({ positions, normals }: VertexStreams): void {
+    this.positions.write(positions);
+    this.normals.write(normals);
+  }
+
+  dispose(): void {
+    this.owner.dispose();
+  }
+}
+
+/** A mesh as its files have it: nothing of it changes. */
+export class MeshBuffers {
+  readonly rest: RestBuffers;
+  readonly indices: Buffer;
+  readonly uvs: Buffer | null;
+  private readonly owner = new Owner();
+
+  constructor(gpu: Gpu, mesh: Mesh) {
+    const { owner } = this;
+    try {
+      this.rest = owner.own(new RestBuffers(gpu, mesh));
+      this.indices = owner.own(new Buffer(gpu, 'index', mesh.indices));
+      this.uvs = mesh.uvs && owner.own(new Buffer(gpu, 'vertex', mesh.uvs));
+    } catch (error) {
+      owner.dispose();
+      throw error;
+    }
+  }
+
+  dispose(): void {
+    this.owner.dispose();
+  }
+}

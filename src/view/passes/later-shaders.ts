@@ -1,0 +1,10 @@
+import { addShaderFiles } from '../shader-files.ts';
+
+/** Shaders of the passes that are not in the first picture. */
+addShaderFiles(
+  import.meta.glob<string>('../../../shaders/passes/{line,solid}.*.glsl', {
+    query: '?raw',
+    import: 'default',
+    eager: true,
+  }),
+);
