@@ -1,6 +1,8 @@
-import type { Actor, Scene } from './scene.ts';
+import { buffersOf } from '../core/buffers-of.ts';
+import type { Character } from '../core/character.ts';
+import { type Actor, type Scene, skinInUse } from './scene.ts';
 
-/** One step of undo: the documents before and after share all that did not change. */
+/** One step of undo: the scenes before and after share all that did not change. */
 export interface HistoryEntry {
   readonly label: string;
   readonly before: Scene;
@@ -38,23 +40,32 @@ export function stepForward({ past, future }: History): History {
   return { past: [...past, ...future.slice(-1)], future: future.slice(0, -1) };
 }
 
-/** Bytes that only this step keeps alive: what is in `before` and no longer in `after`. */
-function sizeOf({ before, after }: HistoryEntry): number {
-  return before.actors
-    .filter((actor) => !after.actors.includes(actor))
-    .reduce((sum, actor) => sum + sizeOfReplaced(actor, after), 0);
+/** Bytes that only this step keeps alive: buffers of `before` that `after` does not have. */
+function sizeOf(entry: HistoryEntry): number {
+  let size = knownSizes.get(entry);
+  if (size === undefined) knownSizes.set(entry, (size = measure(entry)));
+  return size;
 }
 
-function sizeOfReplaced(actor: Actor, after: Scene): number {
-  const { character, q, morphWeights } = actor;
-  if (after.actors.some((each) => each.character === character))
-    return q.byteLength + morphWeights.byteLength;
-  const { mesh, skin } = character;
-  const arrays = [mesh.positions, mesh.normals, mesh.indices, mesh.pointOf, mesh.uvs];
-  const weights = [skin.start, skin.entries, skin.weights, skin.jointFromBind];
-  const images = character.images.map(({ bytes }) => bytes);
-  return [...arrays, ...weights, ...images].reduce(
-    (sum, array) => sum + (array?.byteLength ?? 0),
-    0,
-  );
+function measure({ before, after }: HistoryEntry): number {
+  const replaced = before.actors.filter((actor) => !after.actors.includes(actor));
+  if (replaced.length === 0) return 0;
+  const shared = new Set(after.actors.flatMap(buffersOfActor));
+  const own = new Set(replaced.flatMap(buffersOfActor).filter((buffer) => !shared.has(buffer)));
+  return [...own].reduce((sum, buffer) => sum + buffer.byteLength, 0);
 }
+
+/** Of its character all, with what was computed of it: the weights in use. */
+function buffersOfActor(actor: Actor): ArrayBuffer[] {
+  const { q, morphWeights, character } = actor;
+  return [...buffersOf([q, morphWeights, skinInUse(actor)]), ...buffersOfCharacter(character)];
+}
+
+function buffersOfCharacter(character: Character): readonly ArrayBuffer[] {
+  let found = knownBuffers.get(character);
+  if (!found) knownBuffers.set(character, (found = buffersOf(character)));
+  return found;
+}
+
+const knownSizes = new WeakMap<HistoryEntry, number>();
+const knownBuffers = new WeakMap<Character, readonly ArrayBuffer[]>();

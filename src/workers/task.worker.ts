@@ -1,4 +1,4 @@
-import { buffersOf } from './buffers-of.ts';
+import { buffersOf } from '../core/buffers-of.ts';
 import { taskTable } from './task-table.ts';
 import type { TaskReply, TaskRequest } from './tasks.ts';
 

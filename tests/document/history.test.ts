@@ -44,8 +44,37 @@ describe('the history', () => {
     expect(record(record(emptyHistory, opened, small), posed, small).past).toHaveLength(1);
   });
 
+  it('counts all that a replaced character keeps alive: morphs, images and the weights in use too', () => {
+    const kilobytes = (count: number) => new Uint8Array(count * 1024);
+    const morph = { ...character.morphs[0]!, offsets: new Float32Array(4 * 256) };
+    const image = { name: 'a.png', bytes: kilobytes(8) };
+    const heavy = { ...character, morphs: [morph], images: [image] };
+    const actors = [createActor(1, heavy, 'linear-blend', { normalizeWeights: true })];
+    const entry = { label: 'open', before: { actors }, after: { actors: [] } };
+    const light = { label: 'pose', before: documentWith(1), after: documentWith(1) };
+    const fits = (limit: number): boolean =>
+      record(record(emptyHistory, entry, limit), light, limit).past.length === 2;
+    const plain = { ...entry, before: { actors: [createActor(1, character, 'linear-blend')] } };
+    const least = smallestLimit((limit) => {
+      return record(record(emptyHistory, plain, limit), light, limit).past.length === 2;
+    });
+    const more = smallestLimit(fits) - least;
+    expect(more).toBeGreaterThanOrEqual(12 * 1024 + character.skin.weights.byteLength);
+  });
+
   it('steps back and forward to itself', () => {
     const history = historyOf(3);
     expect(stepForward(stepBack(history))).toEqual(history);
   });
 });
+
+/** Bytes, by bisection. */
+function smallestLimit(fits: (limit: number) => boolean): number {
+  let [low, high] = [0, 1 << 24];
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if (fits(middle)) high = middle;
+    else low = middle;
+  }
+  return high;
+}

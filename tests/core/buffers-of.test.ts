@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { buffersOf } from '../../src/workers/buffers-of.ts';
+import { buffersOf } from '../../src/core/buffers-of.ts';
 
 describe('buffersOf', () => {
   it('finds every buffer once, however deep and however often', () => {
