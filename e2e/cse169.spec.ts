@@ -19,9 +19,10 @@ test('the workspace shows boxes; its normals are the course’s, on the GPU as o
   expect(await page().evaluate(() => window.sinew.problems)).toEqual([]);
   expect(await drawnOf(page())).toEqual(['Skeleton']);
   await expect(controlRow(page(), 'Skeleton as').locator('option:checked')).toHaveText('Boxes');
-  await expect(controlRow(page(), 'Method').locator('option:checked')).toHaveText(
-    'Linear blend, CSE169 normals',
-  );
+  const chosen = (row: string) => controlRow(page(), row).locator('option:checked');
+  await expect(chosen('Method')).toHaveText('Linear blend (SSD)');
+  await expect(chosen('Normals')).toHaveText('By each joint (CSE169)');
+  await expect(page().locator('.status')).toContainText('Linear blend, CSE169 normals');
   expect(await verify(page())).toMatchObject({ identical: true, bindError: null });
 });
 

@@ -1,6 +1,6 @@
 import { expect } from '@playwright/test';
-import { methods } from '../src/skinning/registry.ts';
-import { choose, drop, openSmallView, setPose, verify } from './support/app.ts';
+import { kernels } from '../src/skinning/registry.ts';
+import { chooseKernel, drop, openSmallView, setPose, verify } from './support/app.ts';
 import { catalogue } from './support/catalogue.ts';
 import { madeCharacter } from './support/made-character.ts';
 import { wildPose } from './support/poses.ts';
@@ -16,8 +16,8 @@ for (const { id, files } of catalogue) {
     await watchSkinStage(page);
     await openSmallView(page, `model=${id}`);
     expect(files.length, 'files of a character').toBeGreaterThanOrEqual(3);
-    for (const [index, { label }] of methods.entries()) {
-      await choose(page, 'Method', label);
+    for (const [index, { id: kernel, label }] of kernels.entries()) {
+      await chooseKernel(page, kernel);
       expect(await verify(page), `${label}, as it was`).toMatchObject(same);
       const jointCount = await page.evaluate(() => window.sinew.characters[0]!.joints.length);
       await setPose(page, wildPose(jointCount, 1 + index));
@@ -25,7 +25,7 @@ for (const { id, files } of catalogue) {
     }
     const runs = await skinRuns(page);
     // As opened, then each method at its poses.
-    expect(runs.length).toBeGreaterThanOrEqual(2 * methods.length);
+    expect(runs.length).toBeGreaterThanOrEqual(2 * kernels.length);
     for (const { blocks, textures } of runs) {
       expect(blocks).toEqual([{ name: 'Palette', size: 16_384 }]);
       expect(textures).toEqual([]);
@@ -38,8 +38,8 @@ test('the textures that stand in for attributes and uniform array agree as well'
 }) => {
   await watchSkinStage(page);
   await openSmallView(page, 'textures=palette,influences');
-  for (const { label } of methods) {
-    await choose(page, 'Method', label);
+  for (const { id, label } of kernels) {
+    await chooseKernel(page, id);
     expect(await verify(page), label).toMatchObject(same);
   }
   for (const { blocks, textures } of await skinRuns(page)) {

@@ -2,7 +2,7 @@ import { readFileSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 import { expect, type Page } from '@playwright/test';
 import { resolveShader, type ShaderFiles } from '../src/gl/shader-library.ts';
-import { methods } from '../src/skinning/registry.ts';
+import { kernels } from '../src/skinning/registry.ts';
 import { test } from './support/test.ts';
 
 interface Sources {
@@ -37,7 +37,7 @@ test('every pass links', async ({ page }) => {
   expect(await problemsOf(page, passes)).toEqual([]);
 });
 
-for (const method of methods) {
+for (const method of kernels) {
   test(`the skin stage links in every variant: ${method.id}`, async ({ page }) => {
     const stages = influencePairs.flatMap((pairs) =>
       paletteRows.map((rows) => stage(method.chunk, method.vec4sPerEntry, pairs, rows)),

@@ -1,6 +1,8 @@
 import { expect, type JSHandle, type Locator, type Page } from '@playwright/test';
 import type { SkinDevice } from '../../src/document/session.ts';
 import type { PoseJson } from '../../src/formats/pose-json.ts';
+import type { KernelId } from '../../src/skinning/method.ts';
+import { deformationOf, methods, normalWays } from '../../src/skinning/registry.ts';
 import type { PictureFormat } from '../../src/view/picture.ts';
 import type { Verification } from '../../src/view/verify.ts';
 import './test.ts';
@@ -122,6 +124,13 @@ export function controlRow(within: Page | Locator, name: string): Locator {
 export async function choose(page: Page, row: string, option: string): Promise<void> {
   const select = controlRow(page, row).locator('select');
   await select.selectOption({ label: option }, { force: true });
+}
+
+/** Deforms the selected character by a kernel: its method with its way of normals. */
+export async function chooseKernel(page: Page, id: KernelId): Promise<void> {
+  const { method, normals } = deformationOf(id);
+  await choose(page, 'Method', methods.find((each) => each.id === method)!.label);
+  await choose(page, 'Normals', normalWays.find((each) => each.id === normals)!.label);
 }
 
 /** Opens the folder of a joint and gives the row of one of its numbers, in view. */

@@ -10,7 +10,7 @@ import { placeInRow } from '../evaluation/placing.ts';
 import { sceneBounds } from '../evaluation/scene-bounds.ts';
 import type { FileEntry } from '../formats/format.ts';
 import type { ReadCharacter, ReadProgress } from '../formats/read-characters.ts';
-import { defaultMethod } from '../skinning/registry.ts';
+import { defaultDeformation } from '../skinning/registry.ts';
 import type { MethodId } from '../skinning/method.ts';
 import type { OpenedFiles } from './renewal.ts';
 import { readFiles } from './read-files.ts';
@@ -132,7 +132,7 @@ export class FileOpener {
   /** The character's own method, unless the user chose another for the one before. */
   private methodFor(character: Character): MethodId {
     const before = this.selected;
-    const chosen = before && before.method !== defaultMethod(before.character).id;
-    return chosen ? before.method : defaultMethod(character).id;
+    const chosen = before && before.method !== defaultDeformation(before.character).method;
+    return chosen ? before.method : defaultDeformation(character).method;
   }
 }

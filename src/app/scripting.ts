@@ -8,7 +8,8 @@ import { poseFromJson, type PoseJson, poseToJson } from '../formats/pose-json.ts
 import { formatDiagnostic } from '../core/diagnostics.ts';
 import type { Editor } from '../ui/editor.ts';
 import { fileEntry } from '../ui/file-entry.ts';
-import type { MethodId } from '../skinning/method.ts';
+import type { KernelId } from '../skinning/method.ts';
+import { deformationOf } from '../skinning/registry.ts';
 import type { Camera } from '../view/camera.ts';
 import { decodeImage } from '../view/decode-image.ts';
 import { capturePicture, encodePicture, type PictureFormat } from '../view/picture.ts';
@@ -41,7 +42,7 @@ export interface CaptureOptions {
 /** A view of the scene; what is absent is as the page shows it. */
 export interface CaptureView {
   readonly camera?: Partial<Camera>;
-  readonly method?: MethodId;
+  readonly method?: KernelId;
 }
 
 /** `window.sinew`: the page for scripts and tests; see docs/scripting.md. */
@@ -158,7 +159,7 @@ export function createScripting(editor: Editor, ready: Promise<void>): Scripting
       const size = width !== undefined && height !== undefined ? { width, height } : undefined;
       const contents = views?.map(({ camera, method }) => ({
         camera: { ...viewer.camera.value, ...camera },
-        overrides: method === undefined ? {} : { method },
+        overrides: method === undefined ? {} : { deformation: deformationOf(method) },
       }));
       return encodePicture(capturePicture(viewer, size, background, contents), format);
     },

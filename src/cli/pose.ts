@@ -10,13 +10,20 @@ import { extensionOf } from '../formats/file-entry.ts';
 import { writeObj } from '../formats/obj/write-obj.ts';
 import { readPoseJson } from '../formats/pose-json.ts';
 import { readCharacters } from '../formats/read-characters.ts';
-import { defaultMethod, isMethodId, methods } from '../skinning/registry.ts';
+import {
+  defaultDeformation,
+  deformationOf,
+  isKernelId,
+  methods,
+  normalWays,
+} from '../skinning/registry.ts';
 import type { Command } from './command.ts';
 import { printDiagnostics, readFiles, unreadable, unwritable, userPath } from './files.ts';
 import { parseWords } from './parse-words.ts';
 import { UsageError } from './usage-error.ts';
 
 const methodIds = methods.map(({ id }) => id).join('|');
+const normalsIds = normalWays.map(({ id }) => id).join('|');
 
 /**
  * `pose FILES --pose POSE.json --out OUT`: posed vertices, in the file's order and units, in Sinew's
@@ -25,7 +32,7 @@ const methodIds = methods.map(({ id }) => id).join('|');
 export const pose: Command = {
   name: 'pose',
   usage:
-    `pose FILES --pose POSE.json [--method ${methodIds}] [--normalize] [--keep-file-space]` +
+    `pose FILES --pose POSE.json [--method ${methodIds}] [--normals ${normalsIds}] [--normalize] [--keep-file-space]` +
     ' --out OUT.obj|OUT.f32',
   async run(words) {
     const options = parseOptions(words);
@@ -55,6 +62,7 @@ function parseOptions(words: readonly string[]) {
       options: {
         pose: { type: 'string' },
         method: { type: 'string' },
+        normals: { type: 'string' },
         normalize: { type: 'boolean', default: false },
         'keep-file-space': { type: 'boolean', default: false },
         out: { type: 'string' },
@@ -62,17 +70,21 @@ function parseOptions(words: readonly string[]) {
       allowPositionals: true,
     }),
   );
-  const { pose: posePath, method, out, normalize } = values;
+  const { pose: posePath, method, normals, out, normalize } = values;
   if (files.length === 0) throw new UsageError('expected files, found none');
   if (posePath === undefined) throw new UsageError('expected --pose POSE.json');
-  if (method !== undefined && !isMethodId(method))
+  // A kernel's name, as `joint-normals`, stands for its method and its way of normals.
+  if (method !== undefined && !isKernelId(method))
     throw new UsageError(`expected ${methodIds}, found "${method}"`);
+  const way = normalWays.find(({ id }) => id === normals)?.id;
+  if (normals !== undefined && !way)
+    throw new UsageError(`expected ${normalsIds}, found "${normals}"`);
   const extension = extensionOf(out ?? '');
   if (out === undefined || (extension !== '.obj' && extension !== '.f32')) {
     throw new UsageError('expected --out with a name that ends in .obj or .f32');
   }
   const keepFileSpace = values['keep-file-space'];
-  return { files, pose: posePath, method, normalize, keepFileSpace, out };
+  return { files, pose: posePath, method, normals: way, normalize, keepFileSpace, out };
 }
 
 function readPose(
@@ -87,8 +99,14 @@ function readPose(
 }
 
 function poseMesh(character: Character, posed: Pose, options: Options): Uint8Array {
-  const method = options.method ?? defaultMethod(character).id;
-  const kept = { ...posed, normalizeWeights: options.normalize };
+  const deformation = options.method
+    ? deformationOf(options.method)
+    : defaultDeformation(character);
+  const { method, normals } = {
+    ...deformation,
+    ...(options.normals && { normals: options.normals }),
+  };
+  const kept = { ...posed, normals, normalizeWeights: options.normalize };
   const skinned = new Evaluator(createActor(1, character, method, kept)).vertices();
   const isMirrored = options.keepFileSpace && character.meta.fileSpace === 'left-handed';
   const { mesh, positions } = isMirrored

@@ -1,6 +1,6 @@
 import { assert } from '../core/assert.ts';
 import { jointRange } from '../core/pose.ts';
-import type { MethodId } from '../skinning/method.ts';
+import type { MethodId, NormalsId } from '../skinning/method.ts';
 import type { Actor, ActorId, Scene, Transform } from './scene.ts';
 
 /** An edit: a pure function from scene to scene, with a name for the Undo button. */
@@ -78,6 +78,10 @@ export function bindClip(id: ActorId, clip: number | null): Edit {
 
 export function setMethod(id: ActorId, method: MethodId): Edit {
   return editActor(id, 'Change the skinning method', (actor) => ({ ...actor, method }));
+}
+
+export function setNormals(id: ActorId, normals: NormalsId): Edit {
+  return editActor(id, 'Change how normals follow', (actor) => ({ ...actor, normals }));
 }
 
 export function setNormalizeWeights(id: ActorId, normalizeWeights: boolean): Edit {

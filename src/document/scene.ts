@@ -1,6 +1,7 @@
 import type { Character } from '../core/character.ts';
 import { normalizeSkin, type Skin } from '../core/skin.ts';
-import type { MethodId } from '../skinning/method.ts';
+import type { MethodId, NormalsId } from '../skinning/method.ts';
+import { defaultDeformation } from '../skinning/registry.ts';
 
 /**
  * All that is saved and undone, as a value: never changed in place, so that an older scene stays what it
@@ -37,13 +38,17 @@ export interface Actor {
   /** The bound clip, an index into the character's; its values are shown over `q`. */
   readonly clip: number | null;
   readonly method: MethodId;
+  readonly normals: NormalsId;
   /** Whether rows of weights are divided by their sum; the file's weights are used as they are. */
   readonly normalizeWeights: boolean;
 }
 
 /** What of an actor may be other than as the files of its character have it. */
 export type KeptState = Partial<
-  Pick<Actor, 'source' | 'transform' | 'q' | 'morphWeights' | 'clip' | 'normalizeWeights'>
+  Pick<
+    Actor,
+    'source' | 'transform' | 'q' | 'morphWeights' | 'clip' | 'normals' | 'normalizeWeights'
+  >
 >;
 
 export const emptyScene: Scene = { actors: [] };
@@ -68,6 +73,7 @@ export function createActor(
     morphWeights: kept.morphWeights?.slice() ?? new Float64Array(character.morphs.length),
     clip,
     method,
+    normals: kept.normals ?? defaultDeformation(character).normals,
     normalizeWeights: kept.normalizeWeights ?? false,
   };
 }

@@ -2,7 +2,7 @@ import { signal } from '@preact/signals-core';
 import type { Bone } from '../core/bones.ts';
 import type { Diagnostic } from '../core/diagnostics.ts';
 import type { ActorId } from './scene.ts';
-import type { MethodId } from '../skinning/method.ts';
+import type { KernelId } from '../skinning/method.ts';
 import type { PlayMode } from '../posing/playhead.ts';
 
 export type Shading = 'smooth' | 'faceted';
@@ -64,7 +64,7 @@ export class Session {
   readonly translucent = signal(false);
   readonly shading = signal<Shading>('smooth');
   /** Shown beside each actor's own, or none. */
-  readonly comparedMethod = signal<MethodId | null>(null);
+  readonly comparedKernel = signal<KernelId | null>(null);
   readonly skinDevice = signal<SkinDevice>('gpu');
   readonly lights = signal<readonly Light[]>(studioLights);
   readonly selectedActorId = signal<ActorId | null>(null);

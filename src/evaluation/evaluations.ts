@@ -2,14 +2,14 @@ import type { Actor } from '../document/scene.ts';
 import { selectedActor } from '../document/selected-actor.ts';
 import type { Session } from '../document/session.ts';
 import type { Store } from '../document/store.ts';
-import type { MethodId } from '../skinning/method.ts';
+import { type Deformation, kernelOf } from '../skinning/registry.ts';
 import { timeInClip } from '../posing/playhead.ts';
 import type { Evaluation } from './evaluation.ts';
 import { Evaluator } from './evaluator.ts';
 
 /** What of every actor is other than the scene has it: for views beside the usual one. */
 export interface Overrides {
-  readonly method?: MethodId;
+  readonly deformation?: Deformation;
 }
 
 /**
@@ -47,9 +47,9 @@ export class Evaluations {
   }
 
   /** Of an actor of the scene. */
-  of(actor: Actor, { method }: Overrides = {}): Evaluation {
-    const shown = method === undefined ? actor : { ...actor, method };
-    const key = method === undefined ? String(actor.id) : `${actor.id} ${method}`;
+  of(actor: Actor, { deformation }: Overrides = {}): Evaluation {
+    const shown = deformation ? { ...actor, ...deformation } : actor;
+    const key = deformation ? `${actor.id} ${kernelOf(shown).id}` : String(actor.id);
     let evaluator = this.evaluators.get(key);
     if (!evaluator?.fits(shown)) this.evaluators.set(key, (evaluator = new Evaluator(shown)));
     const { clipTime, playMode } = this.session;

@@ -6,7 +6,7 @@ import type { Skin } from '../core/skin.ts';
 import { type Actor, skinInUse } from '../document/scene.ts';
 import { poseLayers } from '../posing/layers.ts';
 import type { SkinningMethod, VertexStreams } from '../skinning/method.ts';
-import { methodById } from '../skinning/registry.ts';
+import { kernelOf } from '../skinning/registry.ts';
 import { restMesh } from '../skinning/rest-mesh.ts';
 import { type DisplayTransform, displayTransform } from './display-transform.ts';
 import type { Evaluation, Revisions } from './evaluation.ts';
@@ -102,7 +102,7 @@ export class Evaluator implements Evaluation {
   }
 
   get method(): SkinningMethod {
-    return methodById(this.now.method);
+    return kernelOf(this.now);
   }
 
   get palette(): Float32Array {

@@ -12,7 +12,7 @@ const { fround } = Math;
  * `n' = Σ w (W B⁻¹)⁻ᵀ n`, each joint turning the normal on its own. Where joints bend this is not
  * what `linearBlend` does, which turns by the blended matrix and follows the surface more closely.
  */
-export const jointNormals: SkinningMethod = {
+export const jointNormals: SkinningMethod<'joint-normals'> = {
   id: 'joint-normals',
   label: 'Linear blend, CSE169 normals',
   source: 'UCSD CSE169, project 2: skin',

@@ -10,7 +10,7 @@ const { fround } = Math;
  * Skeletal subspace deformation: `p' = Σ wᵢ Tᵢ Bᵢ⁻¹ p` over all influences of the file, weights as
  * they are. The matrices are blended first, left to right, then applied once.
  */
-export const linearBlend: SkinningMethod = {
+export const linearBlend: SkinningMethod<'linear-blend'> = {
   id: 'linear-blend',
   label: 'Linear blend (SSD)',
   source:

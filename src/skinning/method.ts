@@ -9,14 +9,20 @@ export interface VertexStreams {
   readonly normals: Float32Array;
 }
 
-export type MethodId = 'linear-blend' | 'joint-normals' | 'rigid';
+export type MethodId = 'linear-blend' | 'rigid';
+
+/** How normals follow: with the matrix that the vertex follows, or each joint turning them on its own. */
+export type NormalsId = 'blended' | 'joints';
+
+/** A method with a way of normals, as it is computed. */
+export type KernelId = MethodId | 'joint-normals';
 
 /**
  * A seam: a new skinning method is one file here, one chunk of GLSL with the same function names and
  * order of operations, and one line in the registry.
  */
-export interface SkinningMethod {
-  readonly id: MethodId;
+export interface SkinningMethod<Id extends KernelId = KernelId> {
+  readonly id: Id;
   readonly label: string;
   /** The paper or text that defines it. */
   readonly source: string;

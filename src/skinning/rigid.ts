@@ -8,7 +8,7 @@ import type { SkinningMethod, VertexStreams } from './method.ts';
  * Every vertex follows its heaviest joint alone (the first of equals): the handout's figure of parts
  * that collide, to show what blending is for.
  */
-export const rigid: SkinningMethod = {
+export const rigid: SkinningMethod<'rigid'> = {
   id: 'rigid',
   label: 'Rigid parts',
   source: '6.837 handout, part 4, the figure of two meshes that collide at a joint',

@@ -2,7 +2,7 @@ import { resetJoint, setPose } from '../document/edits.ts';
 import { selectedActor } from '../document/selected-actor.ts';
 import type { Session } from '../document/session.ts';
 import { rollJoint } from '../posing/roll-joint.ts';
-import { methods } from '../skinning/registry.ts';
+import { kernelOf, kernels } from '../skinning/registry.ts';
 import { firstPersonFrom, orbitFrom, walk } from '../view/first-person.ts';
 import { orbit } from '../view/camera.ts';
 import type { Editor } from './editor.ts';
@@ -203,10 +203,10 @@ function toggle(flag: { value: boolean }): void {
 
 /** Beside the selected actor's method the first other one. */
 function toggleCompared({ store, session }: Editor): void {
-  const { comparedMethod } = session;
-  const own = selectedActor(store, session)?.method;
-  const other = methods.find(({ id }) => id !== own);
-  comparedMethod.value = comparedMethod.value === null && other ? other.id : null;
+  const { comparedKernel } = session;
+  const actor = selectedActor(store, session);
+  const other = kernels.find((kernel) => !actor || kernel !== kernelOf(actor));
+  comparedKernel.value = comparedKernel.value === null && other ? other.id : null;
 }
 
 /** Skin alone, skeleton alone, both, and round again. */

@@ -6,6 +6,7 @@ import type { Session, SkinDevice } from '../document/session.ts';
 import type { Store } from '../document/store.ts';
 import type { Evaluations } from '../evaluation/evaluations.ts';
 import type { VertexStreams } from '../skinning/method.ts';
+import { deformationOf } from '../skinning/registry.ts';
 import { type Camera, frameBox } from './camera.ts';
 import { createFrame, type Frame } from './frame.ts';
 import type { Pass } from './pass.ts';
@@ -80,9 +81,10 @@ export class Viewer {
   /** What is shown: the scene as it is and, where it is compared, the same by another method beside it. */
   get contents(): readonly ViewContent[] {
     const camera = this.camera.value;
-    const method = this.session.comparedMethod.value;
+    const compared = this.session.comparedKernel.value;
     const own = { camera, overrides: {} };
-    return method === null ? [own] : [own, { camera, overrides: { method } }];
+    if (compared === null) return [own];
+    return [own, { camera, overrides: { deformation: deformationOf(compared) } }];
   }
 
   /** Of one view of those that stand side by side. */

@@ -6,7 +6,7 @@ import { commands } from '../../src/cli/commands.ts';
 import { unwritable } from '../../src/cli/files.ts';
 import { UsageError } from '../../src/cli/usage-error.ts';
 import { readObj } from '../../src/formats/obj/read-obj.ts';
-import { methods } from '../../src/skinning/registry.ts';
+import { kernels } from '../../src/skinning/registry.ts';
 import { leg, legAnim, legSkel, legSkin } from '../support/cse169-files.ts';
 import type { FileContents } from '../support/files.ts';
 import { squarePmd } from '../support/pmd-files.ts';
@@ -71,7 +71,7 @@ describe('pose', () => {
   });
 
   it('takes every method of the registry', async () => {
-    for (const { id } of methods)
+    for (const { id } of kernels)
       expect(await posed('--method', id, '--out', 'o.obj')).toHaveLength(9);
   });
 

@@ -8,7 +8,7 @@ import { axisDofs } from '../../src/core/pose.ts';
 import { readAnim } from '../../src/formats/cse169/anim.ts';
 import { poseFromJson } from '../../src/formats/pose-json.ts';
 import { restPose } from '../../src/core/pose.ts';
-import { defaultMethod } from '../../src/skinning/registry.ts';
+import { defaultDeformation, kernelOf } from '../../src/skinning/registry.ts';
 import { restMesh } from '../../src/skinning/rest-mesh.ts';
 import { skinVertices } from '../support/skin-vertices.ts';
 import { expectPosable, expectSound } from '../support/check-character.ts';
@@ -118,7 +118,12 @@ describeWithShared('the tube of CSE169, posed', [data, `${reference}/tube`], () 
       const { angles_xyz: angles, root_translation: root } = poses[i]!;
       const joints = Object.fromEntries(angles.map((triple, joint) => [`#${joint}`, triple]));
       const pose = poseFromJson('pose', { joints, root }, character.skeleton).value!;
-      const posed = skinVertices(character, character.skin, pose, defaultMethod(character));
+      const posed = skinVertices(
+        character,
+        character.skin,
+        pose,
+        kernelOf(defaultDeformation(character)),
+      );
       const positions = sharedFloats(`${reference}/tube/pose${i}.lbs.f32`);
       const normals = sharedFloats(`${reference}/tube/pose${i}.normals.f32`);
       expect(positions).toHaveLength(240 * 3);

@@ -5,7 +5,7 @@ import { jointMatrices } from '../../src/core/forward-kinematics.ts';
 import { type Actor, createActor } from '../../src/document/scene.ts';
 import type { Evaluation } from '../../src/evaluation/evaluation.ts';
 import { Evaluator } from '../../src/evaluation/evaluator.ts';
-import { methods } from '../../src/skinning/registry.ts';
+import { deformationOf, kernels } from '../../src/skinning/registry.ts';
 import { skinVertices } from '../support/skin-vertices.ts';
 import { characterOfRig } from '../fixtures/character-of-rig.ts';
 import { allRigs } from '../fixtures/rigs.ts';
@@ -21,7 +21,7 @@ const edits: readonly ((state: Actor, amount: number) => Actor)[] = [
   (state, amount) => ({ ...state, q: state.q.map((value) => value + amount) }),
   (state, amount) => ({
     ...state,
-    method: methods[Math.abs(Math.trunc(amount * 100)) % methods.length]!.id,
+    ...deformationOf(kernels[Math.abs(Math.trunc(amount * 100)) % kernels.length]!.id),
   }),
   (state, amount) => ({ ...state, normalizeWeights: amount > 0 }),
   (state, amount) => ({ ...state, morphWeights: state.morphWeights.map(() => amount) }),
@@ -52,8 +52,8 @@ describe('an evaluation', () => {
 
   it('agrees with the whole way on the CPU, by every method', () => {
     for (const [which, character] of characters.entries()) {
-      for (const method of methods) {
-        const state = { ...stateOf(which), method: method.id };
+      for (const method of kernels) {
+        const state = { ...stateOf(which), ...deformationOf(method.id) };
         const shown = new Evaluator(state).evaluate(state, 0);
         const { positions } = skinVertices(character, character.skin, state, method);
         expect(shown.vertices().positions).toEqual(positions);

@@ -4,7 +4,7 @@ import { emptyMesh } from '../../src/core/mesh.ts';
 import { noJoint, type Skin } from '../../src/core/skin.ts';
 import { packAffinePalette } from '../../src/skinning/affine-palette.ts';
 import { flushSubnormal } from '../../src/core/float32.ts';
-import { isMethodId, methodById, methods } from '../../src/skinning/registry.ts';
+import { isKernelId, kernelById, kernels } from '../../src/skinning/registry.ts';
 import { identity, type Matrix, translation } from '../reference/matrix.ts';
 import { columnMajor } from '../support/compare.ts';
 
@@ -28,7 +28,7 @@ function oneVertex(position: readonly number[], normal: readonly number[], bind:
   return { mesh, skin };
 }
 
-describe.each(methods)('the strict kernel of $id', (method) => {
+describe.each(kernels)('the strict kernel of $id', (method) => {
   function move(position: readonly number[], normal: readonly number[], bind: Matrix) {
     const { mesh, skin } = oneVertex(position, normal, bind);
     const palette = new Float32Array(method.vec4sPerEntry * 4);
@@ -89,14 +89,14 @@ describe('flushSubnormal', () => {
 
 describe('the registry of methods', () => {
   it('has the default first and no id twice', () => {
-    expect(methods[0]!.id).toBe('linear-blend');
-    expect(new Set(methods.map(({ id }) => id)).size).toBe(methods.length);
-    for (const method of methods) expect(methodById(method.id)).toBe(method);
+    expect(kernels[0]!.id).toBe('linear-blend');
+    expect(new Set(kernels.map(({ id }) => id)).size).toBe(kernels.length);
+    for (const method of kernels) expect(kernelById(method.id)).toBe(method);
   });
 
   it('knows no method by the name of something else', () => {
-    expect(isMethodId('rigid')).toBe(true);
-    expect(isMethodId('constructor')).toBe(false);
-    expect(() => methodById('dual-quaternion' as never)).toThrow('a skinning method named');
+    expect(isKernelId('rigid')).toBe(true);
+    expect(isKernelId('constructor')).toBe(false);
+    expect(() => kernelById('dual-quaternion' as never)).toThrow('a skinning kernel named');
   });
 });

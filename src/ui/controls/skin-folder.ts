@@ -1,10 +1,10 @@
 import { effect } from '@preact/signals-core';
 import type { GUI } from 'lil-gui';
-import { setMethod, setNormalizeWeights } from '../../document/edits.ts';
+import { setMethod, setNormalizeWeights, setNormals } from '../../document/edits.ts';
 import { selectedActor } from '../../document/selected-actor.ts';
 import type { Shading, SkinDevice } from '../../document/session.ts';
-import type { MethodId } from '../../skinning/method.ts';
-import { methods } from '../../skinning/registry.ts';
+import type { KernelId, MethodId, NormalsId } from '../../skinning/method.ts';
+import { kernels, methods, normalWays } from '../../skinning/registry.ts';
 import type { Editor } from '../editor.ts';
 import { watch } from '../watch.ts';
 
@@ -21,6 +21,13 @@ export function addSkinFolder(gui: GUI, editor: Editor): void {
       const state = selected();
       if (state) store.dispatch(setMethod(state.id, method));
     },
+    get normals(): NormalsId {
+      return selected()?.normals ?? 'blended';
+    },
+    set normals(normals: NormalsId) {
+      const state = selected();
+      if (state) store.dispatch(setNormals(state.id, normals));
+    },
     get normalize(): boolean {
       return selected()?.normalizeWeights ?? false;
     },
@@ -28,11 +35,11 @@ export function addSkinFolder(gui: GUI, editor: Editor): void {
       const state = selected();
       if (state) store.dispatch(setNormalizeWeights(state.id, normalize));
     },
-    get compared(): MethodId | 'none' {
-      return session.comparedMethod.value ?? 'none';
+    get compared(): KernelId | 'none' {
+      return session.comparedKernel.value ?? 'none';
     },
-    set compared(method: MethodId | 'none') {
-      session.comparedMethod.value = method === 'none' ? null : method;
+    set compared(kernel: KernelId | 'none') {
+      session.comparedKernel.value = kernel === 'none' ? null : kernel;
     },
     get shading(): Shading {
       return session.shading.value;
@@ -48,10 +55,12 @@ export function addSkinFolder(gui: GUI, editor: Editor): void {
     },
     verify: () => editor.verify(),
   };
-  const choices = Object.fromEntries(methods.map(({ label, id }) => [label, id]));
+  const choicesOf = <T>(rows: readonly { readonly label: string; readonly id: T }[]) =>
+    Object.fromEntries(rows.map(({ label, id }) => [label, id]));
   const rows = [
-    folder.add(bound, 'method', choices).name('Method'),
-    folder.add(bound, 'compared', { Nothing: 'none', ...choices }).name('Compare with'),
+    folder.add(bound, 'method', choicesOf(methods)).name('Method'),
+    folder.add(bound, 'normals', choicesOf(normalWays)).name('Normals'),
+    folder.add(bound, 'compared', { Nothing: 'none', ...choicesOf(kernels) }).name('Compare with'),
     folder.add(bound, 'shading', { Smooth: 'smooth', Faceted: 'faceted' }).name('Shading'),
     folder.add(bound, 'device', { GPU: 'gpu', CPU: 'cpu' }).name('Skin on'),
     folder.add(bound, 'normalize').name('Normalise weights'),
@@ -61,8 +70,8 @@ export function addSkinFolder(gui: GUI, editor: Editor): void {
   result.className = 'verification';
   folder.$children.append(result);
 
-  const { shading, skinDevice, comparedMethod } = session;
-  watch([store.scene, session.selectedActorId, shading, skinDevice, comparedMethod], () => {
+  const { shading, skinDevice, comparedKernel } = session;
+  watch([store.scene, session.selectedActorId, shading, skinDevice, comparedKernel], () => {
     for (const row of rows) row.updateDisplay();
   });
   effect(() => {

@@ -1,6 +1,6 @@
 import { printable } from '../../core/diagnostics.ts';
 import { selectedActor } from '../../document/selected-actor.ts';
-import { methodById } from '../../skinning/registry.ts';
+import { kernelOf } from '../../skinning/registry.ts';
 import type { Editor } from '../editor.ts';
 
 /** One line on what is shown, and on what was just done. */
@@ -16,7 +16,7 @@ export function StatusLine({ editor }: { readonly editor: Editor }) {
           <strong>{printable(state.character.name, 80)}</strong>
           <span>{state.character.skeleton.jointCount} joints</span>
           <span>{state.character.mesh.pointCount.toLocaleString('en')} vertices</span>
-          <span>{methodById(state.method).label}</span>
+          <span>{kernelOf(state).label}</span>
           <span>pose {viewer.poseMilliseconds.value.toFixed(1)} ms</span>
         </>
       )}

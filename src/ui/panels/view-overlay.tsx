@@ -1,7 +1,7 @@
 import { printable } from '../../core/diagnostics.ts';
 import { selectedActor } from '../../document/selected-actor.ts';
 import type { ActiveDof } from '../../document/session.ts';
-import { methodById } from '../../skinning/registry.ts';
+import { kernelById, kernelOf } from '../../skinning/registry.ts';
 import { ancestorsOf } from '../joint-rows.ts';
 import { formatDegrees } from '../angle-text.ts';
 import type { Drawer, Editor } from '../editor.ts';
@@ -60,13 +60,13 @@ function ProgressBox({ editor }: { readonly editor: Editor }) {
 
 /** Over two halves, the method of each. */
 function ComparedMethods({ editor: { store, session } }: { readonly editor: Editor }) {
-  const compared = session.comparedMethod.value;
-  const own = selectedActor(store, session)?.method;
-  if (compared === null || own === undefined) return null;
+  const compared = session.comparedKernel.value;
+  const actor = selectedActor(store, session);
+  if (compared === null || !actor) return null;
   return (
     <div class="compared">
-      {[own, compared].map((method, half) => (
-        <span key={half}>{methodById(method).label}</span>
+      {[kernelOf(actor), kernelById(compared)].map(({ label }, half) => (
+        <span key={half}>{label}</span>
       ))}
     </div>
   );

@@ -8,7 +8,7 @@ import { normalizeSkin } from '../../../src/core/skin.ts';
 import { writeMit } from '../../../src/formats/mit/write-character.ts';
 import { readObj } from '../../../src/formats/obj/read-obj.ts';
 import { writeObj } from '../../../src/formats/obj/write-obj.ts';
-import { methods } from '../../../src/skinning/registry.ts';
+import { kernels } from '../../../src/skinning/registry.ts';
 import { skinVertices } from '../../support/skin-vertices.ts';
 import { jointMatrices } from '../../../src/core/forward-kinematics.ts';
 import { readOne } from '../../support/files.ts';
@@ -66,7 +66,7 @@ describe('random characters', () => {
         const { mesh, skeleton } = character;
         const pose = { q: skeleton.qRest.map((_, i) => q[i]!) };
         for (const skin of [character.skin, normalizeSkin(character.skin)]) {
-          for (const method of methods) {
+          for (const method of kernels) {
             const palette = new Float32Array(skeleton.jointCount * method.vec4sPerEntry * 4);
             method.packPalette(skin, jointMatrices(skeleton, pose.q), palette);
             const { positions, normals } = skinVertices(character, skin, pose, method);
