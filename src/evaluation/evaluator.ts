@@ -7,7 +7,7 @@ import { type Actor, skinInUse } from '../document/scene.ts';
 import { poseLayers } from '../posing/layers.ts';
 import type { SkinningMethod, VertexStreams } from '../skinning/method.ts';
 import { kernelOf } from '../skinning/registry.ts';
-import { restMesh } from '../skinning/rest-mesh.ts';
+import { restKey, restMesh } from '../skinning/rest-mesh.ts';
 import { type DisplayTransform, displayTransform } from './display-transform.ts';
 import type { Evaluation, Revisions } from './evaluation.ts';
 import { posedBounds } from './posed-bounds.ts';
@@ -48,7 +48,7 @@ export class Evaluator implements Evaluation {
       },
     );
     this.restStage = new Stage(
-      () => [this.now.morphWeights],
+      () => restKey(character, this.pose),
       () => restMesh(character, this.pose),
     );
     this.paletteStage = new Stage(
