@@ -41,27 +41,24 @@ export interface PictureOptions {
   readonly target: 'file' | 'clipboard';
 }
 
-/** What opens characters: all that a page needs before its panels are there. */
-export interface Opening {
+/** The scene, how it is looked at, and what is seen. */
+export interface Looking {
   readonly store: Store;
   readonly session: Session;
-  /** The document as it is shown at the moment. */
+  /** The scene as it is shown at the moment. */
   readonly evaluations: Evaluations;
   readonly viewer: Viewer;
-  readonly workspaces: readonly Workspace[];
-  readonly workspaceId: ReadonlySignal<WorkspaceId>;
+}
+
+/** Where characters come from. */
+export interface Gallery {
   readonly bundled: ReadonlySignal<readonly BundledCharacter[]>;
   /** Characters of the user's own files, as last opened. */
   readonly own: ReadonlySignal<readonly ReadCharacter[]>;
-  /** Id of the bundled character that is open, or null. */
+  /** Id of the bundled character that is selected, or null. */
   readonly openedId: ReadonlySignal<string | null>;
-  /** Of the character that is open. */
-  readonly verification: Signal<Verification | null>;
   /** Shown for work that takes more than a moment. */
   readonly progress: ReadonlySignal<Progress | null>;
-  /** A word on what was just done, for the status line. */
-  readonly notice: Signal<string>;
-  readonly theme: Signal<ThemeChoice>;
   /** @param add beside the others; else in the place of the selected one */
   readonly openFiles: (files: readonly FileEntry[], add?: boolean) => Promise<void>;
   openBundled(id: string, add?: boolean): Promise<void>;
@@ -69,20 +66,43 @@ export interface Opening {
   cancelOpening(): void;
   /** Settles when nothing is being opened. */
   whenOpened(): Promise<void>;
+}
+
+/** Ways of working. */
+export interface Courses {
+  readonly workspaces: readonly Workspace[];
+  readonly workspaceId: ReadonlySignal<WorkspaceId>;
   setWorkspace(id: WorkspaceId): void;
 }
 
-/** What the interface shows and can ask for; put together in app. */
-export interface Editor extends Opening {
-  readonly transport: Transport;
-  /** By which balls are shown. */
-  readonly ballAngles: BallAngles;
+/** What the page tells. */
+export interface Telling {
+  /** A word on what was just done, for the status line. */
+  readonly notice: Signal<string>;
+  /** Of the character that is selected. */
+  readonly verification: Signal<Verification | null>;
+}
+
+/** How the page itself is, apart from the scene. */
+export interface PageState {
+  readonly theme: Signal<ThemeChoice>;
   readonly helpOpen: Signal<boolean>;
   /** Whether single letters act; speech input and cats may want them off. */
   readonly letterKeys: Signal<boolean>;
   readonly drawer: Signal<Drawer | null>;
   /** Endings that the file dialog offers. */
   readonly fileExtensions: readonly string[];
+}
+
+/** What shows and plays poses. */
+export interface Posing {
+  readonly transport: Transport;
+  /** By which balls are shown. */
+  readonly ballAngles: BallAngles;
+}
+
+/** What a user can do with the selected character, beside edits of single values. */
+export interface Actions {
   /** Selects an actor of the scene. */
   select(id: ActorId): void;
   removeSelected(): void;
@@ -99,3 +119,9 @@ export interface Editor extends Opening {
   savePicture(options: PictureOptions): Promise<void>;
   verify(): void;
 }
+
+/** What opens characters: all that a page needs before its panels are there. */
+export type Opening = Looking & Gallery & Courses & Telling & Pick<PageState, 'theme'>;
+
+/** All of it, put together in app; each panel asks for the parts that it needs. */
+export type Editor = Opening & PageState & Posing & Actions;

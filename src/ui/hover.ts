@@ -1,10 +1,10 @@
 import type { BoneTarget } from '../view/pick.ts';
-import type { Editor } from './editor.ts';
+import type { Looking } from './editor.ts';
 import type { ToolPlace } from './tool.ts';
 
 /** Lights what is under the pointer, or nothing. */
 export function showHover(
-  { session }: Editor,
+  { session }: Looking,
   place: ToolPlace | null,
   target: BoneTarget | null,
 ): void {

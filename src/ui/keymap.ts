@@ -5,7 +5,7 @@ import { rollJoint } from '../posing/roll-joint.ts';
 import { kernelOf, kernels } from '../skinning/registry.ts';
 import { firstPersonFrom, orbitFrom, walk } from '../view/first-person.ts';
 import { orbit } from '../view/camera.ts';
-import type { Editor } from './editor.ts';
+import type { Editor, Looking } from './editor.ts';
 
 /** A key of a context, with what it does. */
 export interface KeyBinding {
@@ -156,7 +156,7 @@ function savePicture(editor: Editor): void {
 }
 
 /** Selects the joint before or after the selected one, round and round. */
-export function stepJoint({ store, session }: Editor, step: 1 | -1): void {
+export function stepJoint({ store, session }: Looking, step: 1 | -1): void {
   const count = selectedActor(store, session)?.character.skeleton.jointCount ?? 0;
   if (count === 0) return;
   const { selectedJoint } = session;

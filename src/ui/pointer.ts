@@ -1,7 +1,7 @@
 import { zoom } from '../view/camera.ts';
 import { selectActor } from '../document/reconcile.ts';
 import { boneAt, selectedBoneAt } from '../view/pick.ts';
-import type { Editor } from './editor.ts';
+import type { Looking } from './editor.ts';
 import { showHover } from './hover.ts';
 import type { ToolDrag, ToolPlace } from './tool.ts';
 import { tools } from './tools/registry.ts';
@@ -19,7 +19,7 @@ const touchTolerance = 20;
  * lights a joint, a click selects it. One finger drags like the left button; two pan with their middle
  * and zoom with their distance, whatever the first had begun.
  */
-export function listenToPointer(canvas: HTMLCanvasElement, editor: Editor): void {
+export function listenToPointer(canvas: HTMLCanvasElement, editor: Looking): void {
   const { camera } = editor.viewer;
   const { session } = editor;
   const places = new Map<number, ToolPlace>();

@@ -1,5 +1,5 @@
 import type { PickPlace } from '../view/pick.ts';
-import type { Editor } from './editor.ts';
+import type { Looking } from './editor.ts';
 
 /** A place of the pointer on the view. */
 export interface ToolPlace extends PickPlace {
@@ -29,5 +29,5 @@ export interface ToolDrag {
 export interface Tool {
   readonly id: string;
   /** Begins a drag, or leaves it to the next tool. @param button 0 left, 1 middle, 2 right */
-  press(place: ToolPlace, button: number, editor: Editor): ToolDrag | null;
+  press(place: ToolPlace, button: number, editor: Looking): ToolDrag | null;
 }

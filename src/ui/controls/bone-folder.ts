@@ -1,11 +1,11 @@
 import type { GUI } from 'lil-gui';
 import type { BoneDrag } from '../../document/session.ts';
-import type { Editor } from '../editor.ts';
+import type { Looking } from '../editor.ts';
 import { signalField } from './signal-field.ts';
 import { watch } from '../watch.ts';
 
 /** What dragging does in the view. */
-export function addBoneFolder(gui: GUI, { session }: Editor): void {
+export function addBoneFolder(gui: GUI, { session }: Looking): void {
   const { boneMode, boneDrag, firstPerson } = session;
   const folder = gui.addFolder('Drag');
   const ways: Record<string, BoneDrag> = {

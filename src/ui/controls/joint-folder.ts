@@ -2,7 +2,7 @@ import type { GUI } from 'lil-gui';
 import { diagonal } from '../../core/bounds.ts';
 import { type Edit, resetJoint, setPose, setValue } from '../../document/edits.ts';
 import type { Actor } from '../../document/scene.ts';
-import type { Editor } from '../editor.ts';
+import type { Looking, Posing } from '../editor.ts';
 import { axisNames, type JointValue, jointValues, valueName } from '../joint-values.ts';
 import { addValueRow, type ValueRow } from './value-row.ts';
 
@@ -13,14 +13,14 @@ import { addValueRow, type ValueRow } from './value-row.ts';
 export class JointFolder {
   private readonly rows: { readonly row: ValueRow; readonly fullName: string }[] = [];
   private readonly folder: GUI;
-  private readonly editor: Editor;
+  private readonly editor: Looking & Posing;
   private readonly joint: number;
   private readonly state: Actor;
   private built = false;
   /** Opened by the selection or a search, not by hand. */
   private openedForShow = false;
 
-  constructor(parent: GUI, editor: Editor, state: Actor, joint: number) {
+  constructor(parent: GUI, editor: Looking & Posing, state: Actor, joint: number) {
     this.editor = editor;
     this.state = state;
     this.joint = joint;

@@ -1,10 +1,10 @@
 import type { GUI } from 'lil-gui';
 import { type Light, studioLights } from '../../document/session.ts';
-import type { Editor } from '../editor.ts';
+import type { Looking } from '../editor.ts';
 import { watch } from '../watch.ts';
 
 /** Colour, strength and direction of each light. */
-export function addLightsFolder(gui: GUI, { session: { lights } }: Editor): void {
+export function addLightsFolder(gui: GUI, { session: { lights } }: Looking): void {
   const folder = gui.addFolder('Lights').close();
   const rows = lights.value.flatMap((light, index) => {
     const one = folder.addFolder(light.name).close();

@@ -4,14 +4,14 @@ import type { Character } from '../../core/character.ts';
 import { setMorphWeight } from '../../document/edits.ts';
 import type { ActorId } from '../../document/scene.ts';
 import { selectedActor } from '../../document/selected-actor.ts';
-import type { Editor } from '../editor.ts';
+import type { Looking } from '../editor.ts';
 import { addValueRow, type ValueRow } from './value-row.ts';
 
 /** What typing may reach: a morph says something from 0 to 1, and exaggerates beyond. */
 const reach = 100;
 
 /** A slider from 0 to 1 for every morph of the selected character. */
-export function addMorphFolder(gui: GUI, editor: Editor): void {
+export function addMorphFolder(gui: GUI, editor: Looking): void {
   const { store, session } = editor;
   const folder = gui.addFolder('Morphs');
   let shown: Character | null = null;
@@ -36,7 +36,7 @@ export function addMorphFolder(gui: GUI, editor: Editor): void {
 
 function addMorphRow(
   folder: GUI,
-  { store, session }: Editor,
+  { store, session }: Looking,
   id: number,
   name: string,
   index: number,

@@ -1,9 +1,9 @@
 import type { GUI } from 'lil-gui';
 import type { PictureFormat } from '../../view/picture.ts';
-import type { Editor, PictureOptions } from '../editor.ts';
+import type { Actions, PictureOptions } from '../editor.ts';
 
 /** A picture of exactly what the view shows, or of the same at any size. */
-export function addPictureFolder(gui: GUI, editor: Editor): void {
+export function addPictureFolder(gui: GUI, editor: Actions): void {
   const folder = gui.addFolder('Picture').close();
   const bound = {
     format: 'png' as PictureFormat,

@@ -3,7 +3,7 @@ import type { GUI } from 'lil-gui';
 import { setTransform } from '../../document/edits.ts';
 import { type Transform, unmoved } from '../../document/scene.ts';
 import { selectedActor } from '../../document/selected-actor.ts';
-import type { Editor } from '../editor.ts';
+import type { Looking } from '../editor.ts';
 import { addValueRow, type ValueRow } from './value-row.ts';
 
 /** Scene units, in which a character is one tall. */
@@ -22,7 +22,7 @@ interface PlaceValue {
 }
 
 /** Where the selected character stands in the scene, how it is turned, and its size. */
-export function addPlaceFolder(gui: GUI, editor: Editor): void {
+export function addPlaceFolder(gui: GUI, editor: Looking): void {
   const { store, session } = editor;
   const folder = gui.addFolder('Place').close();
   const values: readonly PlaceValue[] = [moved(0), moved(1), moved(2), turned, sized];
@@ -75,7 +75,7 @@ const sized: PlaceValue = {
   write: (transform, scale) => ({ ...transform, scale }),
 };
 
-function addRow(folder: GUI, { store, session }: Editor, value: PlaceValue): ValueRow {
+function addRow(folder: GUI, { store, session }: Looking, value: PlaceValue): ValueRow {
   const { name, minimum, maximum, legal, isAngle } = value;
   const actor = () => selectedActor(store, session);
   const labelNow = (): string => `${value.label} ${actor()?.character.name ?? ''}`;

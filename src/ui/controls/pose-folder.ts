@@ -3,13 +3,13 @@ import type { GUI } from 'lil-gui';
 import type { Character } from '../../core/character.ts';
 import type { ActorId } from '../../document/scene.ts';
 import { chooseFiles } from '../choose-files.ts';
-import type { Editor } from '../editor.ts';
+import type { Actions, Gallery, Looking, Posing } from '../editor.ts';
 import { stepJoint } from '../keymap.ts';
 import { JointFolder } from './joint-folder.ts';
 import { rotationOrder } from './rotation-order.ts';
 
 /** All degrees of freedom of the selected character, and what can be done with its pose. */
-export function addPoseFolder(gui: GUI, editor: Editor): void {
+export function addPoseFolder(gui: GUI, editor: Looking & Gallery & Posing & Actions): void {
   const folder = gui.addFolder('Pose');
   // Two to a row, pairs side by side.
   const actions = {

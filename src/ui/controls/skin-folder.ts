@@ -5,11 +5,11 @@ import { selectedActor } from '../../document/selected-actor.ts';
 import type { Shading, SkinDevice } from '../../document/session.ts';
 import type { KernelId, MethodId, NormalsId } from '../../skinning/method.ts';
 import { kernels, methods, normalWays } from '../../skinning/registry.ts';
-import type { Editor } from '../editor.ts';
+import type { Actions, Looking, Telling } from '../editor.ts';
 import { watch } from '../watch.ts';
 
 /** How the skin is deformed and shaded, and the check of its numbers. */
-export function addSkinFolder(gui: GUI, editor: Editor): void {
+export function addSkinFolder(gui: GUI, editor: Looking & Telling & Actions): void {
   const { store, session } = editor;
   const selected = () => selectedActor(store, session);
   const folder = gui.addFolder('Skin');
@@ -79,7 +79,7 @@ export function addSkinFolder(gui: GUI, editor: Editor): void {
   });
 }
 
-function verificationLines({ verification }: Editor): string[] {
+function verificationLines({ verification }: Looking & Telling & Actions): string[] {
   const found = verification.value;
   if (!found) return [];
   const difference = found.identical

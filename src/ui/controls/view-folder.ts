@@ -1,13 +1,13 @@
 import type { GUI } from 'lil-gui';
 import type { SkeletonStyle } from '../../document/session.ts';
-import type { Editor, ThemeChoice } from '../editor.ts';
+import type { Courses, Looking, PageState, ThemeChoice } from '../editor.ts';
 import { field, signalField } from './signal-field.ts';
 import { watch } from '../watch.ts';
 
 const degreesPerRadian = 180 / Math.PI;
 
 /** What is drawn, and from where. */
-export function addViewFolder(gui: GUI, editor: Editor): void {
+export function addViewFolder(gui: GUI, editor: Looking & Courses & PageState): void {
   const { session, viewer, theme } = editor;
   const { camera } = viewer;
   const folder = gui.addFolder('View');

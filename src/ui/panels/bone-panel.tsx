@@ -1,13 +1,13 @@
 import { useState } from 'preact/hooks';
 import { bonesAt, framesOf, posedRotation, weighedCount } from '../bone-facts.ts';
-import type { Editor } from '../editor.ts';
+import type { Looking } from '../editor.ts';
 import { fixedText } from '../number-text.ts';
 
 /**
  * The bone of the selected joint, or else of the lit one, as the Virtual Mannequin has it. A selection
  * opens the panel, unless the user has opened or closed it.
  */
-export function BonePanel({ editor }: { readonly editor: Editor }) {
+export function BonePanel({ editor }: { readonly editor: Looking }) {
   const [chosenOpen, setChosenOpen] = useState<boolean | null>(null);
   const { evaluations, session } = editor;
   const selected = session.selectedJoint.value;
@@ -33,7 +33,7 @@ export function BonePanel({ editor }: { readonly editor: Editor }) {
 }
 
 interface BoneProperties {
-  readonly editor: Editor;
+  readonly editor: Looking;
   readonly joint: number;
 }
 

@@ -2,7 +2,7 @@ import { useState } from 'preact/hooks';
 import { printable } from '../../core/diagnostics.ts';
 import { selectedActor } from '../../document/selected-actor.ts';
 import { chooseFiles } from '../choose-files.ts';
-import type { Editor } from '../editor.ts';
+import type { Actions, Gallery, Looking, PageState } from '../editor.ts';
 
 const saveTargets = [
   ['mit', '6.837 files'],
@@ -10,7 +10,11 @@ const saveTargets = [
 ] as const;
 
 /** What stands in the scene, the bundled characters, one's own, and the way to more. */
-export function CharactersPanel({ editor }: { readonly editor: Editor }) {
+export function CharactersPanel({
+  editor,
+}: {
+  readonly editor: Looking & Gallery & PageState & Actions;
+}) {
   const { bundled, own, openedId, fileExtensions } = editor;
   const shown = selectedActor(editor.store, editor.session)?.character;
   const open = (folder: boolean, add = false): void =>
@@ -78,7 +82,7 @@ export function CharactersPanel({ editor }: { readonly editor: Editor }) {
 }
 
 interface AddMenuProperties {
-  readonly editor: Editor;
+  readonly editor: Looking & Gallery & PageState & Actions;
   readonly onFiles: () => void;
 }
 
@@ -119,7 +123,7 @@ function AddMenu({ editor, onFiles }: AddMenuProperties) {
 }
 
 /** The actors, one of them selected; a scene of one needs no list. */
-function SceneList({ editor }: { readonly editor: Editor }) {
+function SceneList({ editor }: { readonly editor: Looking & Gallery & PageState & Actions }) {
   const { actors } = editor.store.scene.value;
   const selected = editor.session.selectedActorId.value;
   if (actors.length < 2) return null;

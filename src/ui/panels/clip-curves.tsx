@@ -2,10 +2,10 @@ import { useMemo } from 'preact/hooks';
 import type { Clip } from '../../core/clip.ts';
 import { firstRoot, type Skeleton } from '../../core/skeleton.ts';
 import { clipCurves, type Curve } from '../clip-curves.ts';
-import type { Editor } from '../editor.ts';
+import type { Looking, Posing } from '../editor.ts';
 
 interface ClipCurvesProperties {
-  readonly editor: Editor;
+  readonly editor: Looking & Posing;
   readonly clip: Clip;
   readonly skeleton: Skeleton;
   /** Seconds. */

@@ -1,10 +1,10 @@
 import { Fragment } from 'preact';
 import { useEffect, useRef } from 'preact/hooks';
-import type { Editor } from '../editor.ts';
+import type { PageState } from '../editor.ts';
 import { contexts, type KeyBinding, keyName, pointerHelp, withCommand } from '../keymap.ts';
 
 /** The keys and what the pointer does. */
-export function HelpSheet({ editor }: { readonly editor: Editor }) {
+export function HelpSheet({ editor }: { readonly editor: PageState }) {
   const { helpOpen, letterKeys } = editor;
   const dialog = useRef<HTMLDialogElement>(null);
   const open = helpOpen.value;

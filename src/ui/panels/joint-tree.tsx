@@ -1,18 +1,18 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import type { Skeleton } from '../../core/skeleton.ts';
 import { selectedActor } from '../../document/selected-actor.ts';
-import type { Editor } from '../editor.ts';
+import type { Actions, Looking } from '../editor.ts';
 import { ancestorsOf, type TreeRow, visibleRows } from '../joint-rows.ts';
 
 /** The joints as a tree to search, fold and choose from, by pointer or keys. */
-export function JointTree({ editor }: { readonly editor: Editor }) {
+export function JointTree({ editor }: { readonly editor: Looking & Actions }) {
   const skeleton = selectedActor(editor.store, editor.session)?.character.skeleton;
   if (!skeleton || skeleton.jointCount === 0) return null;
   return <Tree key={skeleton.names.join()} editor={editor} skeleton={skeleton} />;
 }
 
 interface TreeProperties {
-  readonly editor: Editor;
+  readonly editor: Looking & Actions;
   readonly skeleton: Skeleton;
 }
 

@@ -5,10 +5,10 @@ import {
   printable,
 } from '../../core/diagnostics.ts';
 import { copyText } from '../copy-text.ts';
-import type { Editor } from '../editor.ts';
+import type { Looking, Telling } from '../editor.ts';
 
 /** Everything that the last files had to say, errors first. */
-export function ProblemsPanel({ editor }: { readonly editor: Editor }) {
+export function ProblemsPanel({ editor }: { readonly editor: Looking & Telling }) {
   const problems = editor.session.problems.value;
   if (problems.length === 0) return null;
   const errors = problems.filter(({ severity }) => severity === 'error');
@@ -53,7 +53,10 @@ function Problem({ problem }: { readonly problem: Diagnostic }) {
   );
 }
 
-async function copyReport(editor: Editor, problems: readonly Diagnostic[]): Promise<void> {
+async function copyReport(
+  editor: Looking & Telling,
+  problems: readonly Diagnostic[],
+): Promise<void> {
   const lines = problems.map((problem) => {
     const { severity, code, effect } = problem;
     return `${severity}: ${formatDiagnostic(problem)}; ${effect} [${code}]`;

@@ -1,10 +1,10 @@
 import { printable } from '../../core/diagnostics.ts';
 import { selectedActor } from '../../document/selected-actor.ts';
 import { kernelOf } from '../../skinning/registry.ts';
-import type { Editor } from '../editor.ts';
+import type { Looking, Telling } from '../editor.ts';
 
 /** One line on what is shown, and on what was just done. */
-export function StatusLine({ editor }: { readonly editor: Editor }) {
+export function StatusLine({ editor }: { readonly editor: Looking & Telling }) {
   const { session, viewer, verification, notice } = editor;
   const state = selectedActor(editor.store, editor.session);
   const problems = session.problems.value.length;

@@ -1,6 +1,6 @@
 import { selectedActor } from '../../document/selected-actor.ts';
 import type { PlayMode } from '../../posing/playhead.ts';
-import type { Editor } from '../editor.ts';
+import type { Looking, Posing } from '../editor.ts';
 import { ClipCurves } from './clip-curves.tsx';
 
 const speeds = [0.1, 0.25, 0.5, 1, 2, 4];
@@ -12,7 +12,7 @@ const modes: Readonly<Record<PlayMode, string>> = {
 };
 
 /** Below the view, where the character has clips: plays them and shows their curves. */
-export function Timeline({ editor }: { readonly editor: Editor }) {
+export function Timeline({ editor }: { readonly editor: Looking & Posing }) {
   const { store, session, transport } = editor;
   const state = selectedActor(store, session);
   const { clipTime, playing, playSpeed, playMode } = session;

@@ -4,13 +4,17 @@ import type { ActiveDof } from '../../document/session.ts';
 import { kernelById, kernelOf } from '../../skinning/registry.ts';
 import { ancestorsOf } from '../joint-rows.ts';
 import { formatDegrees } from '../angle-text.ts';
-import type { Drawer, Editor } from '../editor.ts';
+import type { Drawer, Gallery, Looking, PageState, Posing } from '../editor.ts';
 
 /** Of the joints above, those nearest are told. */
 const longestChain = 4;
 
 /** Over the view: what is under way, why there is no picture, and the drawers' buttons. */
-export function ViewOverlay({ editor }: { readonly editor: Editor }) {
+export function ViewOverlay({
+  editor,
+}: {
+  readonly editor: Looking & Gallery & PageState & Posing;
+}) {
   return (
     <>
       <DrawerButtons editor={editor} />
@@ -24,7 +28,7 @@ export function ViewOverlay({ editor }: { readonly editor: Editor }) {
 }
 
 /** On narrow pages the panels are drawers; wide ones hide these buttons. */
-function DrawerButtons({ editor: { drawer } }: { readonly editor: Editor }) {
+function DrawerButtons({ editor: { drawer } }: { readonly editor: PageState }) {
   const button = (side: Drawer, label: string) => (
     <button
       type="button"
@@ -42,7 +46,7 @@ function DrawerButtons({ editor: { drawer } }: { readonly editor: Editor }) {
   );
 }
 
-function ProgressBox({ editor }: { readonly editor: Editor }) {
+function ProgressBox({ editor }: { readonly editor: Gallery }) {
   const progress = editor.progress.value;
   if (!progress) return null;
   return (
@@ -59,7 +63,7 @@ function ProgressBox({ editor }: { readonly editor: Editor }) {
 }
 
 /** Over two halves, the method of each. */
-function ComparedMethods({ editor: { store, session } }: { readonly editor: Editor }) {
+function ComparedMethods({ editor: { store, session } }: { readonly editor: Looking }) {
   const compared = session.comparedKernel.value;
   const actor = selectedActor(store, session);
   if (compared === null || !actor) return null;
@@ -73,7 +77,7 @@ function ComparedMethods({ editor: { store, session } }: { readonly editor: Edit
 }
 
 /** The degree of freedom last touched, with its value, in a corner of the picture. */
-function ActiveDofText({ editor }: { readonly editor: Editor }) {
+function ActiveDofText({ editor }: { readonly editor: Looking & Posing }) {
   const dof = editor.session.activeDof.value;
   if (!dof) return null;
   const value = valueOf(editor, dof);
@@ -87,7 +91,7 @@ function ActiveDofText({ editor }: { readonly editor: Editor }) {
 }
 
 /** The lit bone's name and the chain that it hangs on, beside the pointer. */
-function LitBoneLabel({ editor: { store, session } }: { readonly editor: Editor }) {
+function LitBoneLabel({ editor: { store, session } }: { readonly editor: Looking }) {
   const place = session.hoverPlace.value;
   const joint = session.hoveredJoint.value;
   const skeleton = selectedActor(store, session)?.character.skeleton;
@@ -107,7 +111,7 @@ function LitBoneLabel({ editor: { store, session } }: { readonly editor: Editor 
 }
 
 function valueOf(
-  { evaluations, ballAngles }: Editor,
+  { evaluations, ballAngles }: Looking & Posing,
   { index, ballAxis }: ActiveDof,
 ): number | undefined {
   const shown = evaluations.selected();
@@ -115,7 +119,7 @@ function valueOf(
   return ballAngles.of(shown.state.character.skeleton, shown.pose.q, index)[ballAxis];
 }
 
-function ViewMessage({ editor }: { readonly editor: Editor }) {
+function ViewMessage({ editor }: { readonly editor: Looking }) {
   const text = messageOf(editor);
   if (text === null) return null;
   return (
@@ -125,7 +129,7 @@ function ViewMessage({ editor }: { readonly editor: Editor }) {
   );
 }
 
-function messageOf({ viewer }: Editor): string | null {
+function messageOf({ viewer }: Looking): string | null {
   if (viewer.refusal.value !== null) {
     return (
       `This character can't be drawn here: ${viewer.refusal.value}. ` +

@@ -1,8 +1,8 @@
-import type { Editor } from '../editor.ts';
+import type { Courses, Looking, PageState } from '../editor.ts';
 import type { WorkspaceId } from '../workspace.ts';
 
 /** The menu of workspaces, with undo and redo beside it. */
-export function WorkspacePanel({ editor }: { readonly editor: Editor }) {
+export function WorkspacePanel({ editor }: { readonly editor: Looking & Courses & PageState }) {
   const { store, workspaces, workspaceId, helpOpen } = editor;
   const undo = store.undoLabel.value;
   const redo = store.redoLabel.value;

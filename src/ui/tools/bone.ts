@@ -5,7 +5,7 @@ import { canTurn } from '../../posing/joint-frames.ts';
 import { axesOf } from '../../view/camera.ts';
 import { type BoneTarget, selectedBoneAt, characterRayAt } from '../../view/pick.ts';
 import { sizeOfPixel } from '../../view/picking.ts';
-import type { Editor } from '../editor.ts';
+import type { Looking } from '../editor.ts';
 import { showHover } from '../hover.ts';
 import type { Tool, ToolDrag, ToolPlace } from '../tool.ts';
 
@@ -32,7 +32,7 @@ export const boneTool: Tool = {
  * A drag is counted from its start, so that returning the pointer returns the pose. With Alt it rolls
  * the bone; each time that Alt comes or goes, the drag goes on from the pose of the moment.
  */
-function turnBone(editor: Editor, from: ToolPlace, target: BoneTarget): ToolDrag {
+function turnBone(editor: Looking, from: ToolPlace, target: BoneTarget): ToolDrag {
   const { store, session, viewer, evaluations } = editor;
   const { state, pose } = evaluations.selected()!;
   const { skeleton } = state.character;
