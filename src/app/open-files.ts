@@ -109,7 +109,7 @@ export class FileOpener {
     const { character } = read;
     this.filesOf.set(character, read.files);
     this.store.dispatch(openCharacter(before.id, character, this.methodFor(character), kept));
-    if (before.character.clips.length === 0) this.beginClip(character);
+    if (before.clips.length === 0) this.beginClip(character);
   }
 
   private beginClip({ clips }: Character): void {

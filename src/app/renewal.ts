@@ -48,7 +48,8 @@ export function renews(
 /** What an actor hands on to the one that its files, read again, make. */
 export function keptState(before: Actor, character: Character): KeptState {
   const { q, morphWeights, normalizeWeights, clip, transform } = before;
-  const { morphs, clips } = before.character;
+  const { clips } = before;
+  const { morphs } = before.character;
   const weights = new Map(morphs.map(({ name }, index) => [name, morphWeights[index]!]));
   const bound = character.clips.findIndex(({ name }) => name === clips[clip ?? -1]?.name);
   return {

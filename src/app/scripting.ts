@@ -127,12 +127,12 @@ export function createScripting(editor: Editor, ready: Promise<void>): Scripting
       return Object.fromEntries(names.map((morph, index) => [morph, now[index]!]));
     },
     get clips() {
-      return find()?.character.clips.map(({ name }) => name) ?? [];
+      return find()?.clips.map(({ name }) => name) ?? [];
     },
     seek(time, clip, name) {
       const actor = find(name);
       const isSelected = actor?.id === find()?.id;
-      const clips = actor?.character.clips.map((each) => each.name) ?? [];
+      const clips = actor?.clips.map((each) => each.name) ?? [];
       const chosen = isSelected ? editor.transport.clipIndex : (actor?.clip ?? 0);
       const index = clip === undefined ? chosen : clips.indexOf(clip);
       if (!actor || clips[index] === undefined) {

@@ -6,7 +6,6 @@ import { buildSkeleton, emptySkeleton } from './build-skeleton.ts';
 import { buildSkin, buildStaticSkin } from './build-skin.ts';
 import type { CharacterParts, MeshParts, SkinParts } from './character-parts.ts';
 import type { Character } from './character.ts';
-import { compileClip } from './clip.ts';
 import { reportCoincidentJoints } from './coincident-joints.ts';
 import { type Diagnostic, DiagnosticLog, type Parsed } from './diagnostics.ts';
 import { jointMatrices } from './forward-kinematics.ts';
@@ -65,7 +64,7 @@ function assemble(
     mesh,
     skin,
     morphs: (parts.morphs ?? []).map((morph) => buildMorph(morph, mesh)),
-    clips: (parts.clips ?? []).map((clip) => compileClip(clip, skeleton)),
+    clips: parts.clips ?? [],
     materials: parts.mesh?.materials ?? [],
     images: [],
     bones: deriveBones(skeleton, skin, mesh),

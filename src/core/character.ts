@@ -1,7 +1,6 @@
 import type { Bone } from './bones.ts';
 import type { Bounds } from './bounds.ts';
-import type { FileSpace, MaterialParts } from './character-parts.ts';
-import type { Clip } from './clip.ts';
+import type { ClipParts, FileSpace, MaterialParts } from './character-parts.ts';
 import type { Mesh } from './mesh.ts';
 import type { MmdParts } from './mmd-parts.ts';
 import type { Morph } from './morph.ts';
@@ -26,7 +25,8 @@ export interface Character {
   readonly skin: Skin;
   /** Shapes that are added to the mesh before it is skinned. */
   readonly morphs: readonly Morph[];
-  readonly clips: readonly Clip[];
+  /** As read; an actor has its own. */
+  readonly clips: readonly ClipParts[];
   /** By the name that submeshes have. */
   readonly materials: readonly MaterialParts[];
   /** The image files that materials name, as far as they were there. */

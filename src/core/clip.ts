@@ -6,8 +6,6 @@ import type { Skeleton } from './skeleton.ts';
 /** An animation, compiled for one skeleton: curves for some of the values in q. It never changes. */
 export interface Clip {
   readonly name: string;
-  /** As read, for writers. */
-  readonly parts: ClipParts;
   /** Seconds; the range that is played. */
   readonly start: number;
   readonly end: number;
@@ -19,14 +17,24 @@ export interface Clip {
   readonly maximum: Float64Array;
 }
 
+/** A clip compiled for a skeleton: at its first use, and kept while both are. */
+export function clipFor(parts: ClipParts, skeleton: Skeleton): Clip {
+  let clips = compiled.get(skeleton);
+  if (!clips) compiled.set(skeleton, (clips = new WeakMap<ClipParts, Clip>()));
+  let clip = clips.get(parts);
+  if (!clip) clips.set(parts, (clip = compileClip(parts, skeleton)));
+  return clip;
+}
+
+const compiled = new WeakMap<Skeleton, WeakMap<ClipParts, Clip>>();
+
 /** Slopes and cubics are computed once, here; playing allocates nothing. */
-export function compileClip(parts: ClipParts, skeleton: Skeleton): Clip {
+function compileClip(parts: ClipParts, skeleton: Skeleton): Clip {
   const targets = Int32Array.from(parts.channels, (channel) => targetOf(channel, skeleton));
   const limit = (limits: Float64Array, unlimited: number): Float64Array =>
     Float64Array.from(targets, (target) => limits[target] ?? unlimited);
   return {
     name: parts.name,
-    parts,
     start: parts.start,
     end: parts.end,
     channels: parts.channels.map(compileChannel),

@@ -71,7 +71,7 @@ export function setMorphWeight(id: ActorId, index: number, weight: number, label
 /** Binds a clip, whose values are then shown over the pose; or none. */
 export function bindClip(id: ActorId, clip: number | null): Edit {
   return editActor(id, clip === null ? 'Let the clip go' : 'Bind a clip', (actor) => {
-    assert(clip === null || clip < actor.character.clips.length, 'a clip of the character');
+    assert(clip === null || clip < actor.clips.length, 'a clip of the character');
     return { ...actor, clip };
   });
 }

@@ -1,7 +1,7 @@
 import { batch } from '@preact/signals-core';
 import type { Character } from '../core/character.ts';
 import type { Skeleton } from '../core/skeleton.ts';
-import { type ActorId, actorById, type Scene } from './scene.ts';
+import { type Actor, type ActorId, actorById, type Scene } from './scene.ts';
 import type { Session } from './session.ts';
 
 /**
@@ -16,7 +16,7 @@ export function reconcile(session: Session, before: Scene, after: Scene): void {
   const came = after.actors.find(({ id }) => !actorById(before, id));
   const now = came ?? actorById(after, selectedActorId.value) ?? after.actors.at(-1);
   selectedActorId.value = now?.id ?? null;
-  if (old !== now) fitJoints(session, old?.character, now?.character);
+  if (old !== now) fitJoints(session, old?.character, now);
   if (!after.actors.some(({ clip }) => clip !== null)) playing.value = false;
 }
 
@@ -27,15 +27,15 @@ export function selectActor(session: Session, scene: Scene, id: ActorId): void {
   batch(() => {
     selectedActorId.value = id;
     dropJoints(session);
-    fitJoints(session, undefined, actorById(scene, id)?.character);
+    fitJoints(session, undefined, actorById(scene, id));
   });
 }
 
-function fitJoints(session: Session, old?: Character, now?: Character): void {
-  if (!haveSameJoints(old, now)) dropJoints(session);
+function fitJoints(session: Session, old?: Character, now?: Actor): void {
+  if (!haveSameJoints(old, now?.character)) dropJoints(session);
   const { hoveredBone, clipIndex } = session;
   const bone = hoveredBone.value;
-  if (bone && !now?.bones.includes(bone)) hoveredBone.value = null;
+  if (bone && !now?.character.bones.includes(bone)) hoveredBone.value = null;
   if (!now?.clips[clipIndex.value]) clipIndex.value = 0;
 }
 

@@ -1,4 +1,6 @@
 import type { Character } from '../core/character.ts';
+import { type Clip, clipFor } from '../core/clip.ts';
+import type { ClipParts } from '../core/character-parts.ts';
 import { normalizeSkin, type Skin } from '../core/skin.ts';
 import type { MethodId, NormalsId } from '../skinning/method.ts';
 import { defaultDeformation } from '../skinning/registry.ts';
@@ -35,7 +37,9 @@ export interface Actor {
   readonly q: Float64Array;
   /** (morphCount) how much of each morph there is; never written in place. */
   readonly morphWeights: Float64Array;
-  /** The bound clip, an index into the character's; its values are shown over `q`. */
+  /** Compiled at need (`boundClip`). */
+  readonly clips: readonly ClipParts[];
+  /** The bound clip, an index into `clips`; its values are shown over `q`. */
   readonly clip: number | null;
   readonly method: MethodId;
   readonly normals: NormalsId;
@@ -47,7 +51,14 @@ export interface Actor {
 export type KeptState = Partial<
   Pick<
     Actor,
-    'source' | 'transform' | 'q' | 'morphWeights' | 'clip' | 'normals' | 'normalizeWeights'
+    | 'source'
+    | 'transform'
+    | 'q'
+    | 'morphWeights'
+    | 'clips'
+    | 'clip'
+    | 'normals'
+    | 'normalizeWeights'
   >
 >;
 
@@ -71,11 +82,18 @@ export function createActor(
     transform,
     q: (kept.q ?? character.skeleton.qRest).slice(),
     morphWeights: kept.morphWeights?.slice() ?? new Float64Array(character.morphs.length),
+    clips: kept.clips ?? character.clips,
     clip,
     method,
     normals: kept.normals ?? defaultDeformation(character).normals,
     normalizeWeights: kept.normalizeWeights ?? false,
   };
+}
+
+/** The clip that plays on an actor, if any. */
+export function boundClip({ clip, clips, character }: Actor): Clip | undefined {
+  const parts = clip === null ? undefined : clips[clip];
+  return parts && clipFor(parts, character.skeleton);
 }
 
 export function actorById({ actors }: Scene, id: ActorId | null): Actor | undefined {

@@ -1,7 +1,7 @@
-import type { Clip } from '../core/clip.ts';
+import { type Clip, clipFor } from '../core/clip.ts';
 import { advance } from '../posing/playhead.ts';
 import { bindClip } from './edits.ts';
-import type { Actor } from './scene.ts';
+import { type Actor, boundClip } from './scene.ts';
 import { selectedActor } from './selected-actor.ts';
 import type { Session } from './session.ts';
 import type { Store } from './store.ts';
@@ -26,12 +26,14 @@ export class Transport {
   get clipIndex(): number {
     const { state } = this;
     const chosen = this.session.clipIndex.value;
-    return state?.clip ?? (state?.character.clips[chosen] ? chosen : 0);
+    return state?.clip ?? (state?.clips[chosen] ? chosen : 0);
   }
 
   /** That clip; none where the character has none. */
   get clip(): Clip | undefined {
-    return this.state?.character.clips[this.clipIndex];
+    const { state } = this;
+    const parts = state?.clips[this.clipIndex];
+    return parts && clipFor(parts, state.character.skeleton);
   }
 
   get isBound(): boolean {
@@ -98,7 +100,7 @@ export class Transport {
   /** Of an actor that plays while another is selected. */
   private get otherBoundClip(): Clip | undefined {
     const bound = this.store.scene.value.actors.find(({ clip }) => clip !== null);
-    return bound?.character.clips[bound.clip ?? -1];
+    return bound && boundClip(bound);
   }
 
   private get state(): Actor | undefined {

@@ -1,4 +1,4 @@
-import type { Actor } from '../document/scene.ts';
+import { type Actor, boundClip } from '../document/scene.ts';
 import { selectedActor } from '../document/selected-actor.ts';
 import type { Session } from '../document/session.ts';
 import type { Store } from '../document/store.ts';
@@ -53,7 +53,7 @@ export class Evaluations {
     let evaluator = this.evaluators.get(key);
     if (!evaluator?.fits(shown)) this.evaluators.set(key, (evaluator = new Evaluator(shown)));
     const { clipTime, playMode } = this.session;
-    const clip = actor.clip === null ? undefined : actor.character.clips[actor.clip];
+    const clip = boundClip(actor);
     const time = clip ? timeInClip(clip, clipTime.value, playMode.value) : 0;
     return evaluator.evaluate(shown, time);
   }

@@ -3,7 +3,7 @@ import { forwardKinematics } from '../core/forward-kinematics.ts';
 import type { Mesh } from '../core/mesh.ts';
 import type { Pose } from '../core/pose.ts';
 import type { Skin } from '../core/skin.ts';
-import { type Actor, skinInUse } from '../document/scene.ts';
+import { type Actor, boundClip, skinInUse } from '../document/scene.ts';
 import { poseLayers } from '../posing/layers.ts';
 import type { SkinningMethod, VertexStreams } from '../skinning/method.ts';
 import { kernelOf } from '../skinning/registry.ts';
@@ -37,7 +37,7 @@ export class Evaluator implements Evaluation {
     this.layered = new Float64Array(skeleton.qRest.length);
     this.joints = new Float64Array(skeleton.jointCount * 16);
     this.valueStage = new Stage(
-      () => [this.now.q, this.now.clip, this.isStill ? 0 : this.time],
+      () => [this.now.q, this.now.clips, this.now.clip, this.isStill ? 0 : this.time],
       () => this.applyLayers(),
     );
     this.jointStage = new Stage(
@@ -143,8 +143,8 @@ export class Evaluator implements Evaluation {
 
   /** The state's own values where no layer is active; else the same array is written again. */
   private applyLayers(): Float64Array {
-    const { q, clip, character } = this.now;
-    const context = { clip: clip === null ? null : character.clips[clip]!, time: this.time };
+    const { q } = this.now;
+    const context = { clip: boundClip(this.now) ?? null, time: this.time };
     if (!poseLayers.some((layer) => layer.isActive(context))) return q;
     this.layered.set(q);
     for (const layer of poseLayers) {

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { compileChannel, evaluateChannel } from '../../src/core/channel.ts';
 import type { ChannelParts, Extrapolation, Tangent } from '../../src/core/character-parts.ts';
-import { evaluateClip } from '../../src/core/clip.ts';
+import { clipFor, evaluateClip } from '../../src/core/clip.ts';
 import { axisDofs } from '../../src/core/pose.ts';
 import { leg } from '../support/cse169-files.ts';
 import { readOne } from '../support/files.ts';
@@ -87,7 +87,8 @@ describe('a channel', () => {
 describe('a clip', () => {
   it('writes its values where they belong in q, within the limits, and leaves the others', async () => {
     const { skeleton, clips } = await readOne(leg);
-    const clip = clips[0]!;
+    const clip = clipFor(clips[0]!, skeleton);
+    expect(clipFor(clips[0]!, skeleton), 'compiled once').toBe(clip);
     const valueOf = (joint: number, kind: number, axis: number): number =>
       axisDofs(skeleton, joint).find((dof) => dof.kind === kind && dof.axis === axis)!.index;
     const slides = [0, 1, 2].map((axis) => valueOf(0, 0, axis));

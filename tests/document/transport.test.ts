@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { clipFor } from '../../src/core/clip.ts';
 import { openCharacter } from '../../src/document/open-characters.ts';
 import { selectedActor } from '../../src/document/selected-actor.ts';
 import { reconcile } from '../../src/document/reconcile.ts';
@@ -99,7 +100,7 @@ describe('the transport', () => {
     const two = await readOne({ ...files, 'leg_two.anim': anim.replace('range 0 2', 'range 1 2') });
     store.dispatch(openCharacter(session.selectedActorId.value, two, 'linear-blend'));
     transport.choose(1);
-    expect(transport.clip).toBe(two.clips[1]);
+    expect(transport.clip).toBe(clipFor(two.clips[1]!, two.skeleton));
     store.undo();
     expect(transport.clip?.end).toBe(2);
     transport.togglePlay();

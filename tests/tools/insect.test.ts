@@ -5,7 +5,7 @@ import { PNG } from 'pngjs';
 import { beforeAll, describe, expect, it } from 'vitest';
 import { evaluateChannel } from '../../src/core/channel.ts';
 import type { Character } from '../../src/core/character.ts';
-import { evaluateClip } from '../../src/core/clip.ts';
+import { clipFor, evaluateClip } from '../../src/core/clip.ts';
 import { jointMatrices } from '../../src/core/forward-kinematics.ts';
 import { axisDofs } from '../../src/core/pose.ts';
 import { DofKind } from '../../src/core/skeleton.ts';
@@ -119,7 +119,7 @@ describe('the bundled insect', () => {
         expect(free.map(({ axis }) => axis)).toEqual([2]);
       }
     }
-    const { channels, minimum, maximum, targets } = clips[0]!;
+    const { channels, minimum, maximum, targets } = clipFor(clips[0]!, skeleton);
     expect(targets.includes(-1)).toBe(false);
     channels.forEach((channel, index) => {
       for (let time = 0; time < 1.6; time += 0.01) {
@@ -179,7 +179,7 @@ describe('the walk of the bundled insect', () => {
   });
 
   it('goes on three feet or more, each fixed to the floor while it stands', () => {
-    const clip = insect.clips[0]!;
+    const clip = clipFor(insect.clips[0]!, insect.skeleton);
     const q = insect.skeleton.qRest.slice();
     const standing = new Map<number, [number, number, number][]>();
     const drifts: number[] = [];
@@ -207,7 +207,7 @@ describe('the walk of the bundled insect', () => {
   });
 
   it('takes the body forward, as far in each cycle', () => {
-    const clip = insect.clips[0]!;
+    const clip = clipFor(insect.clips[0]!, insect.skeleton);
     const q = insect.skeleton.qRest.slice();
     const root = axisDofs(insect.skeleton, 0).find(
       ({ kind, axis }) => kind === DofKind.slide && axis === 2,

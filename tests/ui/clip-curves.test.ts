@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { clipFor } from '../../src/core/clip.ts';
 import { clipCurves } from '../../src/ui/clip-curves.ts';
 import { readOne } from '../support/files.ts';
 
@@ -12,7 +13,7 @@ const anim = `animation { range 0 2 numchannels 6
 describe('the curves of a clip', () => {
   it('are those of a joint, moves before turns, by axis, each kind to its own scale', async () => {
     const { skeleton, clips } = await readOne({ 'a.skel': 'balljoint a { }', 'a.anim': anim });
-    const curves = clipCurves(clips[0]!, skeleton, 0);
+    const curves = clipCurves(clipFor(clips[0]!, skeleton), skeleton, 0);
     expect(curves.map(({ name, axis }) => [name, axis])).toEqual([
       ['Move X', 'x'],
       ['Move Y', 'y'],
@@ -34,6 +35,6 @@ describe('the curves of a clip', () => {
 
   it('are none without a joint', async () => {
     const { skeleton, clips } = await readOne({ 'a.skel': 'balljoint a { }', 'a.anim': anim });
-    expect(clipCurves(clips[0]!, skeleton, -1)).toEqual([]);
+    expect(clipCurves(clipFor(clips[0]!, skeleton), skeleton, -1)).toEqual([]);
   });
 });

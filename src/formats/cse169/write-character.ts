@@ -1,5 +1,5 @@
 import type { Character } from '../../core/character.ts';
-import type { Clip } from '../../core/clip.ts';
+import type { ClipParts } from '../../core/character-parts.ts';
 import type { Diagnostic } from '../../core/diagnostics.ts';
 import { noJoint } from '../../core/skin.ts';
 import type { OutputFile, Written } from '../format.ts';
@@ -15,7 +15,7 @@ import { writeSkin } from './write-skin.ts';
  */
 export function writeCse169(
   character: Character,
-  clips: readonly Clip[] = character.clips,
+  clips: readonly ClipParts[] = character.clips,
 ): Written {
   const { name, skeleton, mesh, morphs } = character;
   const files: OutputFile[] = [];
@@ -27,7 +27,7 @@ export function writeCse169(
     }
   }
   for (const clip of clips) {
-    files.push({ path: `${clip.name}.anim`, bytes: writeAnim(clip.parts) });
+    files.push({ path: `${clip.name}.anim`, bytes: writeAnim(clip) });
   }
   return { files, losses: losses(character) };
 }

@@ -50,7 +50,7 @@ export function Timeline({ editor }: { readonly editor: Looking & Posing }) {
           value={clipIndex}
           onChange={({ currentTarget }) => transport.choose(Number(currentTarget.value))}
         >
-          {state.character.clips.map(({ name }, i) => (
+          {state.clips.map(({ name }, i) => (
             <option key={i} value={i}>
               {name}
             </option>
