@@ -8,6 +8,8 @@ import { sharedPage, test } from './support/test.ts';
 interface Scene {
   readonly query?: string;
   readonly dark?: boolean;
+  /** Added beside the first, in order; the last is the selected one. */
+  readonly added?: readonly string[];
   readonly pose?: PoseJson;
   /** By its label in the controls. */
   readonly method?: string;
@@ -48,6 +50,8 @@ const scenes: Readonly<Record<string, Scene>> = {
   'human-rigid': { pose: hardPose, method: rigid.label, keys: ['Home'] },
   'human-translucent': { keys: ['s', 's', 't'] },
   'hand-both': { query: 'model=hand', keys: ['s', 's'] },
+  'three-actors': { added: ['dog', 'insect'], time: 0.8, keys: ['s', 's', ']'] },
+  'two-methods': { pose: hardPose, keys: ['Home', 'x'] },
   dog: { query: 'model=dog' },
   'tube-twisted': { query: 'model=tube' },
   'insect-boxes': { query: 'model=insect&workspace=cse169' },
@@ -62,10 +66,21 @@ const scenes: Readonly<Record<string, Scene>> = {
 const page = sharedPage(() => Promise.resolve());
 
 for (const [name, scene] of Object.entries(scenes)) {
-  const { query, dark = false, pose, method, morphs, time, skeletonAs, keys = [] } = scene;
+  const {
+    query,
+    dark = false,
+    added = [],
+    pose,
+    method,
+    morphs,
+    time,
+    skeletonAs,
+    keys = [],
+  } = scene;
   test(name, async () => {
     await page().emulateMedia({ colorScheme: dark ? 'dark' : 'light' });
     await openView(page(), query);
+    for (const id of added) await page().evaluate((id) => window.sinew.add(id), id);
     if (pose) await setPose(page(), pose);
     if (method !== undefined) await choose(page(), 'Method', method);
     if (skeletonAs !== undefined) await choose(page(), 'Skeleton as', skeletonAs);

@@ -2,7 +2,7 @@ import { resetJoint, setPose } from '../document/edits.ts';
 import { selectedActor } from '../document/selected-actor.ts';
 import type { Session } from '../document/session.ts';
 import { rollJoint } from '../posing/roll-joint.ts';
-import { kernelOf, kernels } from '../skinning/registry.ts';
+import { methods } from '../skinning/registry.ts';
 import { firstPersonFrom, orbitFrom, walk } from '../view/first-person.ts';
 import { orbit } from '../view/camera.ts';
 import type { Editor, Looking } from './editor.ts';
@@ -205,7 +205,7 @@ function toggle(flag: { value: boolean }): void {
 function toggleCompared({ store, session }: Editor): void {
   const { comparedKernel } = session;
   const actor = selectedActor(store, session);
-  const other = kernels.find((kernel) => !actor || kernel !== kernelOf(actor));
+  const other = methods.find(({ id }) => id !== actor?.method);
   comparedKernel.value = comparedKernel.value === null && other ? other.id : null;
 }
 
