@@ -20,6 +20,8 @@ import { UsageError } from './usage-error.ts';
 export const convert: Command = {
   name: 'convert',
   usage: 'convert FILES --to mit|cse169 --out DIR [--pose POSE.json]',
+  summary:
+    'Writes one character in the files of a course, with its pose where one is given, and tells what got lost.',
   async run(words) {
     const options = parseOptions(words);
     const { files, diagnostics: missing } = readFiles(options.files);

@@ -18,6 +18,8 @@ import { UsageError } from './usage-error.ts';
 export const info: Command = {
   name: 'info',
   usage: 'info FILES [--bones] [--json]',
+  summary:
+    'Tells what the files hold: the joints, meshes, morphs and clips of each character, and its bones where they are asked for.',
   async run(words) {
     const { values, positionals } = parseWords(() =>
       parseArgs({

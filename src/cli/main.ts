@@ -7,7 +7,8 @@ async function main(words: readonly string[]): Promise<number> {
   const command = commands.find((candidate) => candidate.name === name);
   const usage = commands.map((each) => `  sinew ${each.usage}`).join('\n');
   if (name === 'help' || name === '--help') {
-    console.log(`Usage:\n${usage}`);
+    const help = commands.map((each) => `  sinew ${each.usage}\n      ${each.summary}`);
+    console.log(`Usage:\n${help.join('\n')}`);
     return 0;
   }
   try {

@@ -34,6 +34,8 @@ export const pose: Command = {
   usage:
     `pose FILES --pose POSE.json [--method ${methodIds}] [--normals ${normalsIds}] [--normalize] [--keep-file-space]` +
     ' --out OUT.obj|OUT.f32',
+  summary:
+    'Writes the posed vertices of one character, in the order and the units of its file, as a mesh or as numbers alone.',
   async run(words) {
     const options = parseOptions(words);
     const { files, diagnostics: missing } = readFiles(options.files);

@@ -13,7 +13,9 @@ import { UsageError } from './usage-error.ts';
  */
 export const sample: Command = {
   name: 'sample',
-  usage: 'sample CLIP.anim --channel N --times t0,t1,… [--json]   (channels count from 0)',
+  usage: 'sample CLIP.anim --channel N --times t0,t1,… [--json]',
+  summary:
+    "Prints the values of one of a clip's channels, which count from 0, at times in seconds.",
   async run(words) {
     const { file, channel, times, json } = parseOptions(words);
     const { files, diagnostics } = readFiles([file]);

@@ -132,7 +132,10 @@ export const contexts: readonly KeyContext[] = [
 
 /** What the pointer does on the view. */
 export const pointerHelp: readonly (readonly [string, string])[] = [
-  ['Left drag', 'Orbit; in bone mode, on a bone, turn it (Alt: roll)'],
+  [
+    'Left drag',
+    'Orbit; in first person, look around; in bone mode, on a bone, turn it (Alt: roll)',
+  ],
   ['Middle drag', 'Move sideways'],
   ['Right drag, wheel', 'Zoom'],
 ];

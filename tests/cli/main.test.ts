@@ -2,6 +2,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { gzipSync } from 'node:zlib';
 import { describe, it } from 'vitest';
+import { commands } from '../../src/cli/commands.ts';
 import { readOne } from '../support/files.ts';
 import { golden, oddities } from '../support/golden.ts';
 import { folderWith, runSinew } from './run-sinew.ts';
@@ -78,6 +79,14 @@ describe.concurrent('sinew, as a process', () => {
         'error: a.skel:1:5: expected a number for z, found "x"; the skeleton is not used\n' +
         'error: a.skel:2: expected "tx ty tz parent", found "3 fields"; the skeleton is not used\n',
     });
+  });
+
+  it('tells every command with what it does', async ({ expect }) => {
+    const { code, out, errors } = await runSinew('.', 'help');
+    expect({ code, errors }).toEqual({ code: 0, errors: '' });
+    for (const { usage, summary } of commands) {
+      expect(out).toContain(`  sinew ${usage}\n      ${summary}\n`);
+    }
   });
 
   it('ends with 2 and the usage where it is called wrongly', async ({ expect }) => {
