@@ -27,6 +27,7 @@ type DiagnosticKind =
   | 'case' // a word in other letters than the format's
   | 'coincident' // joints that stand on one point
   | 'continuation' // a line to be continued by one that is not there
+  | 'character' // looks like a blank or a minus sign, and is none
   | 'count' // two numbers of things that must agree
   | 'cycle' // joints that are their own ancestors
   | 'degrees' // angles that look like degrees
@@ -57,7 +58,9 @@ type DiagnosticKind =
   | 'order' // times that do not rise
   | 'pairing' // files joined by guess
   | 'parent' // a parent that is no joint
+  | 'pointer' // stands for a file that is elsewhere
   | 'range' // a number past what can be computed with, or past a joint's limits
+  | 'rich-text' // written by a word processor
   | 'root' // no root, several, or not the first
   | 'section' // a part of the file that is not there
   | 'singular' // without an inverse

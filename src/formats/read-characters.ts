@@ -3,7 +3,7 @@ import type { Character } from '../core/character.ts';
 import type { Diagnostic } from '../core/diagnostics.ts';
 import { attachTextures } from './attach-textures.ts';
 import { defaultLimits, type Limits } from '../core/limits.ts';
-import { archiveExtension, characterExtensions } from './extensions.ts';
+import { archiveExtension, characterExtensions, textureExtensions } from './extensions.ts';
 import { baseName, extensionOf } from './file-entry.ts';
 import type { FileEntry, FileGroup, FormatReader } from './format.ts';
 import { isJunk } from './junk.ts';
@@ -54,7 +54,9 @@ export async function readCharacters(
     }
   }
   const unused = files.filter((file) => !used.has(file));
-  if (unused.length > 0) diagnostics.push(unknownFiles(unused));
+  const [images, others] = [unused.filter(isImage), unused.filter((file) => !isImage(file))];
+  if (images.length > 0) diagnostics.push(unnamedImages(images));
+  if (others.length > 0) diagnostics.push(unknownFiles(others));
   return { characters, diagnostics };
 }
 
@@ -112,6 +114,24 @@ function truncated({ path, size }: FileEntry, found: number): Diagnostic {
 
 function isArchive({ path }: FileEntry): boolean {
   return extensionOf(path) === archiveExtension;
+}
+
+function isImage({ path }: FileEntry): boolean {
+  return textureExtensions.includes(extensionOf(path));
+}
+
+/** Images are read well enough; none of the characters has a use for them. */
+function unnamedImages(images: readonly FileEntry[]): Diagnostic {
+  const names = images.map(({ path }) => baseName(path));
+  const others = names.length > 1 ? ` and ${names.length - 1} more` : '';
+  return {
+    severity: 'warning',
+    code: 'file/unknown',
+    file: `${names[0]!}${others}`,
+    expected: 'images that a material names',
+    found: names.length > 1 ? 'images that none names' : 'an image that none names',
+    effect: names.length > 1 ? 'they are not used' : 'the file is not used',
+  };
 }
 
 /** One warning for all of them: a folder may hold hundreds. */

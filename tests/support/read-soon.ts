@@ -4,8 +4,8 @@ import type { ReadOutcome } from '../../src/formats/read-characters.ts';
 import { cpuTime } from './cpu-time.ts';
 import { type FileContents, readContents } from './files.ts';
 
-/** Milliseconds; a guard against hanging, for files as small as those of these tests. */
-const longestRead = 1000;
+/** Milliseconds; a guard against hanging, some twenty times what the slowest file takes on a quiet machine. */
+const longestRead = 10_000;
 
 export async function readSoon(
   contents: FileContents,

@@ -39,7 +39,8 @@ export class CornerReader {
     const count = this.streams.positions.count;
     const point = resolve(parts.point, count);
     if (point === -1) {
-      const range = `1 to ${count} or -${count} to -1`;
+      const range =
+        count > 0 ? `1 to ${count} or -${count} to -1` : 'a vertex, but none came before';
       this.fail('index', range + this.laterPlace(parts.point), `${parts.point}`);
       return undefined;
     }

@@ -4,7 +4,8 @@ import { decodeText } from './decode-text.ts';
 
 /**
  * The bytes of a text file without a byte order mark, or nothing (and a diagnostic) where they are
- * no text: UTF-16, a picture that was renamed, a server's error page, an empty file.
+ * no text: UTF-16, a picture that was renamed, a server's error page, a pointer to the file, rich text, an
+ * empty file.
  */
 export function checkText(
   file: string,
@@ -35,6 +36,15 @@ function faultOf(bytes: Uint8Array): Fault | undefined {
   }
   const nul = bytes.indexOf(0);
   if (nul >= 0) return { code: 'file/binary', found: `byte 0x00 @ byte ${nul}` };
+  const start = decodeText(bytes.subarray(0, 64));
+  if (start.startsWith('version https://git-lfs.')) {
+    const expected = 'the file itself, which "git lfs pull" brings';
+    return { code: 'file/pointer', found: 'a pointer of Git LFS', expected };
+  }
+  if (start.startsWith('{\\rtf')) {
+    const expected = 'plain text; save it as such';
+    return { code: 'file/rich-text', found: 'rich text (RTF) of a word processor', expected };
+  }
   return isWebPage(bytes) ? { code: 'file/html', found: 'an HTML page' } : undefined;
 }
 

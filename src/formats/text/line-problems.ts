@@ -1,13 +1,14 @@
 import type { DiagnosticLog, Place } from '../../core/diagnostics.ts';
-import { firstInvalidByte } from './decode-text.ts';
+import { decodeText, firstInvalidByte } from './decode-text.ts';
 
 /**
- * Whether a line is not UTF-8, and a warning if so. Not an error: old tools write comments and names
+ * Whether a line is not UTF-8, or has a character beside a number that only looks like a blank or a minus
+ * sign; and a warning if so. Not an error: old tools write comments and names
  * in the encodings of their time, and the numbers are ASCII in all of them.
  */
 export function reportEncoding(log: DiagnosticLog, place: Place, line: Uint8Array): boolean {
   const invalid = firstInvalidByte(line);
-  if (invalid === -1) return false;
+  if (invalid === -1) return reportLookalike(log, place, decodeText(line));
   log.warn({
     code: 'file/encoding',
     ...place,
@@ -15,6 +16,27 @@ export function reportEncoding(log: DiagnosticLog, place: Place, line: Uint8Arra
     expected: 'UTF-8 text',
     found: `byte 0x${line[invalid]!.toString(16).toUpperCase()}`,
     effect: 'such characters are shown as \uFFFD; all else is read',
+  });
+  return true;
+}
+
+/** Spaces and dashes of typesetting, where a number stands beside them; not in comments. */
+const lookalike = /[\d.]([\u00a0\u2000-\u200b\u202f\u205f\u3000])|([\u2010-\u2015\u2212])[\d.]/;
+
+function reportLookalike(log: DiagnosticLog, place: Place, line: string): boolean {
+  const match = lookalike.exec(line.replace(/#.*/, ''));
+  if (!match) return false;
+  const [text, space, dash] = match;
+  const character = space ?? dash!;
+  const before = line.slice(0, match.index + text.indexOf(character));
+  const code = character.codePointAt(0)!.toString(16).toUpperCase().padStart(4, '0');
+  log.warn({
+    code: 'file/character',
+    ...place,
+    column: new TextEncoder().encode(before).length + 1,
+    expected: space === undefined ? 'a minus sign "-"' : 'a plain space',
+    found: `U+${code}, which only looks like one`,
+    effect: 'numbers beside such characters can not be read; replace all of them',
   });
   return true;
 }

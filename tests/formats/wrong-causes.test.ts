@@ -1,0 +1,63 @@
+import { describe, expect, it } from 'vitest';
+import { formatDiagnostic } from '../../src/core/diagnostics.ts';
+import { readContents } from '../support/files.ts';
+import { squarePmd } from '../support/pmd-files.ts';
+
+const skel = '0 0 0 -1\n0 1 0 0\n';
+const obj = 'v 0 0 0\nv 1 0 0\nv 1 2 0\nf 1 2 3\n';
+const attach = '0\n0\n1\n';
+const whole = { 'a.skel': skel, 'a.obj': obj, 'a.attach': attach };
+
+async function told(files: Record<string, string | Uint8Array>): Promise<string> {
+  const { diagnostics } = await readContents(files);
+  return diagnostics.map(formatDiagnostic).join('\n');
+}
+
+describe('the message names the cause', () => {
+  it('of a pointer of Git LFS in the place of a file', async () => {
+    const pointer = 'version https://git-lfs.github.com/spec/v1\noid sha256:46\nsize 8\n';
+    for (const name of ['a.obj', 'a.skel', 'a.skin', 'a.anim']) {
+      expect(await told({ ...whole, [name]: pointer }), name).toContain(
+        `${name}: expected the file itself, which "git lfs pull" brings, found "a pointer of Git LFS"`,
+      );
+    }
+  });
+
+  it('of rich text', async () => {
+    const text = '{\\rtf1\\ansi 0 0 0 -1\\ 0 1 0 0}';
+    expect(await told({ ...whole, 'a.skel': text })).toContain('found "rich text (RTF)');
+    expect(await told({ ...whole, 'a.obj': text })).toContain('found "rich text (RTF)');
+  });
+
+  it.each([
+    ['0 0 0\u00a0-1\n', 'a.skel:1:6: expected a plain space, found "U+00A0'],
+    ['0 0 0 -1\n0\u3000 1 0 0\n', 'a.skel:2:2: expected a plain space, found "U+3000'],
+    ['0 0 0 \u22121\n', 'a.skel:1:7: expected a minus sign "-", found "U+2212'],
+    ['0 0 0 -1\n0 1 \u20130.5 0\n', 'a.skel:2:5: expected a minus sign "-", found "U+2013'],
+  ])('of a character that only looks like a blank or a minus sign: %j', async (text, message) => {
+    expect(await told({ ...whole, 'a.skel': text })).toContain(message);
+  });
+
+  it('but such characters in comments and names are nobody’s fault', async () => {
+    const named = `# 1\u00a0000 faces, 3\u2212x\nusemtl a\u00a0b \u2212 c\n${obj}`;
+    expect(await told({ ...whole, 'a.obj': named })).not.toContain('only looks like');
+  });
+
+  it('of a face before all vertices', async () => {
+    const message = await told({ ...whole, 'a.obj': `f 1 2 3\n${obj}` });
+    expect(message).toContain('a.obj:1:3: expected a vertex, but none came before');
+    expect(message).toContain('vertex 1 comes later, in line 2');
+  });
+
+  it('of images that no material names, apart from files that Sinew does not read', async () => {
+    const image = new Uint8Array([0x42, 0x4d, 0, 0]);
+    const message = await told({
+      'a.pmd': squarePmd,
+      'b.bmp': image,
+      'c.png': image,
+      'd.doc': 'x',
+    });
+    expect(message).toContain('b.bmp and 1 more: expected images that a material names');
+    expect(message).toContain('d.doc: expected files that Sinew reads');
+  });
+});
