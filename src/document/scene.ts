@@ -1,6 +1,7 @@
 import type { Character } from '../core/character.ts';
 import { normalizeSkin, type Skin } from '../core/skin.ts';
-import type { MethodId, NormalsId } from '../skinning/method.ts';
+import type { NormalsId } from '../core/skin.ts';
+import type { MethodId } from '../skinning/method.ts';
 import { defaultDeformation } from '../skinning/registry.ts';
 
 /**

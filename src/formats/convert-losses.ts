@@ -5,7 +5,7 @@ import { lost } from './lost.ts';
 
 /** What a character has and the other course's files have no place for, whatever its pose. */
 export function partsLost(
-  { name, skeleton, skin, morphs, clips, materials, mmd }: Character,
+  { name, skeleton, skin, morphs, clips, materials, extra }: Character,
   to: ConvertTarget,
 ): Diagnostic[] {
   const losses: Diagnostic[] = [];
@@ -25,8 +25,8 @@ export function partsLost(
     if (skin.bindFromJoint) lose('normals', 'computed from the triangles');
     if (materials.some(({ texture }) => texture !== undefined)) lose('names of textures');
   }
-  if (materials.some(({ colours }) => colours !== undefined)) lose('colours of materials');
-  if (mmd) lose('IK chains, lists, physics and names in English');
+  if (materials.some(({ colors }) => colors !== undefined)) lose('colors of materials');
+  if (extra) lose(extra.summary);
   const limited = skeleton.qMin.filter((low, i) => low > -Infinity || skeleton.qMax[i]! < Infinity);
   if (limited.length > 0) lose(`limits of ${limited.length} values`);
   if (morphs.length > 0) lose(`${morphs.length} morphs`);

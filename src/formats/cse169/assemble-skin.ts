@@ -91,7 +91,7 @@ function weightsOf(
     });
   }
   const { jointFromBind, bindFromJoint } = bindings;
-  return { file, ...skinweights, jointFromBind, bindFromJoint };
+  return { file, ...skinweights, jointFromBind, bindFromJoint, normals: 'joints' };
 }
 
 function checkTriangles(log: DiagnosticLog, triangles: Uint32Array, pointCount: number): void {
