@@ -10,6 +10,7 @@ import { readHeader } from './header.ts';
 import { readIkChains } from './ik.ts';
 import { readMaterials } from './materials.ts';
 import type { MmdParts } from './mmd-parts.ts';
+import { mmdShape } from './shape.ts';
 import { readSignature } from './signature.ts';
 import { type PmdVertices, readVertices } from './vertices.ts';
 
@@ -61,7 +62,7 @@ export function readPmd(
       ...extras.mmd,
     };
     return {
-      fileSpace: 'left-handed',
+      fileSpace: mmdShape.handedness,
       ...(bones.length > 0 ? { skeleton: skeletonParts(file, bones) } : {}),
       ...(vertices.count > 0 ? { mesh: meshParts(file, vertices, faces, materials) } : {}),
       ...(isSkinned ? { skin: skinParts(file, vertices, bones.length, log, effect) } : {}),
