@@ -3,9 +3,8 @@ import type { Character } from '../core/character.ts';
 import type { Diagnostic } from '../core/diagnostics.ts';
 import type { Pose } from '../core/pose.ts';
 import { convertCharacter } from '../formats/convert.ts';
-import type { ConvertTarget } from '../formats/convert-parts.ts';
 import { poseToJson } from '../formats/pose-json.ts';
-import { loadWriter } from '../formats/registry.ts';
+import { type ConvertTarget, loadWriter, shapeOf } from '../formats/registry.ts';
 import { download } from './download.ts';
 
 /**
@@ -27,9 +26,11 @@ export async function saveAs(
   const archive = zipSync(
     Object.fromEntries([
       ...files.map(({ path, bytes }) => [path, bytes] as const),
-      ...(format === 'cse169' ? character.images.map(({ name, bytes }) => [name, bytes]) : []),
+      ...(shapeOf(format).textures ? character.images : []).map(
+        ({ name, bytes }) => [name, bytes] as const,
+      ),
       [`${character.name}.pose.json`, new TextEncoder().encode(poseJson)],
-    ]) as Record<string, Uint8Array>,
+    ]),
   );
   download(`${character.name}-${format}.zip`, archive, 'application/zip');
   return [...converted.losses, ...losses];

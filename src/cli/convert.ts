@@ -5,21 +5,22 @@ import type { Character } from '../core/character.ts';
 import { type Diagnostic, hasErrors } from '../core/diagnostics.ts';
 import { type Pose, restPose } from '../core/pose.ts';
 import { convertCharacter } from '../formats/convert.ts';
-import type { ConvertTarget } from '../formats/convert-parts.ts';
 import { baseName } from '../formats/file-entry.ts';
 import type { OutputFile } from '../formats/format.ts';
 import { poseToJson, readPoseJson } from '../formats/pose-json.ts';
 import { readCharacters } from '../formats/read-characters.ts';
-import { loadWriter } from '../formats/registry.ts';
+import { type ConvertTarget, convertTargets, loadWriter } from '../formats/registry.ts';
 import type { Command } from './command.ts';
 import { printDiagnostics, readFiles, unreadable, unwritable, userPath } from './files.ts';
 import { parseWords } from './parse-words.ts';
 import { UsageError } from './usage-error.ts';
 
-/** `convert FILES --to mit|cse169 --out DIR [--pose POSE.json]`: the other course's files. */
+const usage = `convert FILES --to ${convertTargets.join('|')} --out DIR [--pose POSE.json]`;
+
+/** `convert FILES --to FORMAT --out DIR [--pose POSE.json]`: the other course's files. */
 export const convert: Command = {
   name: 'convert',
-  usage: 'convert FILES --to mit|cse169 --out DIR [--pose POSE.json]',
+  usage,
   summary:
     'Writes one character in the files of a course, with its pose where one is given, and tells what got lost.',
   async run(words) {
@@ -57,13 +58,15 @@ function parseOptions(words: readonly string[]) {
   );
   const { to, out, pose } = values;
   if (files.length === 0) throw new UsageError('expected files, found none');
-  if (!isTarget(to)) throw new UsageError('expected --to mit or --to cse169');
+  if (!isTarget(to)) {
+    throw new UsageError(`expected ${convertTargets.map((id) => `--to ${id}`).join(' or ')}`);
+  }
   if (out === undefined) throw new UsageError('expected --out with a folder');
   return { files, to, out, pose };
 }
 
 function isTarget(id: string | undefined): id is ConvertTarget {
-  return id === 'mit' || id === 'cse169';
+  return convertTargets.some((target) => target === id);
 }
 
 /** The pose that is given, in the angles of the files that are read; else theirs. */

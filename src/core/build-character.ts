@@ -71,7 +71,8 @@ function assemble(
     bounds: restBounds(skeleton, mesh),
     missing: parts.missing,
     meta: { fileSpace: parts.fileSpace ?? 'right-handed' },
-    ...(parts.mmd ? { mmd: parts.mmd } : {}),
+    optionalImages: parts.optionalImages ?? [],
+    ...(parts.extra ? { extra: parts.extra } : {}),
   };
 }
 

@@ -27,6 +27,7 @@ export function buildSkin(
     ...rows.skin,
     paletteJoint: Uint16Array.from({ length: skeleton.jointCount }, (_, joint) => joint),
     jointFromBind: bindMatrices(parts, skeleton),
+    normals: parts.normals ?? 'blended',
     ...(parts.bindFromJoint ? { bindFromJoint: inOrder(parts.bindFromJoint, skeleton) } : {}),
   };
 }
@@ -39,6 +40,7 @@ export function buildStaticSkin(pointCount: number): Skin {
     start: Uint32Array.from({ length: pointCount + 1 }, (_, point) => point),
     entries: new Uint16Array(pointCount),
     weights: new Float32Array(pointCount).fill(1),
+    normals: 'blended',
   };
 }
 

@@ -1,6 +1,7 @@
+import type { CharacterExtra } from './character.ts';
 import type { Place } from './diagnostics.ts';
-import type { MmdParts } from './mmd-parts.ts';
 import type { DofKind } from './skeleton.ts';
+import type { NormalsId } from './skin.ts';
 
 /**
  * Loose parts, pleasant for a reader to fill. A reader never makes a `Character`: one builder
@@ -17,8 +18,9 @@ export interface CharacterParts {
   readonly missing: readonly string[];
   /** Of the files' own coordinates; right-handed where absent. */
   readonly fileSpace?: FileSpace;
-  /** What an MMD file has beyond the other formats. */
-  readonly mmd?: MmdParts;
+  /** Names of images that go with the files and may stay away; none where absent. */
+  readonly optionalImages?: readonly string[];
+  readonly extra?: CharacterExtra;
 }
 
 /**
@@ -92,6 +94,8 @@ export interface SkinParts {
   readonly jointFromBind?: Float64Array;
   /** (jointCount × 16) their inverses, where it is these that the file has: for writers. */
   readonly bindFromJoint?: Float64Array;
+  /** How the format's own programs turn normals; 'blended' where absent. */
+  readonly normals?: NormalsId;
 }
 
 export interface MaterialParts {
@@ -99,25 +103,29 @@ export interface MaterialParts {
   /** Name of an image file, as the file has it. */
   readonly texture?: string;
   /** Absent where the file has none. */
-  readonly colours?: MaterialColours;
-  /** An image that the normal looks up, added to the colour or multiplied with it. */
+  readonly colors?: MaterialColors;
+  /** An image that the normal looks up, added to the color or multiplied with it. */
   readonly sphere?: { readonly texture: string; readonly blend: 'add' | 'multiply' };
   /** Index of the ramp that shades it, or -1 for none. */
   readonly toon?: number;
   /** Whether an outline is drawn. */
   readonly hasEdge?: boolean;
+  /** Whether the inner sides are shown too; they are where absent. */
+  readonly twoSided?: boolean;
 }
 
-export type Colour = readonly [number, number, number];
+export type Color = readonly [number, number, number];
 
 /** As the file has them, 0 to 1 as a rule, in the file's (sRGB) encoding. */
-export interface MaterialColours {
-  readonly diffuse: Colour;
+export interface MaterialColors {
+  readonly diffuse: Color;
   readonly alpha: number;
-  readonly specular: Colour;
+  readonly specular: Color;
   /** Exponent of the highlight. */
   readonly shininess: number;
-  readonly ambient: Colour;
+  readonly ambient: Color;
+  /** What the surface shows in full light, by the rule of the format's own program; it may pass 1. */
+  readonly shown: Color;
 }
 
 /** A shape that is added, by a weight, to the mesh at rest: offsets of some of its points. */

@@ -2,7 +2,6 @@ import type { Bone } from './bones.ts';
 import type { Bounds } from './bounds.ts';
 import type { ClipParts, FileSpace, MaterialParts } from './character-parts.ts';
 import type { Mesh } from './mesh.ts';
-import type { MmdParts } from './mmd-parts.ts';
 import type { Morph } from './morph.ts';
 import type { Skeleton } from './skeleton.ts';
 import type { Skin } from './skin.ts';
@@ -37,8 +36,18 @@ export interface Character {
   /** What was not there, for the user: kinds of file (".attach") and images ("head.bmp"). */
   readonly missing: readonly string[];
   readonly meta: CharacterMeta;
-  /** What an MMD file has beyond the other formats; joints and points by their index in the file. */
-  readonly mmd?: MmdParts;
+  /** Names of images that go with the files and may stay away: nothing that is shown needs them. */
+  readonly optionalImages: readonly string[];
+  readonly extra?: CharacterExtra;
+}
+
+/**
+ * What a file has beyond the parts that all formats share. The format's own folder types it and knows
+ * it again; everyone else hands it on.
+ */
+export interface CharacterExtra {
+  /** What it holds, in words, for whoever leaves it out and says so. */
+  readonly summary: string;
 }
 
 /** About the files that a character came from, for writers; nothing further down asks for it. */

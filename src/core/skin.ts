@@ -1,6 +1,9 @@
 /** A palette entry that follows no joint but stands still in the character's space. */
 export const noJoint = 0xffff;
 
+/** How normals follow: with the matrix that the vertex follows, or each joint turning them on its own. */
+export type NormalsId = 'blended' | 'joints';
+
 /**
  * Which joints move which point, and how much: compressed sparse rows of *palette entries*. An
  * entry is a joint with its inverse bind matrix. Rows have as many influences as the file gives.
@@ -18,6 +21,8 @@ export interface Skin {
   readonly entries: Uint16Array;
   /** (start[pointCount]) as the file has them: the courses' formula does not renormalise. */
   readonly weights: Float32Array;
+  /** How the programs of the file's own format turn normals. */
+  readonly normals: NormalsId;
 }
 
 export function largestInfluenceCount(skin: Skin): number {

@@ -1,6 +1,7 @@
 import { assert } from '../core/assert.ts';
 import { jointRange } from '../core/pose.ts';
-import type { MethodId, NormalsId } from '../skinning/method.ts';
+import type { NormalsId } from '../core/skin.ts';
+import type { MethodId } from '../skinning/method.ts';
 import type { Actor, ActorId, Scene, Transform } from './scene.ts';
 
 /** An edit: a pure function from scene to scene, with a name for the Undo button. */

@@ -2,7 +2,8 @@ import type { Character } from '../core/character.ts';
 import { type Clip, clipFor } from '../core/clip.ts';
 import type { ClipParts } from '../core/character-parts.ts';
 import { normalizeSkin, type Skin } from '../core/skin.ts';
-import type { MethodId, NormalsId } from '../skinning/method.ts';
+import type { NormalsId } from '../core/skin.ts';
+import type { MethodId } from '../skinning/method.ts';
 import { defaultDeformation } from '../skinning/registry.ts';
 
 /**

@@ -33,9 +33,8 @@ export async function attachTextures(
     used.push(file);
     images.push({ name, bytes: await file.bytes() });
   }
-  // Toons shade a surface and may stay away: every program for these files has its own.
-  for (const toon of character.mmd?.toons ?? []) {
-    const file = findTexture(files, toon);
+  for (const name of character.optionalImages) {
+    const file = findTexture(files, name);
     if (file) used.push(file);
   }
   if (names.length === 0) return { character, used };

@@ -1,32 +1,35 @@
 import type { Character } from '../core/character.ts';
 import type { Diagnostic } from '../core/diagnostics.ts';
-import type { ConvertTarget } from './convert-parts.ts';
+import type { FormatShape } from './format.ts';
 import { lost } from './lost.ts';
 
-/** What a character has and the other course's files have no place for, whatever its pose. */
+/**
+ * What a character has and its files of the other shape do not, whatever its pose. Values are solved and
+ * points are numbered anew, so that limits, morphs and clips, which are told in them, are left out of any.
+ */
 export function partsLost(
-  { name, skeleton, skin, morphs, clips, materials, mmd }: Character,
-  to: ConvertTarget,
+  { name, skeleton, skin, morphs, clips, materials, extra }: Character,
+  shape: FormatShape,
 ): Diagnostic[] {
   const losses: Diagnostic[] = [];
-  const course = to === 'mit' ? '6.837' : 'CSE169';
   const lose = (found: string, effect = 'left out'): void => {
-    losses.push(lost(name, `what the files of ${course} can hold`, found, effect));
+    losses.push(lost(name, `what the files of ${shape.owner} can hold`, found, effect));
   };
-  if (to === 'mit') {
-    if (skeleton.fileNames.some((each) => each !== '')) lose('names of joints');
-    if (skeleton.displayBoxes) lose('boxes of joints');
-    if (skin.bindFromJoint && isTurned(skin.bindFromJoint)) {
-      lose('rotations in the bindings', 'joints stand unturned where the mesh is bound');
-    }
-    if (skeleton.qRest.some((value) => value !== 0)) {
-      lose("the file's pose", 'the mesh stands as it is bound; POSE.json holds the pose');
-    }
-    if (skin.bindFromJoint) lose('normals', 'computed from the triangles');
-    if (materials.some(({ texture }) => texture !== undefined)) lose('names of textures');
+  if (!shape.jointNames && skeleton.fileNames.some((each) => each !== '')) lose('names of joints');
+  if (!shape.jointBoxes && skeleton.displayBoxes) lose('boxes of joints');
+  if (!shape.bindings && skin.bindFromJoint && isTurned(skin.bindFromJoint)) {
+    lose('rotations in the bindings', 'joints stand unturned where the mesh is bound');
   }
-  if (materials.some(({ colours }) => colours !== undefined)) lose('colours of materials');
-  if (mmd) lose('IK chains, lists, physics and names in English');
+  if (!shape.restPose && skeleton.qRest.some((value) => value !== 0)) {
+    lose("the file's pose", 'the mesh stands as it is bound; POSE.json holds the pose');
+  }
+  if (!shape.ownNormals && skin.bindFromJoint) lose('normals', 'computed from the triangles');
+  if (!shape.textures && materials.some(({ texture }) => texture !== undefined)) {
+    lose('names of textures');
+  }
+  if (!shape.colors && materials.some(({ colors }) => colors !== undefined))
+    lose('colors of materials');
+  if (extra) lose(extra.summary);
   const limited = skeleton.qMin.filter((low, i) => low > -Infinity || skeleton.qMax[i]! < Infinity);
   if (limited.length > 0) lose(`limits of ${limited.length} values`);
   if (morphs.length > 0) lose(`${morphs.length} morphs`);

@@ -1,4 +1,4 @@
-import type { CharacterParts, JointParts, MeshParts } from '../core/character-parts.ts';
+import type { CharacterParts, DofParts, JointParts, MeshParts } from '../core/character-parts.ts';
 import type { Character } from '../core/character.ts';
 import { noParent } from '../core/skeleton.ts';
 import { noJoint } from '../core/skin.ts';
@@ -7,9 +7,8 @@ import { uniqueNames } from './unique-names.ts';
 import { oneWord } from './cse169/write-skel.ts';
 import { bindMatrix } from './cse169/write-skin.ts';
 import { jointNames } from './mit/joint-names.ts';
+import type { FormatShape } from './format.ts';
 import type { Target } from './solve-pose.ts';
-
-export type ConvertTarget = 'mit' | 'cse169';
 
 /**
  * Loose parts in the shape of the other format; a point of the new mesh is a render vertex of the old.
@@ -18,8 +17,8 @@ export type ConvertTarget = 'mit' | 'cse169';
  */
 export function convertParts(
   { name, skeleton, mesh, skin, materials, missing }: Character,
-  to: ConvertTarget,
-  { insertRoot, bound }: Target,
+  shape: FormatShape,
+  { product, frames, insertRoot, bound }: Target,
   restAngles: Float64Array | null,
 ): CharacterParts {
   const shift = insertRoot ? 1 : 0;
@@ -34,23 +33,20 @@ export function convertParts(
   const allParents = insertRoot ? [noParent, ...parents] : parents;
   // As the files will give them, so that a pose by name fits: words in the one, none in the other.
   const fileNames = Array.from(skeleton.jointOfSource, (joint) => oneWord(skeleton.names[joint]!));
-  const names = to === 'mit' ? jointNames(allParents) : uniqueNames(fileNames);
+  const names = shape.jointNames ? uniqueNames(fileNames) : jointNames(allParents);
   const joints: JointParts[] = Array.from(skeleton.jointOfSource, (joint, source) => {
     const parent = parents[source]!;
-    const dofs =
-      to === 'mit'
-        ? ballHinges([0, 0, 0], []).toReversed()
-        : ballHinges(tripleAt(restAngles!, joint), []);
+    const dofs = hinges(restAngles ? tripleAt(restAngles, joint) : [0, 0, 0]);
     return {
       name: names[source + shift]!,
-      ...(to === 'mit' ? {} : { fileName: names[source]! }),
+      ...(shape.jointNames ? { fileName: names[source]! } : {}),
       parent,
-      restOffset: to === 'mit' ? offsetAtBind(joint) : tripleAt(skeleton.restOffsets, joint),
+      restOffset: frames === 'bind' ? offsetAtBind(joint) : tripleAt(skeleton.restOffsets, joint),
       dofs: parent === noParent ? [...rootSlides, ...dofs] : dofs,
     };
   });
   if (insertRoot) {
-    const dofs = [...rootSlides, ...ballHinges([0, 0, 0], []).toReversed()];
+    const dofs = [...rootSlides, ...hinges([0, 0, 0])];
     joints.unshift({ name: names[0]!, parent: noParent, restOffset: [0, 0, 0], dofs });
   }
   return {
@@ -60,6 +56,11 @@ export function convertParts(
     ...(skin.paletteJoint.includes(noJoint) ? {} : { skin: skinParts() }),
     missing,
   };
+
+  function hinges(angles: readonly [number, number, number]): DofParts[] {
+    const outermostZ = ballHinges(angles, []);
+    return product === 'zyx' ? outermostZ : outermostZ.toReversed();
+  }
 
   function offsetAtBind(joint: number): [number, number, number] {
     const parent = skeleton.parents[joint]!;
@@ -110,7 +111,8 @@ export function convertParts(
       start,
       joints: Uint16Array.from(influences, sourceOf),
       weights: Float32Array.from(influences, (i) => skin.weights[i]!),
-      ...(to === 'mit' ? {} : binds),
+      normals: shape.normals,
+      ...(shape.bindings ? binds : {}),
     };
   }
 }

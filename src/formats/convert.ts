@@ -1,15 +1,17 @@
 import { mat4 } from 'gl-matrix';
 import { buildCharacter } from '../core/build-character.ts';
 import type { Character } from '../core/character.ts';
+import { assert } from '../core/assert.ts';
 import type { Diagnostic } from '../core/diagnostics.ts';
-import type { EulerProduct } from '../core/euler.ts';
 import { jointMatrices } from '../core/forward-kinematics.ts';
 import type { Pose } from '../core/pose.ts';
-import { DofKind, firstRoot, noParent, type Skeleton } from '../core/skeleton.ts';
+import { DofKind, firstRoot, type Skeleton } from '../core/skeleton.ts';
 import { noJoint } from '../core/skin.ts';
 import { partsLost } from './convert-losses.ts';
-import { type ConvertTarget, convertParts, tripleAt } from './convert-parts.ts';
+import { convertParts, tripleAt } from './convert-parts.ts';
 import { bindMatrix } from './cse169/write-skin.ts';
+import { fitsShape } from './fits-shape.ts';
+import { type ConvertTarget, shapeOf } from './registry.ts';
 import { solvePose, type Target } from './solve-pose.ts';
 import { lost } from './lost.ts';
 
@@ -20,31 +22,31 @@ export interface Converted {
   readonly losses: readonly Diagnostic[];
 }
 
-const products: Readonly<Record<ConvertTarget, EulerProduct>> = { mit: 'xyz', cse169: 'zyx' };
-
 /**
  * The character as the other course's files can hold it, and the pose that looks the same there.
  * Rotations are carried, not numbers: equal angles turn differently in the two, so that they are
  * solved anew. A character that has the format's own shape is left as it is.
  *
- * To CSE169 the frames of the joints stay, and the file's own rest becomes the file's pose. 6.837 binds
- * every joint unturned where the mesh stands: frames are taken from the binding there, and what the
- * joints have turned since then is the pose.
+ * Where the format has bindings of its own (CSE169) the frames of the joints stay, and the file's own rest
+ * becomes the file's pose. Else (6.837) every joint is bound unturned where the mesh stands: frames are
+ * taken from the binding there, and what the joints have turned since then is the pose.
  */
 export function convertCharacter(character: Character, to: ConvertTarget, pose: Pose): Converted {
   const { skeleton, skin, name } = character;
   const losses: Diagnostic[] = [];
-  if (skeleton.jointCount === 0 || hasShape(character, to)) return { character, pose, losses };
-  const insertRoot = to === 'mit' && firstJointHasWeight(character);
+  const shape = shapeOf(to);
+  if (skeleton.jointCount === 0 || fitsShape(character, shape)) return { character, pose, losses };
+  assert(shape.turns !== 'ball', 'a format whose joints turn by angles');
+  const insertRoot = !shape.firstJointWeights && firstJointHasWeight(character);
   const bound = bindPlaces(character);
   const target: Target = {
-    product: products[to],
-    frames: to === 'mit' ? 'bind' : 'joint',
+    product: shape.turns,
+    frames: shape.bindings ? 'joint' : 'bind',
     insertRoot,
     bound,
   };
-  const rest = to === 'mit' ? null : solvePose(skeleton, skin, skeleton.qRest, target);
-  const parts = convertParts(character, to, target, rest?.angles ?? null);
+  const rest = shape.restPose ? solvePose(skeleton, skin, skeleton.qRest, target) : null;
+  const parts = convertParts(character, shape, target, rest?.angles ?? null);
   const built = buildCharacter(parts).value!;
   const solved = solvePose(skeleton, skin, pose.q, target);
   const q = poseOf(built.skeleton, skeleton, solved, insertRoot);
@@ -62,32 +64,12 @@ export function convertCharacter(character: Character, to: ConvertTarget, pose: 
       lost(name, 'a first joint without weights', skeleton.names[first(skeleton)]!, effect),
     );
   }
-  losses.push(...partsLost(character, to));
+  losses.push(...partsLost(character, shape));
   return { character: built, pose: { q }, losses };
 }
 
 function first(skeleton: Skeleton): number {
   return skeleton.jointOfSource[0]!;
-}
-
-/** Whether the character is already what the format's own files give. */
-function hasShape({ skeleton, skin }: Character, to: ConvertTarget): boolean {
-  const order = to === 'mit' ? [0, 1, 2] : [2, 1, 0];
-  for (let joint = 0; joint < skeleton.jointCount; joint++) {
-    const from = skeleton.dofStart[joint]!;
-    const kinds = [...skeleton.dofKind.subarray(from, skeleton.dofStart[joint + 1])];
-    const slides = skeleton.parents[joint] === noParent ? [0, 1, 2] : [];
-    const axes = [...slides, ...order];
-    const fits =
-      kinds.length === axes.length &&
-      kinds.every((kind, i) => {
-        const wanted = i < slides.length ? DofKind.slide : DofKind.hinge;
-        return kind === wanted && skeleton.dofAxis[(from + i) * 3 + axes[i]!] === 1;
-      });
-    if (!fits || Math.abs(skeleton.restRotations[joint * 4 + 3]!) !== 1) return false;
-  }
-  if (to === 'cse169') return true;
-  return skin.bindFromJoint === undefined && skeleton.qRest.every((value) => value === 0);
 }
 
 function firstJointHasWeight({ skeleton, skin }: Character): boolean {

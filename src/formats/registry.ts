@@ -1,42 +1,65 @@
 import { assert } from '../core/assert.ts';
 import { formatExtensions } from './extensions.ts';
+import { cse169Shape } from './cse169/shape.ts';
 import { extensionOf } from './file-entry.ts';
-import type { FileEntry, FormatReader, FormatWriter } from './format.ts';
+import type { FileEntry, FormatReader, FormatShape, FormatWriter } from './format.ts';
+import { mitShape } from './mit/shape.ts';
+import { mmdShape } from './mmd/shape.ts';
 import { skelDialect } from './skel-dialect.ts';
 
 /**
- * A seam: a format is a folder with a reader and a writer, and an entry here. Both are loaded at first
- * use, so that a page has none whose files it never meets.
+ * A seam: a format is a folder with a shape, a reader and a writer, and an entry here. The latter two are
+ * loaded at first use, so that a page has none whose files it never meets.
  */
 export interface FormatEntry {
   readonly id: FormatId;
   readonly label: string;
+  readonly shape: FormatShape;
   readonly loadReader: () => Promise<FormatReader>;
   readonly loadWriter?: () => Promise<FormatWriter>;
 }
 
 export type FormatId = keyof typeof formatExtensions;
 
-/** Every format that Sinew reads. */
-export const formats: readonly FormatEntry[] = [
+const entries = [
   {
     id: 'mit',
     label: 'MIT 6.837',
+    shape: mitShape,
     loadReader: async () => (await import('./mit/reader.ts')).mitReader,
     loadWriter: async () => (await import('./mit/write-character.ts')).writeMit,
   },
   {
     id: 'cse169',
     label: 'UCSD CSE169',
+    shape: cse169Shape,
     loadReader: async () => (await import('./cse169/reader.ts')).cse169Reader,
     loadWriter: async () => (await import('./cse169/write-character.ts')).writeCse169,
   },
   {
     id: 'mmd',
     label: 'MikuMikuDance',
+    shape: mmdShape,
     loadReader: async () => (await import('./mmd/reader.ts')).mmdReader,
   },
-];
+] as const satisfies readonly FormatEntry[];
+
+/** Every format that Sinew reads. */
+export const formats: readonly FormatEntry[] = entries;
+
+/** A format that is written too, so that a character can be converted to it. */
+export type ConvertTarget = Extract<
+  (typeof entries)[number],
+  { readonly loadWriter: unknown }
+>['id'];
+
+export const convertTargets: readonly ConvertTarget[] = entries.flatMap((entry) =>
+  'loadWriter' in entry ? [entry.id] : [],
+);
+
+export function shapeOf(id: FormatId): FormatShape {
+  return formats.find((each) => each.id === id)!.shape;
+}
 
 /** The writer of a format that has one. */
 export async function loadWriter(id: FormatId): Promise<FormatWriter> {

@@ -11,9 +11,6 @@ export interface VertexStreams {
 
 export type MethodId = 'linear-blend' | 'rigid';
 
-/** How normals follow: with the matrix that the vertex follows, or each joint turning them on its own. */
-export type NormalsId = 'blended' | 'joints';
-
 /** A method with a way of normals, as it is computed. */
 export type KernelId = MethodId | 'joint-normals';
 

@@ -1,8 +1,9 @@
 import { assert } from '../core/assert.ts';
 import type { Character } from '../core/character.ts';
+import type { NormalsId } from '../core/skin.ts';
 import { jointNormals } from './joint-normals.ts';
 import { linearBlend } from './linear-blend.ts';
-import type { KernelId, MethodId, NormalsId, SkinningMethod } from './method.ts';
+import type { KernelId, MethodId, SkinningMethod } from './method.ts';
 import { rigid } from './rigid.ts';
 
 /** Every kernel: a method with a way of normals. */
@@ -23,9 +24,9 @@ export interface Deformation {
   readonly normals: NormalsId;
 }
 
-/** What a character's own course asks for: CSE169's normals where the file has bindings. */
+/** As the programs of the character's own format deform it. */
 export function defaultDeformation({ skin }: Pick<Character, 'skin'>): Deformation {
-  return { method: 'linear-blend', normals: skin.bindFromJoint ? 'joints' : 'blended' };
+  return { method: 'linear-blend', normals: skin.normals };
 }
 
 /** A rigid part has one matrix, by which both ways turn its normals alike. */

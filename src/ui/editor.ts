@@ -5,7 +5,7 @@ import type { Session } from '../document/session.ts';
 import type { Store } from '../document/store.ts';
 import type { Transport } from '../document/transport.ts';
 import type { Evaluations } from '../evaluation/evaluations.ts';
-import type { ConvertTarget } from '../formats/convert-parts.ts';
+import type { ConvertTarget } from '../formats/registry.ts';
 import type { FileEntry } from '../formats/format.ts';
 import type { ReadCharacter } from '../formats/read-characters.ts';
 import type { PictureFormat } from '../view/picture.ts';

@@ -6,6 +6,7 @@ import type { Character } from '../../src/core/character.ts';
 import { DiagnosticLog } from '../../src/core/diagnostics.ts';
 import { jointMatrices } from '../../src/core/forward-kinematics.ts';
 import { computeVertexNormals } from '../../src/core/vertex-normals.ts';
+import { mmdOf } from '../../src/formats/mmd/mmd-parts.ts';
 import { poseFromJson } from '../../src/formats/pose-json.ts';
 import { largestBindError } from '../../src/skinning/bind-error.ts';
 import { linearBlend } from '../../src/skinning/linear-blend.ts';
@@ -53,7 +54,8 @@ describeWithShared('KAITO of the Virtual Mannequin', [data, `${reference}/KAITO.
 
   it('is read whole: vertices, triangles, and the bones with all three roots', () => {
     expectSound(character);
-    const { skeleton, mesh, materials, morphs, mmd } = character;
+    const { skeleton, mesh, materials, morphs } = character;
+    const mmd = mmdOf(character);
     expect(mesh.pointCount).toBe(expected.vertices);
     expect(mesh.vertexCount).toBe(expected.vertices);
     expect(mesh.indices).toHaveLength(expected.triangles * 3);

@@ -24,6 +24,7 @@ function oneVertex(position: readonly number[], normal: readonly number[], bind:
     start: Uint32Array.of(0, 1),
     entries: Uint16Array.of(0),
     weights: Float32Array.of(1),
+    normals: 'blended',
   };
   return { mesh, skin };
 }

@@ -1,14 +1,15 @@
 import { describe, expect, it } from 'vitest';
 import { buildCharacter } from '../../src/core/build-character.ts';
-import type { MaterialColours, MaterialParts } from '../../src/core/character-parts.ts';
+import type { MaterialColors, MaterialParts } from '../../src/core/character-parts.ts';
 import { surfacesOf } from '../../src/view/surfaces.ts';
 
-const colours: MaterialColours = {
+const colors: MaterialColors = {
   diffuse: [1, 0.5, 0],
   alpha: 1,
   specular: [1, 0, 0],
   shininess: 8,
   ambient: [0.5, 0, 0],
+  shown: [1.1, 0.3, 0],
 };
 
 function surfaceOf(material: Omit<MaterialParts, 'name'>) {
@@ -27,28 +28,28 @@ function surfaceOf(material: Omit<MaterialParts, 'name'>) {
 }
 
 describe('surfaces', () => {
-  it('have the colour of MikuMikuDance’s full light, in linear light and for our exposure', () => {
-    const { albedo, specular, shininess } = surfaceOf({ colours });
-    // 0.5 + 0.604 is past 1; 0.604 / 2 in sRGB is 0.0742 in linear light.
-    expect(albedo).toEqual([0.6, expect.closeTo(0.6 * 0.0742, 4), 0]);
+  it('have the color that the material shows, in linear light and for our exposure', () => {
+    const { albedo, specular, shininess } = surfaceOf({ colors });
+    // 1.1 is past 1; 0.3 in sRGB is 0.0732 in linear light.
+    expect(albedo).toEqual([0.6, expect.closeTo(0.6 * 0.0732, 4), 0]);
     expect(specular).toEqual([1, 0, 0]);
     expect(shininess).toBe(8);
   });
 
-  it('show their inner side where they are seen through, or where nothing is said of colours', () => {
-    expect(surfaceOf({ colours }).twoSided).toBe(false);
-    expect(surfaceOf({ colours: { ...colours, alpha: 0.99 } }).twoSided).toBe(true);
+  it('show their inner side unless the material says that it does not', () => {
+    expect(surfaceOf({ colors, twoSided: false }).twoSided).toBe(false);
+    expect(surfaceOf({ colors, twoSided: true }).twoSided).toBe(true);
     expect(surfaceOf({}).twoSided).toBe(true);
   });
 
-  it('have no highlight without an exponent, and none without colours', () => {
-    expect(surfaceOf({ colours: { ...colours, shininess: 0 } }).specular).toEqual([0, 0, 0]);
+  it('have no highlight without an exponent, and none without colors', () => {
+    expect(surfaceOf({ colors: { ...colors, shininess: 0 } }).specular).toEqual([0, 0, 0]);
     expect(surfaceOf({})).toMatchObject({ albedo: null, alpha: 1, specular: [0, 0, 0] });
   });
 
-  it('take colours past what a display has as its ends', () => {
-    const wild = { ...colours, diffuse: [-4, 1e6, 0], specular: [-1, 2, 0] } as const;
-    const { albedo, specular } = surfaceOf({ colours: wild });
+  it('take colors past what a display has as its ends', () => {
+    const wild = { ...colors, shown: [-4, 1e6, 0], specular: [-1, 2, 0] } as const;
+    const { albedo, specular } = surfaceOf({ colors: wild });
     expect(albedo).toEqual([0, 0.6, 0]);
     expect(specular).toEqual([0, 1, 0]);
   });

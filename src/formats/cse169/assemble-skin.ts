@@ -2,6 +2,7 @@ import type { MaterialParts, MeshParts, SkinParts } from '../../core/character-p
 import type { DiagnosticLog } from '../../core/diagnostics.ts';
 import type { Bindings } from './bindings.ts';
 import type { Section } from './sections.ts';
+import { cse169Shape } from './shape.ts';
 import type { SkinWeights } from './skin-weights.ts';
 
 export const effect = 'the mesh is not used';
@@ -91,7 +92,7 @@ function weightsOf(
     });
   }
   const { jointFromBind, bindFromJoint } = bindings;
-  return { file, ...skinweights, jointFromBind, bindFromJoint };
+  return { file, ...skinweights, jointFromBind, bindFromJoint, normals: cse169Shape.normals };
 }
 
 function checkTriangles(log: DiagnosticLog, triangles: Uint32Array, pointCount: number): void {

@@ -6,7 +6,7 @@ import type {
   SkinParts,
 } from '../../core/character-parts.ts';
 import type { DiagnosticLog } from '../../core/diagnostics.ts';
-import { MmdBoneType } from '../../core/mmd-parts.ts';
+import { MmdBoneType } from './mmd-parts.ts';
 import { DofKind, noParent } from '../../core/skeleton.ts';
 import { rootSlides } from '../cse169/joint-dofs.ts';
 import { uniqueNames } from '../unique-names.ts';

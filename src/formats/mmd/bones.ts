@@ -1,5 +1,5 @@
 import type { DiagnosticLog } from '../../core/diagnostics.ts';
-import { MmdBoneType, type MmdBone } from '../../core/mmd-parts.ts';
+import { MmdBoneType, type MmdBone } from './mmd-parts.ts';
 import { noParent } from '../../core/skeleton.ts';
 import type { BinaryReader } from '../binary/binary-reader.ts';
 import type { BinaryRecord } from '../binary/binary-record.ts';

@@ -1,5 +1,5 @@
 import type { DiagnosticLog } from '../../core/diagnostics.ts';
-import type { MmdEnglish } from '../../core/mmd-parts.ts';
+import type { MmdEnglish } from './mmd-parts.ts';
 import type { BinaryReader } from '../binary/binary-reader.ts';
 import { decodeName } from './decode-name.ts';
 

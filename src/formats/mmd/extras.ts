@@ -1,7 +1,7 @@
 import type { MorphParts } from '../../core/character-parts.ts';
 import type { DiagnosticLog } from '../../core/diagnostics.ts';
 import type { Limits } from '../../core/limits.ts';
-import type { MmdDisplay, MmdEnglish, MmdMorphs, MmdPhysics } from '../../core/mmd-parts.ts';
+import type { MmdDisplay, MmdEnglish, MmdMorphs, MmdPhysics } from './mmd-parts.ts';
 import type { BinaryReader } from '../binary/binary-reader.ts';
 import { noDisplay, readDisplay } from './display.ts';
 import { readEnglish } from './english.ts';

@@ -1,5 +1,5 @@
 import type { DiagnosticLog } from '../../core/diagnostics.ts';
-import type { IkChain } from '../../core/mmd-parts.ts';
+import type { IkChain } from './mmd-parts.ts';
 import type { BinaryReader } from '../binary/binary-reader.ts';
 import type { BinaryRecord } from '../binary/binary-record.ts';
 import { Findings } from './findings.ts';

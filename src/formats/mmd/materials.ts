@@ -1,6 +1,6 @@
 import type {
-  Colour,
-  MaterialColours,
+  Color,
+  MaterialColors,
   MaterialParts,
   MeshParts,
 } from '../../core/character-parts.ts';
@@ -19,17 +19,20 @@ export interface PmdMaterials {
 
 const size = 70;
 
-/** Past this a number is no colour, and light would overflow with it. */
-const largestColour = 1e6;
+/** Past this a number is no color, and light would overflow with it. */
+const largestColor = 1e6;
 
-/** In place of colours that are no numbers: plain grey. */
-const fallback: MaterialColours = {
+/** What MikuMikuDance's light has of each channel as the program starts. */
+const programLight = 154 / 255;
+
+/** In place of colors that are no numbers: plain gray. */
+const fallback: MaterialColors = withShown({
   diffuse: [0.8, 0.8, 0.8],
   alpha: 1,
   specular: [0, 0, 0],
   shininess: 5,
   ambient: [0.4, 0.4, 0.4],
-};
+});
 
 /** Reads the materials, each of the next so many corners; triangles past them get one of their own. */
 export function readMaterials(
@@ -66,7 +69,7 @@ export function readMaterials(
     const rest = 'the other triangles get a material of their own';
     log.warn({ code: 'pmd/count', offset, expected, found: `${corners}`, effect: rest });
     firstTriangles.push(corners / 3);
-    materials.push({ colours: fallback, toon: -1, hasEdge: false });
+    materials.push({ ...shadedBy(fallback), toon: -1, hasEdge: false });
   }
   const names = uniqueNames(
     materials.map(() => ''),
@@ -81,12 +84,12 @@ export function readMaterials(
 }
 
 class MaterialFindings {
-  readonly colours = new Findings();
+  readonly colors = new Findings();
   readonly alphas = new Findings();
   readonly toons = new Findings();
 
   warn(log: DiagnosticLog): void {
-    this.colours.warn(log, 'pmd/number', 'colours that are numbers', 'grey is used');
+    this.colors.warn(log, 'pmd/number', 'colors that are numbers', 'gray is used');
     this.alphas.warn(log, 'pmd/range', 'alpha from 0 to 1', 'the nearest of them is used');
     this.toons.warn(log, 'pmd/index', 'a toon from 0 to 9, or none (255)', 'none is used');
   }
@@ -102,37 +105,52 @@ function readMaterial(
   const toon = records.u8(at + 44);
   if (toon > 9 && toon !== 255) findings.toons.add(offset + 44, `${toon}, material ${index}`);
   return {
-    colours: readColours(records, at, index, findings),
+    ...shadedBy(readColors(records, at, index, findings)),
     toon: toon > 9 ? -1 : toon,
     hasEdge: records.u8(at + 45) !== 0,
     ...readTextures(decodeName(records.bytes(at + 50, 20))),
   };
 }
 
-function readColours(
+/**
+ * Models for MikuMikuDance have linings close below their surfaces and rely on it to leave out the inner
+ * sides of all that is opaque.
+ */
+function shadedBy(colors: MaterialColors): Pick<MaterialParts, 'colors' | 'twoSided'> {
+  return { colors, twoSided: colors.alpha < 1 };
+}
+
+/** In full light the program shows ambient + light · diffuse. */
+function withShown(colors: Omit<MaterialColors, 'shown'>): MaterialColors {
+  const { ambient, diffuse } = colors;
+  const shown = (channel: 0 | 1 | 2): number => ambient[channel] + programLight * diffuse[channel];
+  return { ...colors, shown: [shown(0), shown(1), shown(2)] };
+}
+
+function readColors(
   records: BinaryRecord,
   at: number,
   index: number,
-  { colours, alphas }: MaterialFindings,
-): MaterialColours {
+  { colors, alphas }: MaterialFindings,
+): MaterialColors {
   const offset = records.offset + at;
   const alpha = records.f32(at + 12);
   if (!(alpha >= 0 && alpha <= 1)) alphas.add(offset + 12, `${alpha}, material ${index}`);
   const power = records.f32(at + 16);
-  const isPower = Math.abs(power) <= largestColour;
-  if (!isPower) colours.add(offset + 16, `specular power ${power}, material ${index}`);
-  return {
-    diffuse: colour(0, fallback.diffuse),
+  const isPower = Math.abs(power) <= largestColor;
+  if (!isPower) colors.add(offset + 16, `specular power ${power}, material ${index}`);
+  return withShown({
+    diffuse: color(0, fallback.diffuse),
     alpha: Number.isNaN(alpha) ? fallback.alpha : Math.min(Math.max(alpha, 0), 1),
     shininess: isPower ? Math.max(power, 0) : fallback.shininess,
-    specular: colour(20, fallback.specular),
-    ambient: colour(32, fallback.ambient),
-  };
+    specular: color(20, fallback.specular),
+    ambient: color(32, fallback.ambient),
+  });
 
-  function colour(start: number, otherwise: Colour): Colour {
+  function color(start: number, otherwise: Color): Color {
     const found = records.triple(at + start);
-    if (found.every((value) => Math.abs(value) <= largestColour)) return found;
-    colours.add(offset + start, `${found.join(' ')}, material ${index}`);
+    if (found.every((value) => Math.abs(value) <= largestColor)) return found;
+    colors.add(offset + start, `${found.join(' ')}, material ${index}`);
     return otherwise;
   }
 }

@@ -1,6 +1,6 @@
 import type { MorphParts } from '../../core/character-parts.ts';
 import type { DiagnosticLog } from '../../core/diagnostics.ts';
-import type { MmdMorphs } from '../../core/mmd-parts.ts';
+import type { MmdMorphs } from './mmd-parts.ts';
 import type { BinaryReader } from '../binary/binary-reader.ts';
 import type { BinaryRecord } from '../binary/binary-record.ts';
 import { uniqueNames } from '../unique-names.ts';

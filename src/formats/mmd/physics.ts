@@ -1,5 +1,5 @@
 import type { DiagnosticLog } from '../../core/diagnostics.ts';
-import type { BodyJoint, MmdPhysics, Numbers3, RigidBody } from '../../core/mmd-parts.ts';
+import type { BodyJoint, MmdPhysics, Numbers3, RigidBody } from './mmd-parts.ts';
 import type { BinaryReader } from '../binary/binary-reader.ts';
 import type { BinaryRecord } from '../binary/binary-record.ts';
 import { decodeName } from './decode-name.ts';

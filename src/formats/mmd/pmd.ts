@@ -9,6 +9,8 @@ import { readFaces } from './faces.ts';
 import { readHeader } from './header.ts';
 import { readIkChains } from './ik.ts';
 import { readMaterials } from './materials.ts';
+import type { MmdParts } from './mmd-parts.ts';
+import { mmdShape } from './shape.ts';
 import { readSignature } from './signature.ts';
 import { type PmdVertices, readVertices } from './vertices.ts';
 
@@ -44,25 +46,30 @@ export function readPmd(
     if (!ikChains || !hasContent(vertices, bones)) return undefined;
     const extras = readExtras(reader, file, vertices.count, bones.length, log, limits);
     const isSkinned = vertices.count > 0 && bones.length > 0;
+    const extra: MmdParts = {
+      kind: 'mmd',
+      summary: 'IK chains, lists, physics and names in English',
+      ...header,
+      bones: bones.map(({ type, tail, ikParent }) => ({ type, tail, ikParent })),
+      vertices: {
+        normals: vertices.normals,
+        uvs: vertices.uvs,
+        bones: vertices.bones,
+        weights: vertices.weights,
+        edgeFlags: vertices.edgeFlags,
+      },
+      ikChains,
+      ...extras.mmd,
+    };
     return {
-      fileSpace: 'left-handed',
+      fileSpace: mmdShape.handedness,
       ...(bones.length > 0 ? { skeleton: skeletonParts(file, bones) } : {}),
       ...(vertices.count > 0 ? { mesh: meshParts(file, vertices, faces, materials) } : {}),
       ...(isSkinned ? { skin: skinParts(file, vertices, bones.length, log, effect) } : {}),
       morphs: extras.morphs,
-      mmd: {
-        ...header,
-        bones: bones.map(({ type, tail, ikParent }) => ({ type, tail, ikParent })),
-        vertices: {
-          normals: vertices.normals,
-          uvs: vertices.uvs,
-          bones: vertices.bones,
-          weights: vertices.weights,
-          edgeFlags: vertices.edgeFlags,
-        },
-        ikChains,
-        ...extras.mmd,
-      },
+      // Toons shade a surface and may stay away: every program for these files has its own.
+      optionalImages: extras.mmd.toons,
+      extra,
     };
   }
 

@@ -4,6 +4,7 @@ import { defaultLimits } from '../../../src/core/limits.ts';
 import { jointMatrices } from '../../../src/core/forward-kinematics.ts';
 import { DofKind } from '../../../src/core/skeleton.ts';
 import { convertCharacter } from '../../../src/formats/convert.ts';
+import { mmdOf } from '../../../src/formats/mmd/mmd-parts.ts';
 import { readPmd } from '../../../src/formats/mmd/pmd.ts';
 import { linearBlend } from '../../../src/skinning/linear-blend.ts';
 import { skinVertices } from '../../support/skin-vertices.ts';
@@ -35,35 +36,40 @@ describe('readPmd', () => {
     expect(Object.is(mesh.positions[1], -0)).toBe(false);
   });
 
-  it('gives each material its triangles, colours and images', async () => {
+  it('gives each material its triangles, images and colors, and what its program shows of them', async () => {
     const { materials, mesh } = await read();
+    const light = 154 / 255; // MikuMikuDance's own
     expect(materials).toEqual([
       {
         name: 'material 00',
         texture: 'A.bmp',
         sphere: { texture: 'b.spa', blend: 'add' },
-        colours: {
+        colors: {
           diffuse: [0.25, 0.5, 0.75],
           alpha: 0.5,
           shininess: 8,
           specular: [0.125, 0.25, 0.375],
           ambient: [0.5, 0.25, 0.125],
+          shown: [0.5 + light * 0.25, 0.25 + light * 0.5, 0.125 + light * 0.75],
         },
         toon: 3,
         hasEdge: true,
+        twoSided: true,
       },
       {
         name: 'material 01',
         sphere: { texture: 'c.sph', blend: 'multiply' },
-        colours: {
+        colors: {
           diffuse: [1, 1, 1],
           alpha: 1,
           shininess: 5,
           specular: [0, 0, 0],
           ambient: [0.5, 0.5, 0.5],
+          shown: [0.5 + light, 0.5 + light, 0.5 + light],
         },
         toon: -1,
         hasEdge: false,
+        twoSided: false,
       },
     ]);
     expect(mesh.submeshes).toEqual([
@@ -102,14 +108,14 @@ describe('readPmd', () => {
   });
 
   it('lays morphs on the vertices of the base', async () => {
-    const { morphs, mmd } = await read();
+    const character = await read();
     expect(
-      morphs.map(({ name, vertices, offsets }) => [name, [...vertices], [...offsets]]),
+      character.morphs.map(({ name, vertices, offsets }) => [name, [...vertices], [...offsets]]),
     ).toEqual([
       ['smile', [1], [0.5, 0.25, -0.125]],
       ['smile (2)', [], []],
     ]);
-    expect(mmd!.morphs).toEqual({
+    expect(mmdOf(character)!.morphs).toEqual({
       basePoints: Uint32Array.of(3, 1),
       basePositions: Float32Array.of(-1, 2, -2, 1, 0, -2),
       listed: [
@@ -137,8 +143,8 @@ describe('readPmd', () => {
     expect(posed.positions[morph!.vertices[0]! * 3 + 1]).toBeLessThan(-0.9 * far);
   });
 
-  it('keeps what motions and writers need', async () => {
-    const { mmd } = await read();
+  it('keeps what motions and writers need, on the other side of a worker too', async () => {
+    const mmd = mmdOf(structuredClone(await read()));
     expect(mmd).toMatchObject({
       version: 1,
       modelName: 'センター',
@@ -174,7 +180,7 @@ describe('readPmd', () => {
   });
 
   it('turns physics too: a lower bound in z is an upper one', async () => {
-    const { bodies, joints } = (await read()).mmd!.physics!;
+    const { bodies, joints } = mmdOf(await read())!.physics!;
     const single = (values: readonly number[]): number[] => values.map(Math.fround);
     expect(bodies.map(({ bone, shape }) => [bone, shape])).toEqual([
       [1, 'capsule'],
@@ -262,6 +268,6 @@ describe('a PMD in the files of the courses', () => {
     expect(largestDifference(now, old)).toBeLessThan(1e-5);
     const lost = converted.losses.map(({ found }) => found);
     expect(lost).toContain('IK chains, lists, physics and names in English');
-    expect(lost).toContain('colours of materials');
+    expect(lost).toContain('colors of materials');
   });
 });

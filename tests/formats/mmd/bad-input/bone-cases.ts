@@ -1,6 +1,7 @@
 import { mat4 } from 'gl-matrix';
 import { expect } from 'vitest';
 import { boneFrames } from '../../../../src/core/bone-frames.ts';
+import { mmdOf } from '../../../../src/formats/mmd/mmd-parts.ts';
 import { noBone, pmdFile, square, squarePmd } from '../../../support/pmd-files.ts';
 import {
   at,
@@ -27,8 +28,8 @@ function withoutBones(title: string, bytes: Uint8Array, offset: number, message:
 function tail(title: string, bone: number, found: number | null): BadPmd {
   const bytes = put(boneAt(1) + 22, bone & 0xff, bone >> 8);
   const message = `bones from 0 to 3 as tails, found "${found!}, bone 1" [pmd/index]`;
-  return warned(title, bytes, found === null ? [] : [[boneAt(1) + 22, message]], ({ mmd }) =>
-    expect(mmd!.bones[1]!.tail).toBe(-1),
+  return warned(title, bytes, found === null ? [] : [[boneAt(1) + 22, message]], (character) =>
+    expect(mmdOf(character)!.bones[1]!.tail).toBe(-1),
   );
 }
 
@@ -147,7 +148,7 @@ export const boneCases: readonly BadPmd[] = [
     'C62 IK parent past the end',
     put(boneAt(1) + 25, 9, 0),
     [[boneAt(1) + 25, 'bones from 0 to 3 as IK parents, found "9, bone 1" [pmd/index]']],
-    ({ mmd }) => expect(mmd!.bones[1]!.ikParent).toBe(-1),
+    (character) => expect(mmdOf(character)!.bones[1]!.ikParent).toBe(-1),
   ),
   refused(
     'C63 an IK chain of 255 bones past the end',
@@ -167,7 +168,7 @@ export const boneCases: readonly BadPmd[] = [
     'C64 a link past the end',
     put(at.ik + 13, 4, 0),
     [[at.ik + 2, 'IK chains of bones from 0 to 3, found "4, IK chain 0" [pmd/index]']],
-    ({ mmd }) => expect(mmd!.ikChains).toEqual([]),
+    (character) => expect(mmdOf(character)!.ikChains).toEqual([]),
   ),
   {
     title: 'C55 roots alone',

@@ -1,5 +1,6 @@
 import { expect } from 'vitest';
 import type { Character } from '../../../../src/core/character.ts';
+import { mmdOf } from '../../../../src/formats/mmd/mmd-parts.ts';
 import { noBone, pmdFile, square, squarePmd } from '../../../support/pmd-files.ts';
 import { at, type BadPmd, changed, put, putCount, putFloat, warned } from './bad-pmd.ts';
 
@@ -13,10 +14,10 @@ function expectSections(
     bodies: number,
   ]
 ) {
-  return ({ morphs, mmd }: Character): void => {
-    const { display, english, toons, physics } = mmd!;
+  return (character: Character): void => {
+    const { display, english, toons, physics } = mmdOf(character)!;
     expect([
-      ...[morphs.length, display.groupNames.length, english !== undefined, toons.length],
+      ...[character.morphs.length, display.groupNames.length, english !== undefined, toons.length],
       physics?.bodies.length ?? 0,
     ]).toEqual(wanted);
   };
@@ -81,7 +82,7 @@ export const extraCases: readonly BadPmd[] = [
         'lists of morphs, bones and groups that are there, found "morph 3" [pmd/index]',
       ],
     ],
-    ({ mmd }) => expect(mmd!.display.morphs).toEqual([1]),
+    (character) => expect(mmdOf(character)!.display.morphs).toEqual([1]),
   ),
   warned(
     'C65 English names or not',
@@ -166,13 +167,14 @@ export const extraCases: readonly BadPmd[] = [
           'found "bone 4, body 0" [pmd/index]',
       ],
     ],
-    ({ mmd }) => expect(mmd!.physics!.bodies[0]!.bone).toBe(-1),
+    (character) => expect(mmdOf(character)!.physics!.bodies[0]!.bone).toBe(-1),
   ),
   warned(
     'C66 a body of no bone',
     changed({ bodies: [{ bone: noBone }, { bone: 0 }] }),
     [],
-    ({ mmd }) => expect(mmd!.physics!.bodies.map(({ bone }) => bone)).toEqual([-1, 0]),
+    (character) =>
+      expect(mmdOf(character)!.physics!.bodies.map(({ bone }) => bone)).toEqual([-1, 0]),
   ),
   warned(
     'C66 a joint to a body that is not there',
@@ -184,6 +186,6 @@ export const extraCases: readonly BadPmd[] = [
           'found "body 2, joint 0" [pmd/index]',
       ],
     ],
-    ({ mmd }) => expect(mmd!.physics!.joints).toEqual([]),
+    (character) => expect(mmdOf(character)!.physics!.joints).toEqual([]),
   ),
 ];

@@ -1,5 +1,6 @@
 import { expect } from 'vitest';
 import { printable } from '../../../../src/core/diagnostics.ts';
+import { mmdOf } from '../../../../src/formats/mmd/mmd-parts.ts';
 import { bytesOf } from '../../../support/files.ts';
 import { center, pmdFile, square, squarePmd } from '../../../support/pmd-files.ts';
 import {
@@ -117,7 +118,7 @@ export const headerCases: readonly BadPmd[] = [
     "C16 a model's name of 20 bytes",
     changed({ name: 'abcdefghijklmnopqrst' }),
     [],
-    ({ mmd }) => expect(mmd!.modelName).toBe('abcdefghijklmnopqrst'),
+    (character) => expect(mmdOf(character)!.modelName).toBe('abcdefghijklmnopqrst'),
   ),
   name(
     'C17 a name cut within a character',
@@ -126,7 +127,7 @@ export const headerCases: readonly BadPmd[] = [
   ),
   warned('C18 0xFD after the NUL', squarePmd, [], (character) => {
     expect(nameOf(character, 0)).toBe('センター');
-    expect(character.mmd!.modelName).toBe('センター');
+    expect(mmdOf(character)!.modelName).toBe('センター');
   }),
   name('C19 markup', text('<script>x</script>'), '<script>x</script>'),
   warned('C19 control characters', named(0x61, 0x07, 0x1b, 0x62), [], (character) => {
@@ -146,6 +147,6 @@ export const headerCases: readonly BadPmd[] = [
     bytes: pmdFile({ ...square, comment: center }).bytes,
     messages: [],
     left: whole,
-    check: ({ mmd }) => expect(mmd!.comment).toBe('センター'),
+    check: (character) => expect(mmdOf(character)!.comment).toBe('センター'),
   },
 ];

@@ -1,4 +1,5 @@
 import { expect } from 'vitest';
+import { mmdOf } from '../../../../src/formats/mmd/mmd-parts.ts';
 import { square, squarePmd } from '../../../support/pmd-files.ts';
 import {
   at,
@@ -83,7 +84,7 @@ export const meshCases: readonly BadPmd[] = [
     'C30 NaN texture coordinate',
     putFloat(vertexAt(1) + 24, NaN),
     [[vertexAt(1) + 24, 'texture coordinates that are numbers, found "NaN 1, vertex 1" [pmd/uv]']],
-    ({ mmd }) => expect([...mmd!.vertices.uvs.subarray(2, 4)]).toEqual([0, 0]),
+    (character) => expect([...mmdOf(character)!.vertices.uvs.subarray(2, 4)]).toEqual([0, 0]),
   ),
   warned('C31 subnormal position', putFloat(vertexAt(0), 1e-40), [], ({ mesh }) =>
     expect(mesh.positions[0]).toBe(0),
@@ -106,16 +107,16 @@ export const meshCases: readonly BadPmd[] = [
     'C36 weight of 255',
     put(vertexAt(1) + 36, 255),
     [[vertexAt(1) + 36, 'weights from 0 to 100, found "255, vertex 1" [pmd/range]']],
-    ({ skin, mmd }) => {
-      expect(skin.weights[1]).toBe(1);
-      expect(mmd!.vertices.weights[1]).toBe(100);
+    (character) => {
+      expect(character.skin.weights[1]).toBe(1);
+      expect(mmdOf(character)!.vertices.weights[1]).toBe(100);
     },
   ),
   warned(
     'C37 edge flag of 2',
     put(vertexAt(0) + 37, 2),
     [[vertexAt(0) + 37, 'edge flags of 0 or 1, found "2, vertex 0" [pmd/range]']],
-    ({ mmd }) => expect([...mmd!.vertices.edgeFlags]).toEqual([1, 1, 0, 0]),
+    (character) => expect([...mmdOf(character)!.vertices.edgeFlags]).toEqual([1, 1, 0, 0]),
   ),
   refused(
     'C38 four indices',
@@ -186,15 +187,15 @@ export const meshCases: readonly BadPmd[] = [
     'three indices for each triangle of material 0, found "4" [pmd/count]',
   ),
   warned(
-    'C48 NaN colour',
+    'C48 NaN color',
     putFloat(materialAt(0) + 20, NaN),
     [
       [
         materialAt(0) + 20,
-        'colours that are numbers, found "NaN 0.25 0.375, material 0" [pmd/number]',
+        'colors that are numbers, found "NaN 0.25 0.375, material 0" [pmd/number]',
       ],
     ],
-    ({ materials: [first] }) => expect(first!.colours!.specular).toEqual([0, 0, 0]),
+    ({ materials: [first] }) => expect(first!.colors!.specular).toEqual([0, 0, 0]),
   ),
   ...[
     [-0.5, 0],
@@ -204,7 +205,7 @@ export const meshCases: readonly BadPmd[] = [
       `C49 alpha of ${alpha!}`,
       putFloat(materialAt(0) + 12, alpha!),
       [[materialAt(0) + 12, `alpha from 0 to 1, found "${alpha!}, material 0" [pmd/range]`]],
-      ({ materials: [first] }) => expect(first!.colours!.alpha).toBe(used),
+      ({ materials: [first] }) => expect(first!.colors!.alpha).toBe(used),
     ),
   ),
   texture('C50 folders above', '..\\..\\x.bmp', 'Y/X.BMP'),

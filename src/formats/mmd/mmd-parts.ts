@@ -1,9 +1,13 @@
+import type { Character, CharacterExtra } from '../../core/character.ts';
+
 /**
  * What an MMD character file (PMD) has beyond the parts that all formats share: for motions, which
  * need its IK chains and kinds of bones, and for writing. Right-handed as all of Sinew is; joints,
  * points, morphs and bodies by their index in the file, -1 for none.
  */
-export interface MmdParts {
+export interface MmdParts extends CharacterExtra {
+  /** By this `mmdOf` knows it again, on the other side of a worker too. */
+  readonly kind: 'mmd';
   readonly version: number;
   readonly modelName: string;
   readonly comment: string;
@@ -19,6 +23,15 @@ export interface MmdParts {
   readonly toons: readonly string[];
   /** Where the file has the section. */
   readonly physics?: MmdPhysics;
+}
+
+/** What the character has of an MMD file, if it has any. */
+export function mmdOf({ extra }: Character): MmdParts | undefined {
+  return isMmd(extra) ? extra : undefined;
+}
+
+function isMmd(extra: CharacterExtra | undefined): extra is MmdParts {
+  return extra !== undefined && 'kind' in extra && extra.kind === 'mmd';
 }
 
 /** What a bone may do, as the file numbers it. */

@@ -1,0 +1,24 @@
+import type { FormatShape } from '../format.ts';
+
+/** Bones turn as balls, without limits, and are bound where they stand. */
+export const mmdShape: FormatShape = {
+  owner: 'MikuMikuDance',
+  slides: 'any',
+  turns: 'ball',
+  restRotations: false,
+  restPose: false,
+  limits: false,
+  jointNames: true,
+  jointBoxes: false,
+  bindings: false,
+  firstJointWeights: true,
+  influences: 2,
+  normals: 'blended',
+  ownNormals: true,
+  textures: true,
+  colors: true,
+  morphs: true,
+  clips: false,
+  metersPerUnit: null,
+  handedness: 'left-handed',
+};
