@@ -4,7 +4,7 @@ import type { Diagnostic } from '../core/diagnostics.ts';
 import type { Pose } from '../core/pose.ts';
 import { convertCharacter } from '../formats/convert.ts';
 import type { ConvertTarget } from '../formats/convert-parts.ts';
-import { poseToJson } from '../formats/pose-json.ts';
+import { poseToJson } from '../formats/write-pose-json.ts';
 import { loadWriter } from '../formats/registry.ts';
 import { download } from './download.ts';
 
