@@ -1,6 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { expect, type Page } from '@playwright/test';
 import { PNG } from 'pngjs';
+import { insertPngText } from '../src/formats/png/text-chunk.ts';
 import { bytesOf, drop, openApp, setPose } from './support/app.ts';
 import { madeCharacter } from './support/made-character.ts';
 import { test } from './support/test.ts';
@@ -36,6 +37,16 @@ test('any other picture is told, and nothing changes', async ({ page }) => {
   const content = PNG.sync.write(new PNG({ width: 2, height: 2 }));
   await drop(page, [{ name: 'holiday.png', content }]);
   await expect(page.locator('.problems')).toContainText('a PNG that Sinew saved');
+  await expect(page.locator('.status')).toContainText('tube');
+});
+
+test('a damaged note is told by line and column, and nothing changes', async ({ page }) => {
+  await openApp(page, 'model=tube');
+  const picture = new Uint8Array(PNG.sync.write(new PNG({ width: 2, height: 2 })));
+  const note = '{"bundled":"hand","name":"Hand","pose":[]}';
+  const content = Buffer.from(insertPngText(picture, 'Sinew', note));
+  await drop(page, [{ name: 'damaged.png', content }]);
+  await expect(page.locator('.problems')).toContainText('damaged.png:1:40 (pose)');
   await expect(page.locator('.status')).toContainText('tube');
 });
 

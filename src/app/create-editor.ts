@@ -9,7 +9,7 @@ import { placeInRow } from '../evaluation/placing.ts';
 import { sceneBounds } from '../evaluation/scene-bounds.ts';
 import { readableExtensions } from '../formats/extensions.ts';
 import { writeObj } from '../formats/obj/write-obj.ts';
-import { poseToJson } from '../formats/pose-json.ts';
+import { poseToJson } from '../formats/write-pose-json.ts';
 import { copyText } from '../ui/copy-text.ts';
 import type { Drawer, Editor, Opening } from '../ui/editor.ts';
 import { focusJoint } from '../ui/focus-joint.ts';

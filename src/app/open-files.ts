@@ -14,7 +14,7 @@ import { defaultDeformation } from '../skinning/registry.ts';
 import type { MethodId } from '../skinning/method.ts';
 import type { OpenedFiles } from './renewal.ts';
 import { readFiles } from './read-files.ts';
-import { readPoses, sortFiles } from './sort-files.ts';
+import { sortFiles } from './sort-files.ts';
 
 /** Where characters come from, and whether they join the others or take the place of the selected one. */
 export interface OpenWay {
@@ -59,12 +59,19 @@ export class FileOpener {
     onProgress: ReadProgress,
     way: OpenWay,
   ): Promise<OpenOutcome | undefined> {
-    const { poses, notes, parts } = await sortFiles(files);
-    const { characters, diagnostics } = await readFiles(parts, signal, onProgress);
-    if (signal.aborted) return undefined;
+    const { poses, parts } = await sortFiles(files);
+    const [pose] = poses;
+    // The reader of poses comes while the worker reads the character.
+    const [{ characters, diagnostics }, readPose] = await Promise.all([
+      readFiles(parts, signal, onProgress),
+      pose && import('./bundled-pose.ts').then(({ readBundledPose }) => readBundledPose),
+    ]);
     const problems = [...diagnostics];
     const [first] = characters;
-    if (first) this.showAll([first], way, readPoses({ poses, notes }, first.character, problems));
+    const skeleton = first?.character.skeleton;
+    const q = skeleton && pose && (await readPose?.(pose, skeleton, problems));
+    if (signal.aborted) return undefined;
+    if (first) this.showAll([first], way, q);
     this.session.problems.value = problems;
     const opened = first?.character ?? null;
     return { found: characters, opened, reopened: false, posed: false };

@@ -1,10 +1,15 @@
+import type { Character } from '../core/character.ts';
+import type { Diagnostic } from '../core/diagnostics.ts';
 import { setPose } from '../document/edits.ts';
 import type { FileEntry } from '../formats/format.ts';
+import { decodePose } from '../formats/pose-json.ts';
 import type { ReadProgress } from '../formats/read-characters.ts';
+import { readPoseJson } from '../formats/read-pose-json.ts';
 import type { FileOpener, OpenOutcome } from './open-files.ts';
 import { readFiles } from './read-files.ts';
 import { completeFiles, keptState, missingParts, plainPictures, renews } from './renewal.ts';
-import { readPoses, sortFiles } from './sort-files.ts';
+import { readPictureNote, type ReadNote } from './read-picture-note.ts';
+import { type JsonText, sortFiles } from './sort-files.ts';
 
 interface OwnFilesOptions {
   /** Aborted where the user cancels, or where later files take over. */
@@ -27,12 +32,13 @@ export async function openOwnFiles(
   { signal, onProgress, openBundled, add }: OwnFilesOptions,
 ): Promise<OpenOutcome | undefined> {
   const source = { kind: 'files' } as const;
-  const { poses, notes, parts } = await sortFiles(files);
+  const { poses, notes: pictures, parts } = await sortFiles(files);
+  const notes = pictures.map(readPictureNote);
   const open = add ? undefined : opener.openedFiles;
   const completed = completeFiles(parts, open);
-  const pictures = plainPictures(completed);
-  const { characters, diagnostics } = pictures
-    ? { characters: [], diagnostics: pictures }
+  const unread = plainPictures(completed);
+  const { characters, diagnostics } = unread
+    ? { characters: [], diagnostics: unread }
     : await readFiles(completed, signal, onProgress);
   if (signal.aborted) return undefined;
   const problems = [...diagnostics];
@@ -42,6 +48,7 @@ export async function openOwnFiles(
   const renewed = first && renews(first, open) ? opener.selected : undefined;
   const character = first?.character ?? opener.selected?.character;
   const q = character && readPoses({ poses, notes }, character, problems);
+  problems.push(...notes.flatMap(({ log }) => log.diagnostics));
   if (first && renewed) {
     const kept = keptState(renewed, first.character);
     opener.renew(first, renewed, { source, ...kept, ...(q && { q, clip: null }) });
@@ -57,4 +64,16 @@ export async function openOwnFiles(
     reopened: renewed !== undefined,
     posed: q !== undefined,
   };
+}
+
+/** The last of the poses that can be used. */
+function readPoses(
+  { poses, notes }: { readonly poses: readonly JsonText[]; readonly notes: readonly ReadNote[] },
+  { skeleton }: Character,
+  problems: Diagnostic[],
+): Float64Array | undefined {
+  const ofFiles = poses.map(({ path, text }) => readPoseJson(path, text, skeleton));
+  for (const { diagnostics } of ofFiles) problems.push(...diagnostics);
+  const ofNotes = notes.flatMap(({ pose }) => (pose ? [decodePose(pose, skeleton)] : []));
+  return [...ofFiles, ...ofNotes].findLast(({ value }) => value !== undefined)?.value?.q;
 }

@@ -3,8 +3,8 @@ import type { Character } from '../core/character.ts';
 import type { Diagnostic } from '../core/diagnostics.ts';
 import type { Pose } from '../core/pose.ts';
 import { convertCharacter } from '../formats/convert.ts';
-import { poseToJson } from '../formats/pose-json.ts';
 import { type ConvertTarget, loadWriter, shapeOf } from '../formats/registry.ts';
+import { poseToJson } from '../formats/write-pose-json.ts';
 import { download } from './download.ts';
 
 /**

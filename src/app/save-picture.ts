@@ -1,6 +1,6 @@
 import type { Evaluation } from '../evaluation/evaluation.ts';
 import { insertPngText } from '../formats/png/text-chunk.ts';
-import { poseToJson } from '../formats/pose-json.ts';
+import { poseToJson } from '../formats/write-pose-json.ts';
 import { GpuLimitError } from '../gl/gpu.ts';
 import type { PictureOptions } from '../ui/editor.ts';
 import { capturePicture, encodePicture } from '../view/picture.ts';

@@ -8,8 +8,8 @@ import { createActor } from '../document/scene.ts';
 import { Evaluator } from '../evaluation/evaluator.ts';
 import { extensionOf } from '../formats/file-entry.ts';
 import { writeObj } from '../formats/obj/write-obj.ts';
-import { readPoseJson } from '../formats/pose-json.ts';
 import { readCharacters } from '../formats/read-characters.ts';
+import { readPoseJson } from '../formats/read-pose-json.ts';
 import {
   defaultDeformation,
   deformationOf,

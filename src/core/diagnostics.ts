@@ -6,7 +6,7 @@ export type Severity = 'error' | 'warning';
 
 export type DiagnosticCode = `${DiagnosticArea}/${DiagnosticKind}`;
 
-type DiagnosticArea =
+export type DiagnosticArea =
   | 'file'
   | 'skel'
   | 'obj'
@@ -20,7 +20,7 @@ type DiagnosticArea =
   | 'character'
   | 'image';
 
-type DiagnosticKind =
+export type DiagnosticKind =
   | 'archive' // a zip that can't be unpacked, or lies within another
   | 'binary' // text expected, other bytes found
   | 'box' // corners in the wrong order
@@ -86,6 +86,8 @@ export interface Place {
   readonly offset?: number;
   /** The line itself, shortened, for the Problems panel. */
   readonly source?: string;
+  /** Of JSON: which of its values, as `joints."Left elbow"[1]`. */
+  readonly path?: string;
 }
 
 export interface Diagnostic extends Place {
@@ -115,12 +117,13 @@ export function printable(text: string, maximum = maximumFound): string {
   return characters.length > maximum ? `${characters.slice(0, maximum).join('')}…` : safe;
 }
 
-/** `FILE:LINE:COL`, of a binary file `FILE @ byte N (0xN)`. */
+/** `FILE:LINE:COL`, of JSON `FILE:LINE:COL (PATH)`, of a binary file `FILE @ byte N (0xN)`. */
 export function formatPlace(diagnostic: Diagnostic, maximum = 200): string {
-  const { file, line, column, offset } = diagnostic;
+  const { file, line, column, offset, path } = diagnostic;
   const name = printable(file, maximum);
   if (offset !== undefined) return `${name} @ byte ${offset} (0x${offset.toString(16)})`;
-  return [name, line, column].filter((part) => part !== undefined).join(':');
+  const place = [name, line, column].filter((part) => part !== undefined).join(':');
+  return path === undefined ? place : `${place} (${printable(path, 80)})`;
 }
 
 /** `PLACE: expected EXPECTED, found "FOUND"`, the form of every message. */

@@ -1,6 +1,6 @@
-import type { DiagnosticLog } from '../core/diagnostics.ts';
 import { axisDofs, type AxisDof, type Pose } from '../core/pose.ts';
 import { DofKind, type Skeleton } from '../core/skeleton.ts';
+import type { JsonValue } from './json/decoder.ts';
 
 const axisNames = ['x', 'y', 'z'];
 
@@ -9,6 +9,7 @@ const axisNames = ['x', 'y', 'z'];
  * is clamped, or where the joint has no freedom for it.
  *
  * @param joint -1 where there is none
+ * @param json the values where they were read, for what is said of them
  */
 export function setAxisValues(
   skeleton: Skeleton,
@@ -16,7 +17,7 @@ export function setAxisValues(
   joint: number,
   kind: AxisDof['kind'],
   values: readonly number[],
-  log: DiagnosticLog,
+  json: JsonValue,
 ): void {
   const dofs = joint < 0 ? [] : axisDofs(skeleton, joint).filter((dof) => dof.kind === kind);
   values.forEach((value, axis) => {
@@ -31,12 +32,14 @@ export function setAxisValues(
 
   function reportMissing(value: number, axis: number): void {
     const verb = kind === DofKind.hinge ? 'turn about' : 'move along';
-    log.warn({
-      code: 'pose/ignored',
-      expected: `no ${axisNames[axis]!} for ${jointText()}, which does not ${verb} it`,
-      found: `${value}`,
-      effect: 'the value is left out',
-    });
+    json
+      .member(axis)
+      .warn(
+        'ignored',
+        `no ${axisNames[axis]!} for ${jointText()}, which does not ${verb} it`,
+        `${value}`,
+        'the value is left out',
+      );
   }
 
   function reportClamped(
@@ -45,12 +48,14 @@ export function setAxisValues(
     [low, high]: readonly [number, number],
     used: number,
   ): void {
-    log.warn({
-      code: 'pose/range',
-      expected: `${axisNames[axis]!} of ${jointText()} from ${low} to ${high}`,
-      found: `${value}`,
-      effect: `${used} is used`,
-    });
+    json
+      .member(axis)
+      .warn(
+        'range',
+        `${axisNames[axis]!} of ${jointText()} from ${low} to ${high}`,
+        `${value}`,
+        `${used} is used`,
+      );
   }
 
   function jointText(): string {

@@ -2,7 +2,8 @@ import { describe, expect, it } from 'vitest';
 import { buildSkeleton } from '../../src/core/build-skeleton.ts';
 import { DiagnosticLog, formatDiagnostic } from '../../src/core/diagnostics.ts';
 import { DofKind } from '../../src/core/skeleton.ts';
-import { readPoseJson, poseToJson } from '../../src/formats/pose-json.ts';
+import { poseToJson } from '../../src/formats/write-pose-json.ts';
+import { readPoseJson } from '../../src/formats/read-pose-json.ts';
 import { readContents } from '../support/files.ts';
 import { zipOf } from '../support/zip.ts';
 

@@ -4,7 +4,9 @@ import { hasErrors } from '../../src/core/diagnostics.ts';
 import { emptySkeleton } from '../../src/core/build-skeleton.ts';
 import { jointMatrices } from '../../src/core/forward-kinematics.ts';
 import type { Skeleton } from '../../src/core/skeleton.ts';
-import { poseFromJson, poseToJson, readPoseJson } from '../../src/formats/pose-json.ts';
+import { poseFromJson } from '../../src/formats/pose-json.ts';
+import { poseToJson } from '../../src/formats/write-pose-json.ts';
+import { readPoseJson } from '../../src/formats/read-pose-json.ts';
 import { characterOfRig } from '../fixtures/character-of-rig.ts';
 import { rotatedTree } from '../fixtures/rigs.ts';
 import { largestDifference } from '../support/compare.ts';
@@ -65,37 +67,70 @@ describe('readPoseJson', () => {
   });
 
   it.each([
-    ['[]', 'an object with "joints" and "root", found "[]" [pose/json]'],
-    ['null', 'an object with "joints" and "root", found "null" [pose/json]'],
-    ['{"joint":{}}', '"joints" or "root", found "joint" [pose/unknown]'],
-    ['{"joints":[]}', '"joints" to be an object, found "[]" [pose/json]'],
-    ['{"root":[1,2]}', 'three numbers for "root", found "[1,2]" [pose/json]'],
-    ['{"root":null}', 'three numbers for "root", found "null" [pose/json]'],
-    ['{"joints":{"Neck":[1,2,"3"]}}', 'three numbers for "Neck", found "[1,2,"3"]" [pose/json]'],
-    ['{"joints":{"Neck":[1,2,1e999]}}', 'three numbers for "Neck", found "[1,2,null]" [pose/json]'],
+    ['[]', ':1:1', 'an object with "joints" and "root", found "[]" [pose/json]'],
+    ['null', ':1:1', 'an object with "joints" and "root", found "null" [pose/json]'],
+    ['{"joint":{}}', ':1:2 (joint)', '"joints" or "root", found "joint" [pose/unknown]'],
+    ['{"joints":[]}', ':1:11 (joints)', '"joints" to be an object, found "[]" [pose/json]'],
+    ['{"root":[1,2]}', ':1:9 (root)', 'three numbers for "root", found "[1,2]" [pose/json]'],
+    ['{"root":null}', ':1:9 (root)', 'three numbers for "root", found "null" [pose/json]'],
+    [
+      '{"joints":{"Neck":[1,2,"3"]}}',
+      ':1:24 (joints.Neck[2])',
+      'three numbers for "Neck", found "[1,2,"3"]" [pose/json]',
+    ],
+    [
+      '{"joints":{"Neck":[1,2,1e999]}}',
+      ':1:24 (joints.Neck[2])',
+      'three numbers for "Neck", found "[1,2,null]" [pose/json]',
+    ],
     [
       '{"joints":{"Tail":[0,0,0]}}',
+      ':1:12 (joints.Tail)',
       'the name of a joint, or # and its index, found "Tail" [pose/unknown-joint]',
     ],
     [
       '{"joints":{"neck":[0,0,0]}}',
+      ':1:12 (joints.neck)',
       'the name of a joint, or # and its index ("Neck"?), found "neck" [pose/unknown-joint]',
     ],
-    ['{"joints":{"#18":[0,0,0]}}', 'a joint from #0 to #17, found "#18" [pose/unknown-joint]'],
+    [
+      '{"joints":{"#18":[0,0,0]}}',
+      ':1:12 (joints."#18")',
+      'a joint from #0 to #17, found "#18" [pose/unknown-joint]',
+    ],
     [
       '{"joints":{"__proto__":[0,0,0]}}',
+      ':1:12 (joints.__proto__)',
       'the name of a joint, or # and its index, found "__proto__" [pose/unknown-joint]',
     ],
-  ])('refuses %s', (text, message) => {
-    expect(messages(text)).toEqual([`error: p.json: expected ${message}; the pose is not used`]);
+    [
+      '{"version":2,"joint":{}}',
+      ':1:12 (version)',
+      '"version" to be 1 (a newer Sinew wrote this), found "2" [pose/version]',
+    ],
+    ['{"version":"1"}', ':1:12 (version)', '"version" to be 1, found ""1"" [pose/json]'],
+    [
+      '{\r\n "joints": {\r\n  "骨 é": [0, 0, 0]}}',
+      ':3:3 (joints."骨 é")',
+      'the name of a joint, or # and its index, found "骨 é" [pose/unknown-joint]',
+    ],
+    [
+      '{"joints": {\n  "Left elbow": [0, "1", 0]}}',
+      ':2:21 (joints."Left elbow"[1])',
+      'three numbers for "Left elbow", found "[0,"1",0]" [pose/json]',
+    ],
+  ])('refuses %s', (text, place, message) => {
+    expect(messages(text)).toEqual([
+      `error: p.json${place}: expected ${message}; the pose is not used`,
+    ]);
   });
 
   it.each([
-    ['{"root":[0,1.1e18,0]}', '"root"', '[0,1100000000000000000,0]'],
-    ['{"joints":{"Neck":[1e300,0,0]}}', '"Neck"', '[1e+300,0,0]'],
-  ])('refuses %s, past what can be computed with', (text, what, found) => {
+    ['{"root":[0,1.1e18,0]}', ':1:12 (root[1])', '"root"', '[0,1100000000000000000,0]'],
+    ['{"joints":{"Neck":[1e300,0,0]}}', ':1:20 (joints.Neck[0])', '"Neck"', '[1e+300,0,0]'],
+  ])('refuses %s, past what can be computed with', (text, place, what, found) => {
     expect(messages(text)).toEqual([
-      `error: p.json: expected numbers within ±1e18 for ${what}, found "${found}" [pose/range]; ` +
+      `error: p.json${place}: expected numbers within ±1e18 for ${what}, found "${found}" [pose/range]; ` +
         'the pose is not used',
     ]);
   });
@@ -107,7 +142,7 @@ describe('readPoseJson', () => {
     const { value, diagnostics } = readPoseJson('p.json', '{"joints":{"Root":[3.5,9,0]}}', limited);
     expect([...value!.q.slice(x, x + 3)]).toEqual([2, 9, 0]);
     expect(shown(diagnostics)).toEqual([
-      'warning: p.json: expected x of "Root" from -1 to 2, found "3.5" [pose/range]; 2 is used',
+      'warning: p.json:1:20 (joints.Root[0]): expected x of "Root" from -1 to 2, found "3.5" [pose/range]; 2 is used',
     ]);
   });
 
@@ -116,20 +151,25 @@ describe('readPoseJson', () => {
     // Joint 7 turns about z alone, joint 6 not at all.
     const text = '{"joints":{"#7":[1,0,2],"#6":[0,0,3]}}';
     const { value, diagnostics } = readPoseJson('p.json', text, rig);
-    const missing = (axis: string, joint: number, found: number): string =>
-      `warning: p.json: expected no ${axis} for "joint ${joint}", which does not turn about it, ` +
+    const missing = (place: string, axis: string, joint: number, found: number): string =>
+      `warning: p.json:1:${place}: expected no ${axis} for "joint ${joint}", which does not turn about it, ` +
       `found "${found}" [pose/ignored]; the value is left out`;
-    expect(shown(diagnostics)).toEqual([missing('x', 7, 1), missing('z', 6, 3)]);
+    expect(shown(diagnostics)).toEqual([
+      missing('18 (joints."#7"[0])', 'x', 7, 1),
+      missing('35 (joints."#6"[2])', 'z', 6, 3),
+    ]);
     expect([...value!.q].filter((each, i) => each !== rig.qRest[i])).toEqual([2]);
     const none = readPoseJson('p.json', '{"root":[0,1,0]}', emptySkeleton);
     expect(shown(none.diagnostics)).toEqual([
-      'warning: p.json: expected no y for the root, which does not move along it, found "1" ' +
+      'warning: p.json:1:12 (root[1]): expected no y for the root, which does not move along it, found "1" ' +
         '[pose/ignored]; the value is left out',
     ]);
   });
 
   it('refuses what is not JSON', () => {
-    expect(messages('{"joints":')[0]).toMatch(/^error: p\.json: expected JSON, found ".+" \[pose/);
+    expect(messages('{"joints":')[0]).toBe(
+      'error: p.json:1:11 (joints): expected a value, found "the end of the text" [pose/json]; the pose is not used',
+    );
     expect(messages('')[0]).toContain('[pose/json]');
   });
 
@@ -139,7 +179,7 @@ describe('readPoseJson', () => {
       names: skeleton.names.map((name) => name.replace(/Left|Right/, 'A')),
     };
     expect(messages('{"joints":{"A hip":[0,0,0]}}', twins)).toEqual([
-      'error: p.json: expected a name that only one joint has, found "A hip" ' +
+      'error: p.json:1:12 (joints."A hip"): expected a name that only one joint has, found "A hip" ' +
         '[pose/unknown-joint]; the pose is not used',
     ]);
   });
@@ -186,20 +226,30 @@ describe('ball joints', async () => {
   });
 
   it.each([
-    ['[0,0,0,0]', 'a quaternion with a length for "#1", found "[0,0,0,0]" [pose/range]'],
+    [
+      '[0,0,0,0]',
+      ':1:17 (joints."#1")',
+      'a quaternion with a length for "#1", found "[0,0,0,0]" [pose/range]',
+    ],
     [
       '[1e19,0,0,0]',
+      ':1:18 (joints."#1"[0])',
       'numbers within ±1e18 for "#1", found "[10000000000000000000,0,0,0]" [pose/range]',
     ],
     [
       '[1e19,0,0]',
+      ':1:18 (joints."#1"[0])',
       'numbers within ±1e18 for "#1", found "[10000000000000000000,0,0]" [pose/range]',
     ],
-    ['[1,2]', 'three or four numbers for "#1", found "[1,2]" [pose/json]'],
-    ['[0,0,0,"1"]', 'three or four numbers for "#1", found "[0,0,0,"1"]" [pose/json]'],
-  ])('refuse %s', (value, message) => {
+    ['[1,2]', ':1:17 (joints."#1")', 'three or four numbers for "#1", found "[1,2]" [pose/json]'],
+    [
+      '[0,0,0,"1"]',
+      ':1:24 (joints."#1"[3])',
+      'three or four numbers for "#1", found "[0,0,0,"1"]" [pose/json]',
+    ],
+  ])('refuse %s', (value, place, message) => {
     expect(messages(`{"joints":{"#1":${value}}}`, balls)).toEqual([
-      `error: p.json: expected ${message}; the pose is not used`,
+      `error: p.json${place}: expected ${message}; the pose is not used`,
     ]);
   });
 
@@ -234,6 +284,28 @@ describe('ball joints', async () => {
     const moved = q({ root: [1, 2, 3] }, balls);
     const changed = moved.flatMap((value, i) => (value === balls.qRest[i] ? [] : [i]));
     expect(changed).toEqual([0, 1, 2]);
+  });
+});
+
+describe('poseFromJson', () => {
+  it('tells the path alone, since a value has no line', () => {
+    const { diagnostics } = poseFromJson('pose', { joints: { 'Left elbow': [0, 'x'] } }, skeleton);
+    expect(diagnostics).toEqual([
+      {
+        severity: 'error',
+        code: 'pose/json',
+        file: 'pose',
+        path: 'joints."Left elbow"',
+        expected: 'three numbers for "Left elbow"',
+        found: '[0,"x"]',
+        effect: 'the pose is not used',
+      },
+    ]);
+  });
+
+  it('takes the version 1, and members that are undefined as absent', () => {
+    const json = { version: 1, root: undefined, joints: undefined };
+    expect(poseFromJson('pose', json, skeleton).diagnostics).toEqual([]);
   });
 });
 

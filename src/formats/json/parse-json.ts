@@ -1,0 +1,120 @@
+import { defaultLimits } from '../../core/limits.ts';
+import { type JsonNode, type JsonSource, JsonValue, pathOf } from './decoder.ts';
+import { JsonFault, JsonScanner } from './json-scanner.ts';
+import { TextPlaces } from './text-places.ts';
+
+/**
+ * The value of a JSON text (RFC 8259), equal to that of `JSON.parse`, with the place of each value and
+ * name within; or nothing, and an error that says where the text is no JSON. A byte order mark is passed
+ * over. Of a name that is given twice the last value counts, with a warning.
+ */
+export function parseJson(
+  text: string,
+  source: Omit<JsonSource, 'placeOf'>,
+  depth = defaultLimits.depth,
+): JsonValue | undefined {
+  const content = text.replace(/^\uFEFF/, '');
+  const places = new TextPlaces(content);
+  const placed = { ...source, placeOf: (at: number) => places.place(at) };
+  const parser = new JsonParser(content, placed, depth);
+  try {
+    return new JsonValue(parser.document(), placed);
+  } catch (fault) {
+    if (!(fault instanceof JsonFault)) throw fault;
+    const { at, kind, expected, found } = fault;
+    new JsonValue({ value: undefined, at }, placed, parser.path).fail(kind, expected, found);
+    return undefined;
+  }
+}
+
+class JsonParser {
+  /** Of the value that is being read. */
+  path = '';
+  private readonly scanner: JsonScanner;
+  private readonly source: JsonSource;
+  private readonly depth: number;
+  private level = 0;
+
+  constructor(text: string, source: JsonSource, depth: number) {
+    this.scanner = new JsonScanner(text);
+    this.source = source;
+    this.depth = depth;
+  }
+
+  document(): JsonNode {
+    const { scanner } = this;
+    const node = this.value(scanner.skipBlanks());
+    if (scanner.skipBlanks() < scanner.text.length) scanner.fail('the end of the text');
+    return node;
+  }
+
+  private value(keyAt: number): JsonNode {
+    const { scanner } = this;
+    const at = scanner.skipBlanks();
+    const first = scanner.text[at];
+    if (first === '{') return this.nested(() => this.object(at, keyAt));
+    if (first === '[') return this.nested(() => this.array(at, keyAt));
+    return { value: first === '"' ? scanner.string() : scanner.word(), at, keyAt };
+  }
+
+  /** Whatever nests goes through here, so that no text can exhaust the stack. */
+  private nested(read: () => JsonNode): JsonNode {
+    const { scanner } = this;
+    if (++this.level > this.depth)
+      scanner.fail(`at most ${this.depth} values in one another`, 'depth');
+    scanner.at++;
+    const node = read();
+    this.level--;
+    return node;
+  }
+
+  private object(at: number, keyAt: number): JsonNode {
+    const { scanner } = this;
+    const inner = new Map<string, JsonNode>();
+    let expected = 'a name in quotes or "}"';
+    if (!scanner.takes('}')) {
+      do {
+        const nameAt = scanner.skipBlanks();
+        if (scanner.text[nameAt] !== '"') scanner.fail(expected);
+        const name = scanner.string();
+        if (inner.has(name)) this.warnOfDuplicate(name, nameAt);
+        if (!scanner.takes(':')) scanner.fail('":"');
+        inner.set(name, this.within(name, nameAt));
+        expected = 'a name in quotes';
+      } while (scanner.takes(','));
+      if (!scanner.takes('}')) scanner.fail('"," or "}"');
+    }
+    // From entries, since "__proto__" is a name like any other.
+    const value = Object.fromEntries([...inner].map(([name, node]) => [name, node.value]));
+    return { value, at, keyAt, inner };
+  }
+
+  private array(at: number, keyAt: number): JsonNode {
+    const { scanner } = this;
+    const inner = new Map<number, JsonNode>();
+    if (!scanner.takes(']')) {
+      do inner.set(inner.size, this.within(inner.size, scanner.skipBlanks()));
+      while (scanner.takes(','));
+      if (!scanner.takes(']')) scanner.fail('"," or "]"');
+    }
+    return { value: Array.from(inner.values(), (node) => node.value), at, keyAt, inner };
+  }
+
+  private within(key: string | number, keyAt: number): JsonNode {
+    const outer = this.path;
+    this.path = pathOf(outer, key);
+    const node = this.value(keyAt);
+    this.path = outer;
+    return node;
+  }
+
+  private warnOfDuplicate(name: string, keyAt: number): void {
+    const node = { value: name, at: keyAt };
+    new JsonValue(node, this.source, pathOf(this.path, name)).warn(
+      'duplicate',
+      'each name once in an object',
+      name,
+      'the last of its values counts',
+    );
+  }
+}

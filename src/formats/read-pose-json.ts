@@ -1,0 +1,15 @@
+import { DiagnosticLog, type Parsed } from '../core/diagnostics.ts';
+import type { Pose } from '../core/pose.ts';
+import type { Skeleton } from '../core/skeleton.ts';
+import { parseJson } from './json/parse-json.ts';
+import { decodePose, unused } from './pose-json.ts';
+
+/**
+ * The pose that a text describes, as `poseFromJson`; what is said of it names line and column. Apart
+ * from that, so that the first picture does not wait for a parser that knows places.
+ */
+export function readPoseJson(file: string, text: string, skeleton: Skeleton): Parsed<Pose> {
+  const log = new DiagnosticLog(file);
+  const json = parseJson(text, { log, area: 'pose', effect: unused });
+  return json ? decodePose(json, skeleton) : log.finish<Pose>(undefined);
+}
