@@ -1,4 +1,5 @@
 import { defineConfig, type Connect, type Plugin } from 'vite';
+import { pureGlMatrix } from './tools/vite-gl-matrix.ts';
 import { shortShaders } from './tools/vite-glsl.ts';
 
 const jsx = { runtime: 'automatic', importSource: 'preact' } as const;
@@ -8,7 +9,7 @@ export default defineConfig({
   base: './',
   // One page: an address without a file is an error 404, never the page again.
   appType: 'mpa',
-  plugins: [shortShaders(), packedAsTheyAre()],
+  plugins: [shortShaders(), pureGlMatrix(), packedAsTheyAre()],
   oxc: { jsx },
   optimizeDeps: { entries: ['index.html'], rolldownOptions: { transform: { jsx } } },
   build: {
@@ -18,7 +19,7 @@ export default defineConfig({
     // Small files stay files: a strict content policy allows no data: addresses.
     assetsInlineLimit: 0,
   },
-  worker: { format: 'es' },
+  worker: { format: 'es', plugins: () => [pureGlMatrix()] },
 });
 
 /**
