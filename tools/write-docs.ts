@@ -7,14 +7,7 @@ import path from 'node:path';
 import { format } from 'prettier';
 import type { Command } from '../src/cli/command.ts';
 import { commands } from '../src/cli/commands.ts';
-import {
-  contexts,
-  type KeyBinding,
-  type KeyContext,
-  keyName,
-  pointerHelp,
-  withCommand,
-} from '../src/ui/keymap.ts';
+import { contexts, type HelpRow, keyRows, pointerRows } from '../src/ui/commands/contexts.ts';
 import { isMain, root } from './commands.mjs';
 
 /** Every written page, by its path from the root of the project. */
@@ -54,7 +47,7 @@ function keysPage(): string[] {
   return [
     '# Keys and pointer',
     '',
-    '`npm run docs` writes this page from the tables in `src/ui/keymap.ts`.',
+    '`npm run docs` writes this page from the tables in `src/ui/commands`.',
     '',
     'Where several sections have the same key, the first whose state holds is meant. Keys of a single',
     'character can be turned off in the help sheet, and in fields and lists only those with Ctrl or Cmd',
@@ -62,23 +55,20 @@ function keysPage(): string[] {
     '',
     '## The pointer on the view',
     '',
-    ...table(pointerHelp),
-    ...contexts.flatMap(contextSection),
-    '## With Ctrl or Cmd',
-    '',
-    ...table(withCommand.map(keyRow)),
+    ...table(pointerRows),
+    ...contexts.flatMap(({ id, label }) => [
+      `## ${label || 'Everywhere'}`,
+      '',
+      ...keyTable(keyRows(id)),
+    ]),
   ];
 }
 
-function contextSection({ label, keys }: KeyContext): string[] {
-  return [`## ${label || 'Everywhere'}`, '', ...table(keys.map(keyRow))];
+function keyTable(rows: readonly HelpRow[]): string[] {
+  return table(rows.map(([key, does]) => [`\`${key}\``, does]));
 }
 
-function keyRow(binding: KeyBinding): readonly [string, string] {
-  return [`\`${keyName(binding)}\``, binding.label];
-}
-
-function table(rows: readonly (readonly [string, string])[]): string[] {
+function table(rows: readonly HelpRow[]): string[] {
   const lines = rows.map(([key, does]) => `| ${key} | ${does} |`);
   return ['| key | does |', '| --- | --- |', ...lines, ''];
 }

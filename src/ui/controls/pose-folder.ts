@@ -2,32 +2,22 @@ import { effect } from '@preact/signals-core';
 import type { GUI } from 'lil-gui';
 import type { Character } from '../../core/character.ts';
 import type { ActorId } from '../../document/scene.ts';
-import { chooseFiles } from '../choose-files.ts';
-import type { Actions, Gallery, Looking, Posing } from '../editor.ts';
-import { stepJoint } from '../keymap.ts';
+import type { Editor } from '../editor.ts';
+import { addCommandRow } from './command-row.ts';
 import { JointFolder } from './joint-folder.ts';
 import { rotationOrder } from './rotation-order.ts';
 
 /** All degrees of freedom of the selected character, and what can be done with its pose. */
-export function addPoseFolder(gui: GUI, editor: Looking & Gallery & Posing & Actions): void {
+export function addPoseFolder(gui: GUI, editor: Editor): void {
   const folder = gui.addFolder('Pose');
   // Two to a row, pairs side by side.
-  const actions = {
-    reset: () => editor.resetAll(),
-    copy: () => void editor.copyPose(),
-    open: () => chooseFiles(['.json'], (files) => void editor.openFiles(files)),
-    save: () => editor.savePose(),
-    mesh: () => editor.exportMesh(),
-    previous: () => stepJoint(editor, -1),
-    next: () => stepJoint(editor, 1),
-  };
-  folder.add(actions, 'previous').name('Previous joint');
-  folder.add(actions, 'next').name('Next joint');
-  folder.add(actions, 'reset').name('Reset all');
-  folder.add(actions, 'copy').name('Copy pose');
-  folder.add(actions, 'open').name('Open pose…');
-  folder.add(actions, 'save').name('Save pose');
-  folder.add(actions, 'mesh').name('Export posed OBJ');
+  addCommandRow(folder, editor, 'previous-joint');
+  addCommandRow(folder, editor, 'next-joint');
+  addCommandRow(folder, editor, 'reset-pose');
+  addCommandRow(folder, editor, 'copy-pose');
+  addCommandRow(folder, editor, 'open-pose');
+  addCommandRow(folder, editor, 'save-pose');
+  addCommandRow(folder, editor, 'export-mesh');
   let joints: GUI | null = null;
   let folders: JointFolder[] = [];
   let shown: Character | null = null;

@@ -6,11 +6,12 @@ import type { Shading, SkinDevice } from '../../document/session.ts';
 import type { NormalsId } from '../../core/skin.ts';
 import type { KernelId, MethodId } from '../../skinning/method.ts';
 import { kernels, methods, normalWays } from '../../skinning/registry.ts';
-import type { Actions, Looking, Telling } from '../editor.ts';
+import type { Editor, Telling } from '../editor.ts';
 import { watch } from '../watch.ts';
+import { addCommandRow } from './command-row.ts';
 
 /** How the skin is deformed and shaded, and the check of its numbers. */
-export function addSkinFolder(gui: GUI, editor: Looking & Telling & Actions): void {
+export function addSkinFolder(gui: GUI, editor: Editor): void {
   const { store, session } = editor;
   const selected = () => selectedActor(store, session);
   const folder = gui.addFolder('Skin');
@@ -54,7 +55,6 @@ export function addSkinFolder(gui: GUI, editor: Looking & Telling & Actions): vo
     set device(device: SkinDevice) {
       session.skinDevice.value = device;
     },
-    verify: () => editor.verify(),
   };
   const choicesOf = <T>(rows: readonly { readonly label: string; readonly id: T }[]) =>
     Object.fromEntries(rows.map(({ label, id }) => [label, id]));
@@ -66,7 +66,7 @@ export function addSkinFolder(gui: GUI, editor: Looking & Telling & Actions): vo
     folder.add(bound, 'device', { GPU: 'gpu', CPU: 'cpu' }).name('Skin on'),
     folder.add(bound, 'normalize').name('Normalise weights'),
   ];
-  folder.add(bound, 'verify').name('Verify');
+  addCommandRow(folder, editor, 'verify');
   const result = document.createElement('output');
   result.className = 'verification';
   folder.$children.append(result);
@@ -80,7 +80,7 @@ export function addSkinFolder(gui: GUI, editor: Looking & Telling & Actions): vo
   });
 }
 
-function verificationLines({ verification }: Looking & Telling & Actions): string[] {
+function verificationLines({ verification }: Telling): string[] {
   const found = verification.value;
   if (!found) return [];
   const difference = found.identical

@@ -1,13 +1,14 @@
 import type { GUI } from 'lil-gui';
 import type { SkeletonStyle } from '../../document/session.ts';
-import type { Courses, Looking, PageState, ThemeChoice } from '../editor.ts';
+import type { Editor, ThemeChoice } from '../editor.ts';
+import { addCommandRow } from './command-row.ts';
 import { field, signalField } from './signal-field.ts';
 import { watch } from '../watch.ts';
 
 const degreesPerRadian = 180 / Math.PI;
 
 /** What is drawn, and from where. */
-export function addViewFolder(gui: GUI, editor: Looking & Courses & PageState): void {
+export function addViewFolder(gui: GUI, editor: Editor): void {
   const { session, viewer, theme } = editor;
   const { camera } = viewer;
   const folder = gui.addFolder('View');
@@ -39,12 +40,8 @@ export function addViewFolder(gui: GUI, editor: Looking & Courses & PageState): 
     folder.add(angle('elevation'), 'value', -89, 89).name('Elevation °').decimals(1),
     folder.add(distance, 'value', 0.02, 10).name('Distance').decimals(2),
   ];
-  const actions = {
-    frame: () => viewer.frameAll(),
-    reset: () => editor.setWorkspace(editor.workspaceId.value),
-  };
-  folder.add(actions, 'frame').name('Frame');
-  folder.add(actions, 'reset').name('Reset camera');
+  addCommandRow(folder, editor, 'frame');
+  addCommandRow(folder, editor, 'camera-of-workspace');
   const { showSkin, showSkeleton, skeletonStyle, showAxes, showTextures, translucent } = session;
   const flags = [showSkin, showSkeleton, skeletonStyle, showAxes, showTextures, translucent];
   watch([...flags, theme, camera], () => {

@@ -1,8 +1,8 @@
 import { useState } from 'preact/hooks';
 import { printable } from '../../core/diagnostics.ts';
 import { selectedActor } from '../../document/selected-actor.ts';
-import { chooseFiles } from '../choose-files.ts';
-import type { Actions, Gallery, Looking, PageState } from '../editor.ts';
+import type { Editor } from '../editor.ts';
+import { CommandButton } from './command-button.tsx';
 
 const saveTargets = [
   ['mit', '6.837 files'],
@@ -10,15 +10,9 @@ const saveTargets = [
 ] as const;
 
 /** What stands in the scene, the bundled characters, one's own, and the way to more. */
-export function CharactersPanel({
-  editor,
-}: {
-  readonly editor: Looking & Gallery & PageState & Actions;
-}) {
+export function CharactersPanel({ editor }: { readonly editor: Editor }) {
   const { bundled, own, openedId, fileExtensions } = editor;
   const shown = selectedActor(editor.store, editor.session)?.character;
-  const open = (folder: boolean, add = false): void =>
-    chooseFiles(folder ? null : fileExtensions, (files) => void editor.openFiles(files, add));
   return (
     <section aria-labelledby="characters-title">
       <SceneList editor={editor} />
@@ -52,13 +46,9 @@ export function CharactersPanel({
           );
         })}
       </ul>
-      <button type="button" class="primary" onClick={() => open(false)}>
-        Open files…
-      </button>
-      <button type="button" class="wide" onClick={() => open(true)}>
-        Open folder…
-      </button>
-      <AddMenu editor={editor} onFiles={() => open(false, true)} />
+      <CommandButton editor={editor} command="open-files" class="primary" />
+      <CommandButton editor={editor} command="open-folder" class="wide" />
+      <AddMenu editor={editor} />
       {shown && (
         <div class="save-as">
           <span id="save-as">Save as</span>
@@ -81,13 +71,8 @@ export function CharactersPanel({
   );
 }
 
-interface AddMenuProperties {
-  readonly editor: Looking & Gallery & PageState & Actions;
-  readonly onFiles: () => void;
-}
-
 /** Adds a character beside those that are there, where the list above replaces the selected one. */
-function AddMenu({ editor, onFiles }: AddMenuProperties) {
+function AddMenu({ editor }: { readonly editor: Editor }) {
   const [open, setOpen] = useState(false);
   const add = (label: string, run: () => void) => (
     <li key={label}>
@@ -115,7 +100,9 @@ function AddMenu({ editor, onFiles }: AddMenuProperties) {
           {editor.own.value.map((read) =>
             add(`Add ${printable(read.character.name, 80)}`, () => editor.openOwn(read, true)),
           )}
-          {add('Add files…', onFiles)}
+          <li>
+            <CommandButton editor={editor} command="add-files" onRun={() => setOpen(false)} />
+          </li>
         </ul>
       )}
     </>
@@ -123,7 +110,7 @@ function AddMenu({ editor, onFiles }: AddMenuProperties) {
 }
 
 /** The actors, one of them selected; a scene of one needs no list. */
-function SceneList({ editor }: { readonly editor: Looking & Gallery & PageState & Actions }) {
+function SceneList({ editor }: { readonly editor: Editor }) {
   const { actors } = editor.store.scene.value;
   const selected = editor.session.selectedActorId.value;
   if (actors.length < 2) return null;
@@ -141,16 +128,8 @@ function SceneList({ editor }: { readonly editor: Looking & Gallery & PageState 
         ))}
       </ul>
       <div class="buttons">
-        <button
-          type="button"
-          title="Duplicate (Ctrl/Cmd+D)"
-          onClick={() => editor.duplicateSelected()}
-        >
-          Duplicate
-        </button>
-        <button type="button" title="Remove (Delete)" onClick={() => editor.removeSelected()}>
-          Remove
-        </button>
+        <CommandButton editor={editor} command="duplicate-character" />
+        <CommandButton editor={editor} command="remove-character" />
       </div>
     </>
   );

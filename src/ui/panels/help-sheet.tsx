@@ -1,7 +1,7 @@
 import { Fragment } from 'preact';
 import { useEffect, useRef } from 'preact/hooks';
 import type { PageState } from '../editor.ts';
-import { contexts, type KeyBinding, keyName, pointerHelp, withCommand } from '../keymap.ts';
+import { contexts, keyRows, pointerRows } from '../commands/contexts.ts';
 
 /** The keys and what the pointer does. */
 export function HelpSheet({ editor }: { readonly editor: PageState }) {
@@ -13,9 +13,8 @@ export function HelpSheet({ editor }: { readonly editor: PageState }) {
     else dialog.current?.close();
   }, [open]);
   const sections = [
-    { label: '', rows: pointerHelp },
-    ...contexts.map(({ label, keys }) => ({ label, rows: keys.map(rowOf) })).reverse(),
-    { label: '', rows: withCommand.map(rowOf) },
+    { label: '', rows: pointerRows },
+    ...contexts.map(({ id, label }) => ({ label, rows: keyRows(id) })).reverse(),
   ];
   return (
     <dialog ref={dialog} aria-labelledby="help-title" onClose={() => (helpOpen.value = false)}>
@@ -56,8 +55,4 @@ export function HelpSheet({ editor }: { readonly editor: PageState }) {
       </button>
     </dialog>
   );
-}
-
-function rowOf(binding: KeyBinding): readonly [string, string] {
-  return [keyName(binding), binding.label];
 }

@@ -1,10 +1,11 @@
 import { printable } from '../../core/diagnostics.ts';
 import { selectedActor } from '../../document/selected-actor.ts';
 import { kernelOf } from '../../skinning/registry.ts';
-import type { Looking, Telling } from '../editor.ts';
+import type { Editor } from '../editor.ts';
+import { CommandButton } from './command-button.tsx';
 
 /** One line on what is shown, and on what was just done. */
-export function StatusLine({ editor }: { readonly editor: Looking & Telling }) {
+export function StatusLine({ editor }: { readonly editor: Editor }) {
   const { session, viewer, verification, notice } = editor;
   const state = selectedActor(editor.store, editor.session);
   const problems = session.problems.value.length;
@@ -29,15 +30,7 @@ export function StatusLine({ editor }: { readonly editor: Looking & Telling }) {
         </span>
       )}
       <output class="notice">{notice.value}</output>
-      <button
-        type="button"
-        class="bone-mode"
-        aria-pressed={session.boneMode.value}
-        title="Drags turn bones (m)"
-        onClick={() => (session.boneMode.value = !session.boneMode.value)}
-      >
-        Bone mode
-      </button>
+      <CommandButton editor={editor} command="bone-mode" class="bone-mode" />
     </footer>
   );
 }

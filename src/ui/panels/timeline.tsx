@@ -1,7 +1,9 @@
 import { selectedActor } from '../../document/selected-actor.ts';
 import type { PlayMode } from '../../posing/playhead.ts';
-import type { Looking, Posing } from '../editor.ts';
+import type { Editor } from '../editor.ts';
+import { runKey } from '../keys.ts';
 import { ClipCurves } from './clip-curves.tsx';
+import { CommandButton } from './command-button.tsx';
 
 const speeds = [0.1, 0.25, 0.5, 1, 2, 4];
 const modes: Readonly<Record<PlayMode, string>> = {
@@ -12,7 +14,7 @@ const modes: Readonly<Record<PlayMode, string>> = {
 };
 
 /** Below the view, where the character has clips: plays them and shows their curves. */
-export function Timeline({ editor }: { readonly editor: Looking & Posing }) {
+export function Timeline({ editor }: { readonly editor: Editor }) {
   const { store, session, transport } = editor;
   const state = selectedActor(store, session);
   const { clipTime, playing, playSpeed, playMode } = session;
@@ -20,28 +22,14 @@ export function Timeline({ editor }: { readonly editor: Looking & Posing }) {
   if (!state || !clip) return null;
   const { start, end } = clip;
   const time = clipTime.value;
-  const bound = state.clip !== null;
   const onKey = (event: KeyboardEvent): void => {
-    const { target } = event;
-    const actions: Record<string, () => void> = {
-      ArrowLeft: () => transport.step(-1),
-      ArrowRight: () => transport.step(1),
-      Home: () => transport.seek(start),
-      End: () => transport.seek(end),
-      // Of a button it is a click.
-      ...(target instanceof HTMLInputElement ? { ' ': () => transport.togglePlay() } : {}),
-    };
-    const action = target instanceof HTMLSelectElement ? undefined : actions[event.key];
-    if (!action || event.ctrlKey || event.metaKey || event.altKey) return;
-    event.preventDefault();
-    event.stopPropagation();
-    action();
+    const { target, key } = event;
+    // A list has keys of its own, and of a button Space is a click.
+    if (target instanceof HTMLSelectElement) return;
+    if (key === ' ' && target instanceof HTMLButtonElement) return;
+    runKey(editor, event, ['timeline']);
+    if (event.defaultPrevented) event.stopPropagation();
   };
-  const button = (label: string, text: string, run: () => void, disabled = false) => (
-    <button type="button" aria-label={label} title={label} disabled={disabled} onClick={run}>
-      {text}
-    </button>
-  );
   return (
     <section class="timeline" aria-label="Timeline" onKeyDown={onKey}>
       <div class="transport">
@@ -56,19 +44,16 @@ export function Timeline({ editor }: { readonly editor: Looking & Posing }) {
             </option>
           ))}
         </select>
-        {button('To the start', '|◂', () => transport.seek(start))}
-        {button('Step back', '◂', () => transport.step(-1))}
-        <button
-          type="button"
+        <CommandButton editor={editor} command="clip-start" sign="|◂" />
+        <CommandButton editor={editor} command="step-back" sign="◂" />
+        <CommandButton
+          editor={editor}
+          command="play"
           class="play"
-          aria-label={playing.value ? 'Pause' : 'Play'}
-          title={`${playing.value ? 'Pause' : 'Play'} (p)`}
-          onClick={() => transport.togglePlay()}
-        >
-          {playing.value ? '❚❚' : '▶'}
-        </button>
-        {button('Step on', '▸', () => transport.step(1))}
-        {button('Own pose: let the clip go', '✕', () => transport.release(), !bound)}
+          sign={playing.value ? '❚❚' : '▶'}
+        />
+        <CommandButton editor={editor} command="step-on" sign="▸" />
+        <CommandButton editor={editor} command="release-clip" sign="✕" />
         <input
           type="range"
           aria-label="Time"

@@ -4,17 +4,14 @@ import type { ActiveDof } from '../../document/session.ts';
 import { kernelById, kernelOf } from '../../skinning/registry.ts';
 import { ancestorsOf } from '../joint-rows.ts';
 import { formatDegrees } from '../angle-text.ts';
-import type { Drawer, Gallery, Looking, PageState, Posing } from '../editor.ts';
+import type { Drawer, Editor, Looking, PageState, Posing } from '../editor.ts';
+import { CommandButton } from './command-button.tsx';
 
 /** Of the joints above, those nearest are told. */
 const longestChain = 4;
 
 /** Over the view: what is under way, why there is no picture, and the drawers' buttons. */
-export function ViewOverlay({
-  editor,
-}: {
-  readonly editor: Looking & Gallery & PageState & Posing;
-}) {
+export function ViewOverlay({ editor }: { readonly editor: Editor }) {
   return (
     <>
       <DrawerButtons editor={editor} />
@@ -46,7 +43,7 @@ function DrawerButtons({ editor: { drawer } }: { readonly editor: PageState }) {
   );
 }
 
-function ProgressBox({ editor }: { readonly editor: Gallery }) {
+function ProgressBox({ editor }: { readonly editor: Editor }) {
   const progress = editor.progress.value;
   if (!progress) return null;
   return (
@@ -55,9 +52,7 @@ function ProgressBox({ editor }: { readonly editor: Gallery }) {
         {progress.label}
         <progress value={progress.fraction} max={1} />
       </label>
-      <button type="button" onClick={() => editor.cancelOpening()}>
-        Cancel
-      </button>
+      <CommandButton editor={editor} command="cancel-opening" />
     </div>
   );
 }

@@ -1,11 +1,10 @@
-import type { Courses, Looking, PageState } from '../editor.ts';
+import type { Editor } from '../editor.ts';
 import type { WorkspaceId } from '../workspace.ts';
+import { CommandButton } from './command-button.tsx';
 
 /** The menu of workspaces, with undo and redo beside it. */
-export function WorkspacePanel({ editor }: { readonly editor: Looking & Courses & PageState }) {
-  const { store, workspaces, workspaceId, helpOpen } = editor;
-  const undo = store.undoLabel.value;
-  const redo = store.redoLabel.value;
+export function WorkspacePanel({ editor }: { readonly editor: Editor }) {
+  const { workspaces, workspaceId } = editor;
   return (
     <section class="toolbar" aria-label="Workspace and history">
       <label>
@@ -22,25 +21,9 @@ export function WorkspacePanel({ editor }: { readonly editor: Looking & Courses 
         </select>
       </label>
       <div class="buttons">
-        <button
-          type="button"
-          disabled={undo === null}
-          title={undo === null ? 'Nothing to undo' : `Undo: ${undo} (Ctrl/Cmd+Z)`}
-          onClick={() => store.undo()}
-        >
-          Undo
-        </button>
-        <button
-          type="button"
-          disabled={redo === null}
-          title={redo === null ? 'Nothing to redo' : `Redo: ${redo} (Ctrl/Cmd+Shift+Z)`}
-          onClick={() => store.redo()}
-        >
-          Redo
-        </button>
-        <button type="button" title="Keys (?)" onClick={() => (helpOpen.value = true)}>
-          Keys
-        </button>
+        <CommandButton editor={editor} command="undo" />
+        <CommandButton editor={editor} command="redo" />
+        <CommandButton editor={editor} command="keys" />
       </div>
     </section>
   );

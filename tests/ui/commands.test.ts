@@ -1,29 +1,36 @@
 import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
-import { contexts, keyName, withCommand } from '../../src/ui/keymap.ts';
+import { contexts, keyRows } from '../../src/ui/commands/contexts.ts';
+import { commands } from '../../src/ui/commands/registry.ts';
 
-const bindings = [...contexts.flatMap(({ keys }) => keys), ...withCommand];
+const everyRow = contexts.flatMap(({ id }) => keyRows(id));
 
 describe('the keymap', () => {
   it('binds no key twice in a context', () => {
-    for (const context of [...contexts.map(({ keys }) => keys), withCommand]) {
-      const names = context.map(keyName);
+    for (const { id } of contexts) {
+      const names = keyRows(id).map(([name]) => name);
+      expect(names.length).toBeGreaterThan(0);
       expect(new Set(names).size).toBe(names.length);
     }
   });
 
+  it('has every key of every command', () => {
+    const count = commands.reduce((sum, { keys }) => sum + (keys?.length ?? 0), 0);
+    expect(everyRow).toHaveLength(count);
+    expect(new Set(commands.map(({ id }) => id)).size).toBe(commands.length);
+  });
+
   it('is told in docs/keys.md, key by key with what it does', () => {
     const rows = rowsOf('docs/keys.md', '# Keys and pointer');
-    for (const binding of bindings) {
-      expect(rows).toContainEqual([`\`${keyName(binding)}\``, binding.label]);
-    }
+    for (const [key, does] of everyRow) expect(rows).toContainEqual([`\`${key}\``, does]);
   });
 
   it('has every key of the README', () => {
     const section = rowsOf('README.md', '## Keys');
     const told = section.flatMap(([key]) => [...key!.matchAll(/`(.+?)`/g)].map(([, name]) => name));
+    const names = everyRow.map(([key]) => key);
     expect(told.length).toBeGreaterThan(5);
-    for (const name of told) expect(bindings.map(keyName)).toContain(name);
+    for (const name of told) expect(names).toContain(name);
   });
 });
 

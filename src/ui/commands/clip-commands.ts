@@ -1,0 +1,54 @@
+import type { Command } from './command.ts';
+
+/** The bound clip, or the one that Play binds. */
+export const clipCommands = [
+  {
+    id: 'play',
+    label: 'Play, pause the clip',
+    keys: [{ key: 'p' }],
+    isOn: ({ session }) => session.playing.value,
+    describe: ({ session }) => (session.playing.value ? 'Pause' : 'Play'),
+    run: ({ transport }) => transport.togglePlay(),
+  },
+  {
+    id: 'play-here',
+    label: 'Play, pause',
+    keys: [{ key: ' ' }],
+    context: 'timeline',
+    run: ({ transport }) => transport.togglePlay(),
+  },
+  {
+    id: 'clip-start',
+    label: 'To the start',
+    keys: [{ key: 'Home' }],
+    context: 'timeline',
+    run: ({ transport }) => transport.seek(transport.clip?.start ?? 0),
+  },
+  {
+    id: 'clip-end',
+    label: 'To the end',
+    keys: [{ key: 'End' }],
+    context: 'timeline',
+    run: ({ transport }) => transport.seek(transport.clip?.end ?? 0),
+  },
+  {
+    id: 'step-back',
+    label: 'Step back',
+    keys: [{ key: 'ArrowLeft' }],
+    context: 'timeline',
+    run: ({ transport }) => transport.step(-1),
+  },
+  {
+    id: 'step-on',
+    label: 'Step on',
+    keys: [{ key: 'ArrowRight' }],
+    context: 'timeline',
+    run: ({ transport }) => transport.step(1),
+  },
+  {
+    id: 'release-clip',
+    label: 'Own pose: let the clip go',
+    isEnabled: ({ transport }) => transport.isBound,
+    run: ({ transport }) => transport.release(),
+  },
+] as const satisfies readonly Command[];

@@ -1,0 +1,82 @@
+import { resetJoint } from '../../document/edits.ts';
+import type { Editor } from '../editor.ts';
+import type { Command } from './command.ts';
+
+/** Undo and redo, and what is done with characters and poses. */
+export const editCommands = [
+  {
+    id: 'undo',
+    label: 'Undo',
+    keys: [{ key: 'z', control: true }],
+    context: 'control',
+    isEnabled: ({ store }) => store.undoLabel.value !== null,
+    describe: ({ store }) => told('Undo', store.undoLabel.value),
+    run: ({ store }) => store.undo(),
+  },
+  {
+    id: 'redo',
+    label: 'Redo',
+    keys: [{ key: 'z', control: true, shift: true }],
+    context: 'control',
+    isEnabled: ({ store }) => store.redoLabel.value !== null,
+    describe: ({ store }) => told('Redo', store.redoLabel.value),
+    run: ({ store }) => store.redo(),
+  },
+  {
+    id: 'duplicate-character',
+    label: 'Duplicate the character',
+    short: 'Duplicate',
+    keys: [{ key: 'd', control: true }],
+    context: 'control',
+    run: (editor) => editor.duplicateSelected(),
+  },
+  {
+    id: 'remove-character',
+    label: 'Remove the character',
+    short: 'Remove',
+    keys: [{ key: 'Delete' }],
+    context: 'character',
+    run: (editor) => editor.removeSelected(),
+  },
+  {
+    id: 'reset-pose',
+    label: 'Reset the pose',
+    short: 'Reset all',
+    keys: [{ key: 'r' }],
+    run: (editor) => editor.resetAll(),
+  },
+  {
+    id: 'reset-joint',
+    label: 'Reset the joint',
+    keys: [{ key: 'r', shift: true }],
+    context: 'joint',
+    run: resetSelectedJoint,
+  },
+  {
+    id: 'copy-pose',
+    label: 'Copy the pose as text',
+    short: 'Copy pose',
+    run: (editor) => void editor.copyPose(),
+  },
+  {
+    id: 'cancel',
+    label: 'Cancel a drag; let the active value go',
+    keys: [{ key: 'Escape' }],
+    run: takeBack,
+  },
+] as const satisfies readonly Command[];
+
+function told(verb: string, label: string | null): string {
+  return label === null ? `Nothing to ${verb.toLowerCase()}` : `${verb}: ${label}`;
+}
+
+function resetSelectedJoint({ store, session, evaluations }: Editor): void {
+  const shown = evaluations.selected();
+  const joint = session.selectedJoint.value;
+  if (shown && joint !== null) store.dispatch(resetJoint(shown.state, shown.pose.q, joint));
+}
+
+/** Takes back the nearest thing: a drag, else the active value, which drags would set alone. */
+function takeBack({ store, session }: Editor): void {
+  if (!store.cancelGesture()) session.activeDof.value = null;
+}

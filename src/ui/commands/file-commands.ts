@@ -1,0 +1,60 @@
+import { chooseFiles } from '../choose-files.ts';
+import type { Editor } from '../editor.ts';
+import type { Command } from './command.ts';
+
+/** What comes from files and goes to them. */
+export const fileCommands = [
+  { id: 'open-files', label: 'Open files', short: 'Open files…', run: (editor) => open(editor) },
+  {
+    id: 'open-folder',
+    label: 'Open a folder',
+    short: 'Open folder…',
+    run: (editor) => chooseFiles(null, (files) => void editor.openFiles(files)),
+  },
+  {
+    id: 'add-files',
+    label: 'Add files to the scene',
+    short: 'Add files…',
+    run: (editor) => open(editor, true),
+  },
+  {
+    id: 'cancel-opening',
+    label: 'Cancel what is being opened',
+    short: 'Cancel',
+    run: (editor) => editor.cancelOpening(),
+  },
+  {
+    id: 'open-pose',
+    label: 'Open a pose',
+    short: 'Open pose…',
+    run: (editor) => chooseFiles(['.json'], (files) => void editor.openFiles(files)),
+  },
+  {
+    id: 'save-pose',
+    label: 'Save the pose',
+    short: 'Save pose',
+    run: (editor) => editor.savePose(),
+  },
+  {
+    id: 'export-mesh',
+    label: 'Export the posed mesh as OBJ',
+    short: 'Export posed OBJ',
+    run: (editor) => editor.exportMesh(),
+  },
+  {
+    id: 'save-picture',
+    label: 'Save a picture',
+    keys: [{ key: 'j' }],
+    run: (editor) => void editor.savePicture({ format: 'png', background: true, target: 'file' }),
+  },
+  {
+    id: 'verify',
+    label: 'Verify the numbers of the GPU',
+    short: 'Verify',
+    run: (editor) => editor.verify(),
+  },
+] as const satisfies readonly Command[];
+
+function open(editor: Editor, add = false): void {
+  chooseFiles(editor.fileExtensions, (files) => void editor.openFiles(files, add));
+}

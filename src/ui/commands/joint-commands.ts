@@ -1,0 +1,65 @@
+import { setPose } from '../../document/edits.ts';
+import { selectedActor } from '../../document/selected-actor.ts';
+import type { Session } from '../../document/session.ts';
+import { rollJoint } from '../../posing/roll-joint.ts';
+import type { Editor } from '../editor.ts';
+import type { Command } from './command.ts';
+
+/** Radians, as CS354's program. */
+const rollStep = 0.1;
+
+/** From joint to joint, and what arrows do to one. */
+export const jointCommands = [
+  {
+    id: 'previous-joint',
+    label: 'Previous joint',
+    keys: [{ key: '[' }],
+    run: (editor) => stepJoint(editor, -1),
+  },
+  {
+    id: 'next-joint',
+    label: 'Next joint',
+    keys: [{ key: ']' }],
+    run: (editor) => stepJoint(editor, 1),
+  },
+  {
+    id: 'roll-left',
+    label: 'Roll the bone to the left',
+    keys: [{ key: 'ArrowLeft' }],
+    context: 'bone',
+    run: (editor) => rollBone(editor, 1),
+  },
+  {
+    id: 'roll-right',
+    label: 'Roll the bone to the right',
+    keys: [{ key: 'ArrowRight' }],
+    context: 'bone',
+    run: (editor) => rollBone(editor, -1),
+  },
+] as const satisfies readonly Command[];
+
+/** The joint that the arrows roll: the lit one, else the selected. */
+export function rolledJoint({ hoveredJoint, selectedJoint }: Session): number | null {
+  return hoveredJoint.value ?? selectedJoint.value;
+}
+
+/** Selects the joint before or after the selected one, round and round. */
+function stepJoint({ store, session }: Editor, step: 1 | -1): void {
+  const count = selectedActor(store, session)?.character.skeleton.jointCount ?? 0;
+  if (count === 0) return;
+  const { selectedJoint } = session;
+  const from = selectedJoint.value ?? (step > 0 ? -1 : count);
+  selectedJoint.value = (from + step + count) % count;
+}
+
+function rollBone({ store, session, evaluations }: Editor, direction: 1 | -1): void {
+  const shown = evaluations.selected();
+  const joint = rolledJoint(session);
+  if (!shown || joint === null) return;
+  const { id, character } = shown.state;
+  const { skeleton, bones } = character;
+  const bone = session.hoveredBone.value ?? bones.find((each) => each.joint === joint);
+  if (bone?.joint !== joint) return;
+  const q = rollJoint(skeleton, shown.pose.q, joint, bone.vector, direction * rollStep);
+  store.dispatch(setPose(id, q, `Roll ${skeleton.names[joint]!}`));
+}

@@ -1,0 +1,76 @@
+import { selectedActor } from '../../document/selected-actor.ts';
+import { methods } from '../../skinning/registry.ts';
+import type { Editor } from '../editor.ts';
+import { type Command, toggle } from './command.ts';
+
+/** What is shown, and what drags do. */
+export const viewCommands = [
+  {
+    id: 'axes',
+    label: 'Axes on, off',
+    short: 'Axes',
+    keys: [{ key: 'a' }],
+    isOn: ({ session }) => session.showAxes.value,
+    run: ({ session }) => toggle(session.showAxes),
+  },
+  {
+    id: 'drawn',
+    label: 'Skin, skeleton, both',
+    keys: [{ key: 's' }],
+    run: cycleDrawn,
+  },
+  {
+    id: 'translucent',
+    label: 'Translucent skin',
+    short: 'Translucent',
+    keys: [{ key: 't' }],
+    isOn: ({ session }) => session.translucent.value,
+    run: ({ session }) => toggle(session.translucent),
+  },
+  {
+    id: 'compare',
+    label: 'Compare methods side by side, on, off',
+    keys: [{ key: 'x' }],
+    isOn: ({ session }) => session.comparedKernel.value !== null,
+    run: toggleCompared,
+  },
+  {
+    id: 'bone-mode',
+    label: 'Bone mode: drags turn bones',
+    short: 'Bone mode',
+    keys: [{ key: 'm' }],
+    isOn: ({ session }) => session.boneMode.value,
+    run: ({ session }) => toggle(session.boneMode),
+  },
+  {
+    id: 'first-person',
+    label: 'First person on, off',
+    short: 'First person',
+    keys: [{ key: 'c' }],
+    isOn: ({ session }) => session.firstPerson.value,
+    run: ({ session }) => toggle(session.firstPerson),
+  },
+  {
+    id: 'keys',
+    label: 'These keys',
+    short: 'Keys',
+    keys: [{ key: '?' }],
+    isOn: ({ helpOpen }) => helpOpen.value,
+    run: ({ helpOpen }) => toggle(helpOpen),
+  },
+] as const satisfies readonly Command[];
+
+/** Skin alone, skeleton alone, both, and round again. */
+function cycleDrawn({ session: { showSkin, showSkeleton } }: Editor): void {
+  if (showSkin.value && showSkeleton.value) showSkeleton.value = false;
+  else if (showSkin.value) [showSkin.value, showSkeleton.value] = [false, true];
+  else [showSkin.value, showSkeleton.value] = [true, true];
+}
+
+/** Beside the selected actor's method the first other one. */
+function toggleCompared({ store, session }: Editor): void {
+  const { comparedKernel } = session;
+  const actor = selectedActor(store, session);
+  const other = methods.find(({ id }) => id !== actor?.method);
+  comparedKernel.value = comparedKernel.value === null && other ? other.id : null;
+}

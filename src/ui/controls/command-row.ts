@@ -1,0 +1,29 @@
+import { effect } from '@preact/signals-core';
+import type { GUI } from 'lil-gui';
+import { keyName, titleOf } from '../commands/command.ts';
+import { type CommandId, commandOf } from '../commands/registry.ts';
+import type { Editor } from '../editor.ts';
+import { field } from './signal-field.ts';
+
+/** Adds a row that runs a command: a check box where that is a switch, else a button. */
+export function addCommandRow(folder: GUI, editor: Editor, id: CommandId): void {
+  const command = commandOf(id);
+  const { isOn } = command;
+  const run = (): void => command.run(editor);
+  const row = isOn
+    ? folder.add(
+        field(() => isOn(editor), run),
+        'value',
+      )
+    : folder.add({ run }, 'run');
+  const [key] = command.keys ?? [];
+  const name = command.short ?? command.label;
+  row.name(isOn && key ? `${name} (${keyName(key)})` : name);
+  row.domElement.title = titleOf(command, editor);
+  if (!isOn) return;
+  effect(() => {
+    // To ask whether it is on is to follow it.
+    isOn(editor);
+    row.updateDisplay();
+  });
+}
