@@ -6,8 +6,7 @@ import type { Opening } from '../ui/editor.ts';
 import { listenToKeys } from '../ui/keys.ts';
 import { LeftPanel } from '../ui/panels/left-panel.tsx';
 import { RightPanel } from '../ui/panels/right-panel.tsx';
-import { StatusLine } from '../ui/panels/status-line.tsx';
-import { Timeline } from '../ui/panels/timeline.tsx';
+import { Sections } from '../ui/panels/sections.tsx';
 import { ViewOverlay } from '../ui/panels/view-overlay.tsx';
 import { listenToPointer } from '../ui/pointer.ts';
 import { passes } from '../view/passes/registry.ts';
@@ -26,13 +25,7 @@ export function startInterface(layout: Layout, opening: Opening, ready: Promise<
   render(<LeftPanel editor={editor} />, layout.left);
   render(<RightPanel editor={editor} />, layout.right);
   render(<ViewOverlay editor={editor} />, layout.overlay);
-  render(
-    <>
-      <Timeline editor={editor} />
-      <StatusLine editor={editor} />
-    </>,
-    layout.foot,
-  );
+  render(<Sections editor={editor} place="foot" />, layout.foot);
   listenToKeys(editor);
   runClock(editor.session, editor.transport);
   listenToPointer(layout.canvas, editor);

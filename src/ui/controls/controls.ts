@@ -12,16 +12,21 @@ import { addSliderRoles } from './slider-role.ts';
 import { addSkinFolder } from './skin-folder.ts';
 import { addViewFolder } from './view-folder.ts';
 
+/** Every folder of the controls, from top to bottom. A new one is a file and a line here. */
+const folders: readonly ((gui: GUI, editor: Editor) => void)[] = [
+  addPoseFolder,
+  addMorphFolder,
+  addBoneFolder,
+  addPlaceFolder,
+  addSkinFolder,
+  addViewFolder,
+  addLightsFolder,
+  addPictureFolder,
+];
+
 /** Every number and switch, in lil-gui. */
 export function createControls(container: HTMLElement, editor: Editor): void {
   const gui = new GUI({ container, injectStyles: false, title: 'Controls' });
-  addPoseFolder(gui, editor);
-  addMorphFolder(gui, editor);
-  addBoneFolder(gui, editor);
-  addPlaceFolder(gui, editor);
-  addSkinFolder(gui, editor);
-  addViewFolder(gui, editor);
-  addLightsFolder(gui, editor);
-  addPictureFolder(gui, editor);
+  for (const add of folders) add(gui, editor);
   addSliderRoles(gui);
 }

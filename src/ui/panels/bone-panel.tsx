@@ -9,10 +9,8 @@ import { fixedText } from '../number-text.ts';
  */
 export function BonePanel({ editor }: { readonly editor: Looking }) {
   const [chosenOpen, setChosenOpen] = useState<boolean | null>(null);
-  const { evaluations, session } = editor;
+  const { session } = editor;
   const selected = session.selectedJoint.value;
-  const jointCount = evaluations.selected()?.state.character.skeleton.jointCount ?? 0;
-  if (jointCount < 2) return null;
   const open = chosenOpen ?? selected !== null;
   // What is closed follows nothing.
   const joint = open ? (selected ?? session.hoveredJoint.value) : null;

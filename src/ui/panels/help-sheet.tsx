@@ -3,15 +3,16 @@ import { useEffect, useRef } from 'preact/hooks';
 import type { PageState } from '../editor.ts';
 import { contexts, keyRows, pointerRows } from '../commands/contexts.ts';
 
-/** The keys and what the pointer does. */
+/** The keys and what the pointer does, while it is open. */
 export function HelpSheet({ editor }: { readonly editor: PageState }) {
   const { helpOpen, letterKeys } = editor;
   const dialog = useRef<HTMLDialogElement>(null);
-  const open = helpOpen.value;
   useEffect(() => {
-    if (open) dialog.current?.showModal();
-    else dialog.current?.close();
-  }, [open]);
+    const sheet = dialog.current;
+    sheet?.showModal();
+    // Closing gives the focus back to where it was.
+    return () => sheet?.close();
+  }, []);
   const sections = [
     { label: '', rows: pointerRows },
     ...contexts.map(({ id, label }) => ({ label, rows: keyRows(id) })).reverse(),

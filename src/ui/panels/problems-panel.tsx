@@ -10,7 +10,6 @@ import type { Looking, Telling } from '../editor.ts';
 /** Everything that the last files had to say, errors first. */
 export function ProblemsPanel({ editor }: { readonly editor: Looking & Telling }) {
   const problems = editor.session.problems.value;
-  if (problems.length === 0) return null;
   const errors = problems.filter(({ severity }) => severity === 'error');
   const sorted = [...errors, ...problems.filter((problem) => !errors.includes(problem))];
   return (

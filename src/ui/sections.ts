@@ -1,0 +1,76 @@
+import type { FunctionComponent } from 'preact';
+import { selectedActor } from '../document/selected-actor.ts';
+import type { Editor } from './editor.ts';
+import { CharactersPanel } from './panels/characters-panel.tsx';
+import { JointTree } from './panels/joint-tree.tsx';
+import { StatusLine } from './panels/status-line.tsx';
+import { WorkspacePanel } from './panels/workspace-panel.tsx';
+
+export type SectionComponent = FunctionComponent<{ readonly editor: Editor }>;
+
+/** A seam: a part of the page beside the view. A new one is one file and one row below. */
+export interface Section {
+  readonly id: string;
+  readonly place: 'left' | 'foot';
+  /** Whether it has something to show; it is loaded when it first has. */
+  readonly when: (editor: Editor) => boolean;
+  readonly load: () => Promise<SectionComponent>;
+}
+
+const always = (): boolean => true;
+
+/** Every section, each place's from top to bottom. What every visit shows comes along at once. */
+export const sections: readonly Section[] = [
+  {
+    id: 'characters',
+    place: 'left',
+    when: always,
+    load: () => Promise.resolve(CharactersPanel),
+  },
+  {
+    id: 'problems',
+    place: 'left',
+    when: ({ session }) => session.problems.value.length > 0,
+    load: async () => (await import('./panels/problems-panel.tsx')).ProblemsPanel,
+  },
+  {
+    id: 'workspace',
+    place: 'left',
+    when: always,
+    load: () => Promise.resolve(WorkspacePanel),
+  },
+  {
+    id: 'joints',
+    place: 'left',
+    when: (editor) => jointCount(editor) > 0,
+    load: () => Promise.resolve(JointTree),
+  },
+  {
+    id: 'bone',
+    place: 'left',
+    when: (editor) => jointCount(editor) > 1,
+    load: async () => (await import('./panels/bone-panel.tsx')).BonePanel,
+  },
+  {
+    id: 'help',
+    place: 'left',
+    when: ({ helpOpen }) => helpOpen.value,
+    load: async () => (await import('./panels/help-sheet.tsx')).HelpSheet,
+  },
+  {
+    id: 'timeline',
+    place: 'foot',
+    when: ({ transport }) => transport.clip !== undefined,
+    load: async () => (await import('./panels/timeline.tsx')).Timeline,
+  },
+  {
+    id: 'status',
+    place: 'foot',
+    when: always,
+    load: () => Promise.resolve(StatusLine),
+  },
+];
+
+function jointCount({ store, session }: Editor): number {
+  return selectedActor(store, session)?.character.skeleton.jointCount ?? 0;
+}
