@@ -7,8 +7,9 @@ import type { DisplayTransform } from './display-transform.ts';
 import type { SkinningMethod, VertexStreams } from '../skinning/method.ts';
 
 /**
- * Tell which stages changed: a stage whose inputs are what they were keeps its revision, and its arrays.
- * Revisions grow over all evaluators, so that none is met twice.
+ * Tell which stages changed: a stage whose inputs are what they were keeps its revision, and its arrays,
+ * and so have evaluators of one character whose inputs are equal the same revision. None is met twice for
+ * anything else.
  */
 export interface Revisions {
   /** Of `pose` and `characterFromJoint`. */

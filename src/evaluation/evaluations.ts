@@ -5,6 +5,7 @@ import type { Store } from '../document/store.ts';
 import { type Deformation, kernelOf } from '../skinning/registry.ts';
 import { timeInClip } from '../posing/playhead.ts';
 import type { Evaluation } from './evaluation.ts';
+import { EvaluationPool } from './evaluation-pool.ts';
 import { Evaluator } from './evaluator.ts';
 
 /** What of every actor is other than the scene has it: for views beside the usual one. */
@@ -20,6 +21,7 @@ export class Evaluations {
   private readonly store: Store;
   private readonly session: Session;
   private readonly evaluators = new Map<string, Evaluator>();
+  private readonly pool = new EvaluationPool();
 
   constructor(store: Store, session: Session) {
     this.store = store;
@@ -36,7 +38,9 @@ export class Evaluations {
     for (const [key, evaluator] of this.evaluators) {
       const isIn = this.store.scene.value.actors.some(({ id }) => id === evaluator.state.id);
       const isPlain = key === String(evaluator.state.id);
-      if (!isIn || !(isPlain || shown.includes(evaluator))) this.evaluators.delete(key);
+      if (isIn && (isPlain || shown.includes(evaluator))) continue;
+      evaluator.dispose();
+      this.evaluators.delete(key);
     }
   }
 
@@ -51,7 +55,10 @@ export class Evaluations {
     const shown = deformation ? { ...actor, ...deformation } : actor;
     const key = deformation ? `${actor.id} ${kernelOf(shown).id}` : String(actor.id);
     let evaluator = this.evaluators.get(key);
-    if (!evaluator?.fits(shown)) this.evaluators.set(key, (evaluator = new Evaluator(shown)));
+    if (!evaluator?.fits(shown)) {
+      evaluator?.dispose();
+      this.evaluators.set(key, (evaluator = new Evaluator(shown, this.pool)));
+    }
     const { clipTime, playMode } = this.session;
     const clip = boundClip(actor);
     const time = clip ? timeInClip(clip, clipTime.value, playMode.value) : 0;

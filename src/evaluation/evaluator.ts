@@ -10,19 +10,19 @@ import { kernelOf } from '../skinning/registry.ts';
 import { restKey, restMesh } from '../skinning/rest-mesh.ts';
 import { type DisplayTransform, displayTransform } from './display-transform.ts';
 import type { Evaluation, Revisions } from './evaluation.ts';
+import { EvaluationPool, type ShownValues } from './evaluation-pool.ts';
 import { posedBounds } from './posed-bounds.ts';
 import { Stage } from './stage.ts';
 
-/** Evaluates one character at one moment after another; belongs to whoever looks. */
+/**
+ * Evaluates one character at one moment after another; belongs to whoever looks, who disposes of it. What
+ * other evaluators of its pool have computed from equal inputs it takes from them.
+ */
 export class Evaluator implements Evaluation {
   private now: Actor;
   private time = 0;
-  private readonly layered: Float64Array;
-  private readonly joints: Float64Array;
-  private packed = new Float32Array(0);
-  private posed: VertexStreams | null = null;
 
-  private readonly valueStage: Stage<Float64Array>;
+  private readonly valueStage: Stage<ShownValues>;
   private readonly jointStage: Stage<Float64Array>;
   private readonly restStage: Stage<Mesh>;
   private readonly paletteStage: Stage<Float32Array>;
@@ -30,40 +30,46 @@ export class Evaluator implements Evaluation {
   private readonly boundsStage: Stage<Bounds>;
   private readonly displayStage: Stage<DisplayTransform>;
 
-  constructor(state: Actor) {
+  constructor(state: Actor, pool = new EvaluationPool()) {
     this.now = state;
     const { character } = state;
     const { skeleton } = character;
-    this.layered = new Float64Array(skeleton.qRest.length);
-    this.joints = new Float64Array(skeleton.jointCount * 16);
+    const shared = pool.of(character);
     this.valueStage = new Stage(
-      () => [this.now.q, this.now.clips, this.now.clip, this.isStill ? 0 : this.time],
-      () => this.applyLayers(),
+      shared.values,
+      () => [this.now.q, boundClip(this.now), this.isStill ? 0 : this.time],
+      (former) => this.applyLayers(former?.layered ?? null),
     );
     this.jointStage = new Stage(
+      shared.joints,
       () => [this.valueStage.revision],
-      () => {
-        forwardKinematics(skeleton, this.valueStage.value, this.joints);
-        return this.joints;
+      (joints = new Float64Array(skeleton.jointCount * 16)) => {
+        forwardKinematics(skeleton, this.pose.q, joints);
+        return joints;
       },
     );
     this.restStage = new Stage(
+      shared.rest,
       () => restKey(character, this.pose),
       () => restMesh(character, this.pose),
     );
     this.paletteStage = new Stage(
+      shared.palette,
       () => [this.jointStage.revision, this.skin, this.method],
-      () => this.pack(),
+      (former) => this.pack(former),
     );
     this.vertexStage = new Stage(
+      shared.vertices,
       () => [this.paletteStage.revision, this.restStage.revision],
-      () => this.deform(),
+      (former) => this.deform(former),
     );
     this.boundsStage = new Stage(
+      shared.bounds,
       () => [this.vertexStage.revision],
       () => posedBounds(character, this.vertices().positions, this.characterFromJoint),
     );
     this.displayStage = new Stage(
+      shared.display,
       () => [this.now.transform],
       () => displayTransform(character, this.now.transform),
     );
@@ -86,7 +92,7 @@ export class Evaluator implements Evaluation {
   }
 
   get pose(): Required<Pose> {
-    return { q: this.valueStage.value, morphWeights: this.now.morphWeights };
+    return { q: this.valueStage.value.q, morphWeights: this.now.morphWeights };
   }
 
   get characterFromJoint(): Float64Array {
@@ -136,38 +142,47 @@ export class Evaluator implements Evaluation {
     return { q: q.slice(), morphWeights: morphWeights.slice() };
   }
 
+  /** Lets go of all that it holds in its pool. */
+  dispose(): void {
+    const { valueStage, jointStage, restStage, paletteStage } = this;
+    const { vertexStage, boundsStage, displayStage } = this;
+    for (const stage of [valueStage, jointStage, restStage, paletteStage]) stage.release();
+    for (const stage of [vertexStage, boundsStage, displayStage]) stage.release();
+  }
+
   /** Whether no time passes for it. */
   private get isStill(): boolean {
     return this.now.clip === null;
   }
 
-  /** The state's own values where no layer is active; else the same array is written again. */
-  private applyLayers(): Float64Array {
+  /** The state's own values where no layer is active; else an array that is written again. */
+  private applyLayers(former: Float64Array | null): ShownValues {
     const { q } = this.now;
     const context = { clip: boundClip(this.now) ?? null, time: this.time };
-    if (!poseLayers.some((layer) => layer.isActive(context))) return q;
-    this.layered.set(q);
+    if (!poseLayers.some((layer) => layer.isActive(context))) return { q, layered: former };
+    const layered = former ?? new Float64Array(q.length);
+    layered.set(q);
     for (const layer of poseLayers) {
-      if (layer.isActive(context)) layer.apply(context, this.layered);
+      if (layer.isActive(context)) layer.apply(context, layered);
     }
-    return this.layered;
+    return { q: layered, layered };
   }
 
-  private pack(): Float32Array {
+  private pack(former: Float32Array | undefined): Float32Array {
     const { skin, method } = this;
     const length = skin.paletteJoint.length * method.vec4sPerEntry * 4;
-    if (this.packed.length !== length) this.packed = new Float32Array(length);
-    method.packPalette(skin, this.characterFromJoint, this.packed);
-    return this.packed;
+    const palette = former?.length === length ? former : new Float32Array(length);
+    method.packPalette(skin, this.characterFromJoint, palette);
+    return palette;
   }
 
-  private deform(): VertexStreams {
+  private deform(former: VertexStreams | undefined): VertexStreams {
     const { rest, skin, palette, method } = this;
-    this.posed ??= {
+    const posed = former ?? {
       positions: new Float32Array(rest.vertexCount * 3),
       normals: new Float32Array(rest.vertexCount * 3),
     };
-    method.deform(rest, skin, palette, this.posed);
-    return this.posed;
+    method.deform(rest, skin, palette, posed);
+    return posed;
   }
 }

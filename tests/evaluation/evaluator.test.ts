@@ -9,8 +9,9 @@ import { deformationOf, kernels } from '../../src/skinning/registry.ts';
 import { skinVertices } from '../support/skin-vertices.ts';
 import { characterOfRig } from '../fixtures/character-of-rig.ts';
 import { allRigs } from '../fixtures/rigs.ts';
+import { withMorph } from '../fixtures/with-morph.ts';
 
-const characters = Object.values(allRigs).map((rig) => characterOfRig(rig()));
+const characters = Object.values(allRigs).map((rig) => withMorph(characterOfRig(rig())));
 
 function stateOf(which: number): Actor {
   return createActor(1 + which, characters[which % characters.length]!, 'linear-blend');
@@ -77,7 +78,10 @@ describe('an evaluation', () => {
     expect(evaluator.evaluate({ ...state }, 7).revisions).toEqual(first);
     expect(evaluator.palette).toBe(palette);
 
-    const shaped = { ...state, morphWeights: state.morphWeights.slice() };
+    const equal = { ...state, q: state.q.slice(), morphWeights: state.morphWeights.slice() };
+    expect(evaluator.evaluate(equal, 0).revisions).toEqual(first);
+
+    const shaped = { ...state, morphWeights: state.morphWeights.map(() => 0.5) };
     const second = evaluator.evaluate(shaped, 0).revisions;
     expect([second.pose, second.palette]).toEqual([first.pose, first.palette]);
     expect(second.rest).toBeGreaterThan(first.rest);

@@ -1,0 +1,43 @@
+import type { Bounds } from '../core/bounds.ts';
+import type { Character } from '../core/character.ts';
+import type { Mesh } from '../core/mesh.ts';
+import type { VertexStreams } from '../skinning/method.ts';
+import type { DisplayTransform } from './display-transform.ts';
+import { StageCells } from './stage.ts';
+
+/** The values q that are shown, and an array to write them into where layers change them. */
+export interface ShownValues {
+  readonly q: Float64Array;
+  readonly layered: Float64Array | null;
+}
+
+/** What the evaluators of one character share: a value for each stage, and for each pose at one time. */
+export class CharacterStages {
+  readonly values = new StageCells<ShownValues>();
+  readonly joints = new StageCells<Float64Array>();
+  readonly rest = new StageCells<Mesh>();
+  readonly palette = new StageCells<Float32Array>();
+  readonly vertices = new StageCells<VertexStreams>();
+  readonly bounds = new StageCells<Bounds>();
+  readonly display = new StageCells<DisplayTransform>();
+
+  /** How many values are held, over all stages. */
+  get size(): number {
+    const stages = Object.values(this) as StageCells<unknown>[];
+    return stages.reduce((sum, { size }) => sum + size, 0);
+  }
+}
+
+/**
+ * Lets evaluators compute once what is equal: copies in one pose, or one pose under two methods. A
+ * value is gone when the last evaluator that holds it moves on or is disposed.
+ */
+export class EvaluationPool {
+  private readonly stages = new WeakMap<Character, CharacterStages>();
+
+  of(character: Character): CharacterStages {
+    let found = this.stages.get(character);
+    if (!found) this.stages.set(character, (found = new CharacterStages()));
+    return found;
+  }
+}
