@@ -57,7 +57,10 @@ export function createOpening(
     async openFiles(files, add = false) {
       const outcome = await whileOpening('Reading', async (signal) => {
         const { openOwnFiles } = await import('./open-own-files.ts');
-        const openBundled = (id: string): Promise<void> => opening.openBundled(id);
+        const openBundled = async (id: string): Promise<void> => {
+          const entry = entryOf(id);
+          if (entry) await loadBundled(entry, signal, false);
+        };
         return openOwnFiles(opener, files, { signal, onProgress: meter.report, openBundled, add });
       });
       if (!outcome) return;
@@ -71,28 +74,21 @@ export function createOpening(
     },
 
     async openBundled(id, add = false) {
-      const entry = catalogue.value.find((each) => each.id === id);
+      const entry = entryOf(id);
       if (!entry) {
         notice.value = `There is no character "${id}"`;
         return;
       }
-      const source = { kind: 'bundled', id } as const;
       // A copy of what is there already shares all but its pose.
       const same = store.scene.value.actors.find(
         ({ source: from }) => from.kind === 'bundled' && from.id === id,
       );
       if (add && same) {
-        opener.showAll([{ character: same.character, files: [] }], { source, add });
+        opener.showAll([{ character: same.character, files: [] }], { source: same.source, add });
         showOpened(entry.label, word(add));
         return;
       }
-      const outcome = await whileOpening(`Loading ${entry.label}`, async (signal) =>
-        opener.openBundled(await fetchBundled(entry, signal), signal, meter.report, {
-          source,
-          add,
-        }),
-      );
-      if (outcome?.opened) showOpened(entry.label, word(add));
+      await whileOpening(`Loading ${entry.label}`, (signal) => loadBundled(entry, signal, add));
     },
 
     openOwn(read, add = false) {
@@ -128,6 +124,22 @@ export function createOpening(
     },
   };
   return opening;
+
+  function entryOf(id: string): CatalogueEntry | undefined {
+    return catalogue.value.find((each) => each.id === id);
+  }
+
+  async function loadBundled(
+    entry: CatalogueEntry,
+    signal: AbortSignal,
+    add: boolean,
+  ): Promise<OpenOutcome | undefined> {
+    const files = await fetchBundled(entry, signal);
+    const source = { kind: 'bundled', id: entry.id } as const;
+    const outcome = await opener.openBundled(files, signal, meter.report, { source, add });
+    if (outcome?.opened) showOpened(entry.label, word(add));
+    return outcome;
+  }
 
   /** Ends what is being opened, and opens; what fails becomes a word, and the page stays as it was. */
   async function whileOpening(

@@ -15,7 +15,7 @@ interface OwnFilesOptions {
   /** Aborted where the user cancels, or where later files take over. */
   readonly signal: AbortSignal;
   readonly onProgress: ReadProgress;
-  /** Opens a bundled character, for pictures that remember one. */
+  /** Opens a bundled character as a part of this opening, for pictures that remember one. */
   readonly openBundled: (id: string) => Promise<void>;
   /** Beside the others: then they neither complete nor renew what is open. */
   readonly add: boolean;
@@ -32,6 +32,8 @@ export async function openOwnFiles(
   { signal, onProgress, openBundled, add }: OwnFilesOptions,
 ): Promise<OpenOutcome | undefined> {
   const source = { kind: 'files' } as const;
+  // Asked after each wait: the signal may change at any.
+  const isOver = (): boolean => signal.aborted;
   const { poses, notes: pictures, parts } = await sortFiles(files);
   const notes = pictures.map(readPictureNote);
   const open = add ? undefined : opener.openedFiles;
@@ -40,11 +42,14 @@ export async function openOwnFiles(
   const { characters, diagnostics } = unread
     ? { characters: [], diagnostics: unread }
     : await readFiles(completed, signal, onProgress);
-  if (signal.aborted) return undefined;
+  if (isOver()) return undefined;
   const problems = [...diagnostics];
   const [first] = characters;
   const remembered = notes.at(-1)?.bundled;
-  if (!first && remembered !== undefined) await openBundled(remembered);
+  if (!first && remembered !== undefined) {
+    await openBundled(remembered);
+    if (isOver()) return undefined;
+  }
   const renewed = first && renews(first, open) ? opener.selected : undefined;
   const character = first?.character ?? opener.selected?.character;
   const q = character && readPoses({ poses, notes }, character, problems);
