@@ -28,6 +28,26 @@ export default tseslint.config(
       'no-console': 'error',
     },
   },
+  // What a user starts ends in a message where it fails: `attempt` of src/ui/attempt.ts sees to it.
+  {
+    files: ['src/{app,ui,view}/**'],
+    rules: { '@typescript-eslint/no-floating-promises': ['error', { ignoreVoid: false }] },
+  },
+  // A part that a deploy took away is a failure with a message.
+  {
+    files: ['src/**'],
+    ignores: ['src/cli/**'],
+    rules: {
+      'no-restricted-syntax': [
+        'error',
+        {
+          selector:
+            'ImportExpression:not(CallExpression[callee.name="loadPart"] > ImportExpression)',
+          message: 'load it by loadPart of src/core/failure.ts',
+        },
+      ],
+    },
+  },
   // Specs patch prototypes of the page on purpose.
   { files: ['e2e/**'], rules: { '@typescript-eslint/unbound-method': 'off' } },
   { files: ['src/cli/**', 'tools/**'], rules: { 'no-console': 'off' } },

@@ -1,4 +1,5 @@
 import type { Diagnostic } from '../core/diagnostics.ts';
+import { loadPart } from '../core/failure.ts';
 import type { Skeleton } from '../core/skeleton.ts';
 import { poseFromJson } from '../formats/pose-json.ts';
 import type { JsonText } from './sort-files.ts';
@@ -14,7 +15,7 @@ export async function readBundledPose(
 ): Promise<Float64Array | undefined> {
   const { value, diagnostics } = poseFromJson(path, parse(text), skeleton);
   if (value && diagnostics.length === 0) return value.q;
-  const { readPoseJson } = await import('../formats/read-pose-json.ts');
+  const { readPoseJson } = await loadPart(import('../formats/read-pose-json.ts'));
   const placed = readPoseJson(path, text, skeleton);
   problems.push(...placed.diagnostics);
   return placed.value?.q;

@@ -1,3 +1,4 @@
+import { Failure } from '../core/failure.ts';
 import { memoryFile } from '../formats/file-entry.ts';
 import type { FileEntry } from '../formats/format.ts';
 import type { BundledCharacter } from '../ui/editor.ts';
@@ -13,7 +14,11 @@ const dataUrl = new URL('data/', document.baseURI);
 
 export async function fetchCatalogue(): Promise<readonly CatalogueEntry[]> {
   const response = await fetchChecked(new URL('catalogue.json', dataUrl));
-  return (await response.json()) as CatalogueEntry[];
+  try {
+    return (await response.json()) as CatalogueEntry[];
+  } catch {
+    throw new Failure('The list of characters came damaged; reload the page');
+  }
 }
 
 /** The character's files, its pose among them. */
@@ -28,28 +33,29 @@ export function fetchBundled(
 /** A file of the page's own origin, unpacked if it is gzipped. */
 export async function fetchFile(url: URL, signal?: AbortSignal): Promise<FileEntry> {
   if (url.origin !== location.origin) {
-    throw new FetchError(`${url.href}: only this page's own files; download it and drop it here`);
+    throw new Failure(`${url.href}: only this page's own files; download it and drop it here`);
   }
   const response = await fetchChecked(url, signal);
-  const bytes = new Uint8Array(await response.arrayBuffer());
   const path = decodeURIComponent(url.pathname.slice(url.pathname.lastIndexOf('/') + 1));
-  // Some servers unpack .gz files on the way, so the bytes tell, not the name.
-  const packed = bytes[0] === 0x1f && bytes[1] === 0x8b;
-  const unpacked = packed ? await gunzip(bytes) : bytes;
-  return memoryFile(path.replace(/\.gz$/i, ''), unpacked);
+  try {
+    const bytes = new Uint8Array(await response.arrayBuffer());
+    // Some servers unpack .gz files on the way, so the bytes tell, not the name.
+    const packed = bytes[0] === 0x1f && bytes[1] === 0x8b;
+    const unpacked = packed ? await gunzip(bytes) : bytes;
+    return memoryFile(path.replace(/\.gz$/i, ''), unpacked);
+  } catch {
+    throw new Failure(`${path} did not come whole`);
+  }
 }
-
-/** A file that the page's server did not give; a message, not a bug. */
-export class FetchError extends Error {}
 
 async function fetchChecked(url: URL, signal?: AbortSignal): Promise<Response> {
   let response: Response;
   try {
     response = await fetch(url, signal ? { signal } : {});
   } catch {
-    throw new FetchError(`${url.pathname} could not be fetched`);
+    throw new Failure(`${url.pathname} could not be fetched`);
   }
-  if (!response.ok) throw new FetchError(`${url.pathname}: the server says ${response.status}`);
+  if (!response.ok) throw new Failure(`${url.pathname}: the server says ${response.status}`);
   return response;
 }
 

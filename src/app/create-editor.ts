@@ -1,4 +1,5 @@
 import { signal } from '@preact/signals-core';
+import { loadPart } from '../core/failure.ts';
 import { BallAngles } from '../document/ball-angles.ts';
 import { removeActor, resetPose } from '../document/edits.ts';
 import { openCharacter } from '../document/open-characters.ts';
@@ -80,7 +81,7 @@ export function createEditor(opening: Opening): Editor {
       // What is shown goes on while files are written: the pose of this moment is saved.
       const pose = shown.snapshot();
       // Few save in another course's format, so that its writers are loaded when one does.
-      const { saveAs } = await import('./save-as.ts');
+      const { saveAs } = await loadPart(import('./save-as.ts'));
       const losses = await saveAs(shown.state.character, pose, format);
       session.problems.value = losses;
       notice.value =

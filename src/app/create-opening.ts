@@ -1,18 +1,19 @@
 import { computed, type Signal, signal } from '@preact/signals-core';
+import { loadPart } from '../core/failure.ts';
 import { selectActor } from '../document/reconcile.ts';
 import { selectedActor } from '../document/selected-actor.ts';
 import type { Session } from '../document/session.ts';
 import type { Store } from '../document/store.ts';
 import type { Evaluations } from '../evaluation/evaluations.ts';
 import type { ReadCharacter } from '../formats/read-characters.ts';
+import { failureText } from '../ui/attempt.ts';
 import type { Opening, ThemeChoice } from '../ui/editor.ts';
 import type { WorkspaceId } from '../ui/workspace.ts';
 import type { Verification } from '../view/verify.ts';
 import type { Viewer } from '../view/viewer.ts';
-import { type CatalogueEntry, FetchError, fetchBundled } from './catalogue.ts';
+import { type CatalogueEntry, fetchBundled } from './catalogue.ts';
 import { FileOpener, type OpenOutcome } from './open-files.ts';
 import { ProgressMeter } from './progress-meter.ts';
-import { TaskStartError } from './run-task.ts';
 import { workspaces } from './workspaces.ts';
 
 /** Opens characters and workspaces: all that the first picture needs of the editor. */
@@ -56,7 +57,7 @@ export function createOpening(
 
     async openFiles(files, add = false) {
       const outcome = await whileOpening('Reading', async (signal) => {
-        const { openOwnFiles } = await import('./open-own-files.ts');
+        const { openOwnFiles } = await loadPart(import('./open-own-files.ts'));
         const openBundled = async (id: string): Promise<void> => {
           const entry = entryOf(id);
           if (entry) await loadBundled(entry, signal, false);
@@ -141,7 +142,7 @@ export function createOpening(
     return outcome;
   }
 
-  /** Ends what is being opened, and opens; what fails becomes a word, and the page stays as it was. */
+  /** Ends what is being opened, and opens; what fails is told, and the page stays as it was. */
   async function whileOpening(
     title: string,
     work: (signal: AbortSignal) => Promise<OpenOutcome | undefined>,
@@ -154,12 +155,7 @@ export function createOpening(
       return await working;
     } catch (error) {
       if (signal.aborted) return undefined;
-      if (error instanceof FetchError || error instanceof TaskStartError)
-        notice.value = error.message;
-      else {
-        notice.value = 'Sinew itself failed at this; the page is as it was';
-        reportError(error);
-      }
+      notice.value = failureText(error);
       return undefined;
     }
   }

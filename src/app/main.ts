@@ -6,6 +6,14 @@ import '../ui/styles/timeline.css';
 import '../ui/styles/status.css';
 import '../ui/styles/controls.css';
 import '../ui/styles/screens.css';
+import { failureText } from '../ui/attempt.ts';
 import { start } from './start.ts';
 
-void start(document.getElementById('app')!);
+const root = document.getElementById('app')!;
+start(root).catch((error: unknown) => {
+  const message = document.createElement('p');
+  message.className = 'message';
+  message.setAttribute('role', 'alert');
+  message.textContent = failureText(error);
+  (root.querySelector('.overlay') ?? root).append(message);
+});

@@ -1,4 +1,5 @@
 import type { Character } from '../core/character.ts';
+import { loadPart } from '../core/failure.ts';
 import { openCharacter, openCharacters } from '../document/open-characters.ts';
 import type { Actor, KeptState, Source } from '../document/scene.ts';
 import { dropJoints } from '../document/reconcile.ts';
@@ -64,7 +65,7 @@ export class FileOpener {
     // The reader of poses comes while the worker reads the character.
     const [{ characters, diagnostics }, readPose] = await Promise.all([
       readFiles(parts, signal, onProgress),
-      pose && import('./bundled-pose.ts').then(({ readBundledPose }) => readBundledPose),
+      pose && loadPart(import('./bundled-pose.ts')).then(({ readBundledPose }) => readBundledPose),
     ]);
     const problems = [...diagnostics];
     const [first] = characters;

@@ -34,7 +34,7 @@ export async function openOwnFiles(
   const source = { kind: 'files' } as const;
   // Asked after each wait: the signal may change at any.
   const isOver = (): boolean => signal.aborted;
-  const { poses, notes: pictures, parts } = await sortFiles(files);
+  const { poses, notes: pictures, parts, diagnostics: unreadable } = await sortFiles(files);
   const notes = pictures.map(readPictureNote);
   const open = add ? undefined : opener.openedFiles;
   const completed = completeFiles(parts, open);
@@ -43,7 +43,7 @@ export async function openOwnFiles(
     ? { characters: [], diagnostics: unread }
     : await readFiles(completed, signal, onProgress);
   if (isOver()) return undefined;
-  const problems = [...diagnostics];
+  const problems = [...unreadable, ...diagnostics];
   const [first] = characters;
   const remembered = notes.at(-1)?.bundled;
   if (!first && remembered !== undefined) {

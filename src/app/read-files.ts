@@ -1,10 +1,11 @@
 import type { Diagnostic } from '../core/diagnostics.ts';
-import { defaultLimits } from '../core/limits.ts';
+import { loadPart } from '../core/failure.ts';
 import { extensionOf, memoryFile } from '../formats/file-entry.ts';
 import type { FileEntry } from '../formats/format.ts';
 import { readableExtensions } from '../formats/extensions.ts';
 import type { ReadOutcome, ReadProgress } from '../formats/read-characters.ts';
 import type { LooseFile } from '../workers/read-characters-task.ts';
+import { readBytes } from './read-bytes.ts';
 import { runTask } from './run-task.ts';
 
 /** More than this is read on another thread, so that the page stays alive. */
@@ -32,23 +33,11 @@ async function loadBytes(
   const loaded: LooseFile[] = [];
   const diagnostics: Diagnostic[] = [];
   for (const file of files) {
-    const { path, size } = file;
-    const fail = (code: Diagnostic['code'], expected: string, found: string): void => {
-      const effect = 'the file is not used';
-      diagnostics.push({ severity: 'error', code, file: path, expected, found, effect });
-    };
-    if (!readableExtensions.includes(extensionOf(path))) {
-      loaded.push({ path, bytes: new Uint8Array(0) }); // for the list of what is not used
-    } else if (size > defaultLimits.fileSize) {
-      fail('file/limit', `at most ${defaultLimits.fileSize} bytes`, `${size}`);
-    } else {
-      try {
-        loaded.push({ path, bytes: await file.bytes() });
-      } catch (error) {
-        // Moved, deleted or changed between the drop and now.
-        fail('file/missing', 'a file that can be read', error instanceof Error ? error.name : '');
-      }
-    }
+    const { path, fault } = file;
+    const isRead = fault !== undefined || readableExtensions.includes(extensionOf(path));
+    // What nothing reads is in the list of what is not used.
+    const bytes = isRead ? await readBytes(file, diagnostics) : new Uint8Array(0);
+    if (bytes) loaded.push({ path, bytes });
   }
   return { loaded, diagnostics };
 }
@@ -58,7 +47,7 @@ async function readHere(
   files: readonly LooseFile[],
   onProgress: ReadProgress,
 ): Promise<ReadOutcome> {
-  const { readCharacters } = await import('../formats/read-characters.ts');
+  const { readCharacters } = await loadPart(import('../formats/read-characters.ts'));
   return readCharacters(files.map(asEntry), onProgress);
 }
 

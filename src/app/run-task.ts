@@ -1,3 +1,4 @@
+import { Failure } from '../core/failure.ts';
 import type {
   TaskName,
   TaskProgress,
@@ -14,9 +15,6 @@ interface TaskOptions {
   readonly transfer: Transferable[];
 }
 
-/** The worker's script could not be loaded; a message for the user, not a bug. */
-export class TaskStartError extends Error {}
-
 /** Runs a task on another thread, which ends with it. */
 export function runTask<Name extends TaskName>(
   name: Name,
@@ -31,10 +29,10 @@ export function runTask<Name extends TaskName>(
     worker.addEventListener('message', ({ data }: MessageEvent<TaskReply>) => {
       if (data.kind === 'progress') onProgress(data.label, data.fraction);
       else if (data.kind === 'done') resolve(data.output as TaskTypes[Name]['output']);
-      else reject(new Error(data.message));
+      else reject(data.isFailure ? new Failure(data.message) : new Error(data.message));
     });
     worker.addEventListener('error', () =>
-      reject(new TaskStartError('A part of Sinew could not be loaded; reload the page')),
+      reject(new Failure('A part of Sinew could not be loaded; reload the page')),
     );
     worker.postMessage({ name, input } satisfies TaskRequest, transfer);
   }).finally(() => worker.terminate());

@@ -1,4 +1,5 @@
 import { type Signal, signal } from '@preact/signals-core';
+import { Failure, loadPart } from '../core/failure.ts';
 import { reconcile } from '../document/reconcile.ts';
 import { Session } from '../document/session.ts';
 import { Store } from '../document/store.ts';
@@ -7,7 +8,7 @@ import { listenToDrops } from '../ui/drop-zone.ts';
 import type { Opening } from '../ui/editor.ts';
 import { listenToPaste } from '../ui/paste.ts';
 import { Viewer } from '../view/viewer.ts';
-import { type CatalogueEntry, FetchError, fetchCatalogue } from './catalogue.ts';
+import { type CatalogueEntry, fetchCatalogue } from './catalogue.ts';
 import { createOpening } from './create-opening.ts';
 import { createLayout } from './layout.ts';
 import type { Scripting } from './scripting.ts';
@@ -59,7 +60,7 @@ export async function start(root: HTMLElement): Promise<void> {
   // Without a character or a context there is no picture to wait for; the rest is as alive.
   if (store.scene.value.actors.length === 0 || !viewer.available.value) firstFrameShown();
   await firstFrame;
-  const { startInterface } = await import('./start-interface.tsx');
+  const { startInterface } = await loadPart(import('./start-interface.tsx'));
   window.sinew = startInterface(layout, opening, ready);
   settleReady();
 }
@@ -82,7 +83,7 @@ async function openNamed(
   try {
     catalogue.value = await listed;
   } catch (error) {
-    if (!(error instanceof FetchError)) throw error;
+    if (!(error instanceof Failure)) throw error;
     notes.push(error.message);
   }
   const character = named(catalogue.value, 'model');

@@ -69,6 +69,7 @@ export type DiagnosticKind =
   | 'truncated' // fewer bytes than the file has
   | 'unknown' // nothing here reads it
   | 'unknown-joint' // a joint name that no joint has, or that several have
+  | 'unreadable' // there, but the browser does not hand it out
   | 'unwritable' // a place where no file can be put
   | 'uv' // texture coordinates that do not fit
   | 'version' // of the format, one that Sinew does not know

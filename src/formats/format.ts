@@ -12,6 +12,8 @@ export interface FileEntry {
   readonly size: number;
   /** The first 4 KiB, so that a format can tell its dialect by content. */
   readonly head: Uint8Array;
+  /** Why it can't be read, where that is known before its bytes are asked for. */
+  readonly fault?: string;
   bytes(): Promise<Uint8Array>;
 }
 

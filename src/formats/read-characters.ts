@@ -1,6 +1,7 @@
 import { buildCharacter } from '../core/build-character.ts';
 import type { Character } from '../core/character.ts';
 import type { Diagnostic } from '../core/diagnostics.ts';
+import { loadPart } from '../core/failure.ts';
 import { attachTextures } from './attach-textures.ts';
 import { defaultLimits, type Limits } from '../core/limits.ts';
 import { archiveExtension, characterExtensions, textureExtensions } from './extensions.ts';
@@ -62,7 +63,7 @@ export async function readCharacters(
 
 /** Few users drop archives, so that the first picture does not wait for this. */
 async function expand(files: readonly FileEntry[]) {
-  const { expandArchives } = await import('./zip/expand-archives.ts');
+  const { expandArchives } = await loadPart(import('./zip/expand-archives.ts'));
   return expandArchives(files);
 }
 

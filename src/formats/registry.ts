@@ -1,4 +1,5 @@
 import { assert } from '../core/assert.ts';
+import { loadPart } from '../core/failure.ts';
 import { formatExtensions } from './extensions.ts';
 import { cse169Shape } from './cse169/shape.ts';
 import { extensionOf } from './file-entry.ts';
@@ -26,21 +27,21 @@ const entries = [
     id: 'mit',
     label: 'MIT 6.837',
     shape: mitShape,
-    loadReader: async () => (await import('./mit/reader.ts')).mitReader,
-    loadWriter: async () => (await import('./mit/write-character.ts')).writeMit,
+    loadReader: async () => (await loadPart(import('./mit/reader.ts'))).mitReader,
+    loadWriter: async () => (await loadPart(import('./mit/write-character.ts'))).writeMit,
   },
   {
     id: 'cse169',
     label: 'UCSD CSE169',
     shape: cse169Shape,
-    loadReader: async () => (await import('./cse169/reader.ts')).cse169Reader,
-    loadWriter: async () => (await import('./cse169/write-character.ts')).writeCse169,
+    loadReader: async () => (await loadPart(import('./cse169/reader.ts'))).cse169Reader,
+    loadWriter: async () => (await loadPart(import('./cse169/write-character.ts'))).writeCse169,
   },
   {
     id: 'mmd',
     label: 'MikuMikuDance',
     shape: mmdShape,
-    loadReader: async () => (await import('./mmd/reader.ts')).mmdReader,
+    loadReader: async () => (await loadPart(import('./mmd/reader.ts'))).mmdReader,
   },
 ] as const satisfies readonly FormatEntry[];
 

@@ -1,13 +1,17 @@
-import type { FileEntry } from '../formats/format.ts';
+import { attempt } from './attempt.ts';
+import type { Opening } from './editor.ts';
 import { fileEntry } from './file-entry.ts';
 
 /**
- * Asks for files with the browser's dialog.
+ * Asks for files with the browser's dialog, and opens what is chosen.
+ *
  * @param extensions what to offer; null asks for a folder
+ * @param add beside the others; else in the place of the selected one
  */
 export function chooseFiles(
+  editor: Pick<Opening, 'openFiles' | 'notice'>,
   extensions: readonly string[] | null,
-  then: (files: readonly FileEntry[]) => void,
+  add = false,
 ): void {
   const input = document.createElement('input');
   input.type = 'file';
@@ -15,7 +19,11 @@ export function chooseFiles(
   if (extensions) input.accept = extensions.join(',');
   else input.webkitdirectory = true;
   input.addEventListener('change', () => {
-    void Promise.all(Array.from(input.files ?? [], (file) => fileEntry(file))).then(then);
+    const entries = Promise.all(Array.from(input.files ?? [], (file) => fileEntry(file)));
+    attempt(
+      editor,
+      entries.then((files) => editor.openFiles(files, add)),
+    );
   });
   input.click();
 }

@@ -1,8 +1,10 @@
+import type { FileEntry } from '../formats/format.ts';
+import { attempt } from './attempt.ts';
 import { droppedFiles } from './dropped-files.ts';
 import type { Opening } from './editor.ts';
 
 /** The whole window takes dropped files; an outline says so while some are held over it. */
-export function listenToDrops({ openFiles }: Pick<Opening, 'openFiles'>): void {
+export function listenToDrops(opening: Pick<Opening, 'openFiles' | 'notice'>): void {
   let depth = 0;
   const setOver = (over: boolean): void => {
     document.body.classList.toggle('drop-over', over);
@@ -22,8 +24,11 @@ export function listenToDrops({ openFiles }: Pick<Opening, 'openFiles'>): void {
     depth = 0;
     setOver(false);
     if (!event.dataTransfer) return;
-    void droppedFiles(event.dataTransfer).then((files) => {
-      if (files.length > 0) return openFiles(files);
-    });
+    attempt(opening, open(droppedFiles(event.dataTransfer)));
   });
+
+  async function open(dropped: Promise<readonly FileEntry[]>): Promise<void> {
+    const files = await dropped;
+    if (files.length > 0) await opening.openFiles(files);
+  }
 }

@@ -1,11 +1,14 @@
 import type { FileEntry } from '../formats/format.ts';
 import { isJunk } from '../formats/junk.ts';
-import { fileEntry } from './file-entry.ts';
+import { fileEntry, unreadableEntry } from './file-entry.ts';
 
 /** A folder may hold a whole disk. */
 const largestCount = 10_000;
 
-/** The files of a drop, those in folders too. Must be called while the drop event is handled. */
+/**
+ * The files of a drop, those in folders too; what can't be read is among them, and says so. Must be
+ * called while the drop event is handled.
+ */
 export function droppedFiles(data: DataTransfer): Promise<FileEntry[]> {
   // Both lists are emptied when the event is over, so they are read before anything waits.
   const files = Array.from(data.files);
@@ -20,14 +23,14 @@ async function walk(entries: readonly FileSystemEntry[]): Promise<FileEntry[]> {
   const pending = [...entries].reverse();
   for (let entry = pending.pop(); entry; entry = pending.pop()) {
     if (isJunk(entry.name)) continue;
-    if (isFolder(entry)) {
-      pending.push(...(await listFolder(entry)).reverse());
-    } else if (isFile(entry)) {
-      const { fullPath } = entry;
-      const file = await fileOf(entry);
-      found.push(await fileEntry(file, fullPath.replace(/^\//, '')));
-      if (found.length >= largestCount) break;
+    const path = entry.fullPath.replace(/^\//, '');
+    try {
+      if (isFolder(entry)) pending.push(...(await listFolder(entry)).reverse());
+      else if (isFile(entry)) found.push(await fileEntry(await fileOf(entry), path));
+    } catch (error) {
+      found.push(unreadableEntry(path, error));
     }
+    if (found.length >= largestCount) break;
   }
   return found;
 }

@@ -3,16 +3,28 @@ import type { FileEntry } from '../formats/format.ts';
 
 /** A file of the browser; only its head is read until its bytes are asked for. */
 export async function fileEntry(file: File, path?: string): Promise<FileEntry> {
-  let head = new Uint8Array(0);
+  const named = path ?? (file.webkitRelativePath || file.name);
   try {
-    head = new Uint8Array(await file.slice(0, headSize).arrayBuffer());
-  } catch {
-    // Moved or deleted since; reading its bytes will say so.
+    return {
+      path: named,
+      size: file.size,
+      head: new Uint8Array(await file.slice(0, headSize).arrayBuffer()),
+      bytes: async () => new Uint8Array(await file.arrayBuffer()),
+    };
+  } catch (error) {
+    return unreadableEntry(named, error);
   }
-  return {
-    path: path ?? (file.webkitRelativePath || file.name),
-    size: file.size,
-    head,
-    bytes: async () => new Uint8Array(await file.arrayBuffer()),
-  };
+}
+
+/** Stands for a file or folder that can't be read, so that its user is told. */
+export function unreadableEntry(path: string, error: unknown): FileEntry {
+  const empty = new Uint8Array(0);
+  const bytes = () => Promise.resolve(empty);
+  return { path, size: 0, head: empty, bytes, fault: readFault(error) };
+}
+
+/** Why the browser does not hand out a file, in words. */
+export function readFault(error: unknown): string {
+  const isGone = error instanceof DOMException && error.name === 'NotFoundError';
+  return isGone ? 'nothing there any more' : 'one that the browser may not read, or that changed';
 }

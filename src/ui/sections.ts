@@ -1,4 +1,5 @@
 import type { FunctionComponent } from 'preact';
+import { loadPart } from '../core/failure.ts';
 import { selectedActor } from '../document/selected-actor.ts';
 import type { Editor } from './editor.ts';
 import { CharactersPanel } from './panels/characters-panel.tsx';
@@ -31,7 +32,7 @@ export const sections: readonly Section[] = [
     id: 'problems',
     place: 'left',
     when: ({ session }) => session.problems.value.length > 0,
-    load: async () => (await import('./panels/problems-panel.tsx')).ProblemsPanel,
+    load: async () => (await loadPart(import('./panels/problems-panel.tsx'))).ProblemsPanel,
   },
   {
     id: 'workspace',
@@ -49,19 +50,19 @@ export const sections: readonly Section[] = [
     id: 'bone',
     place: 'left',
     when: (editor) => jointCount(editor) > 1,
-    load: async () => (await import('./panels/bone-panel.tsx')).BonePanel,
+    load: async () => (await loadPart(import('./panels/bone-panel.tsx'))).BonePanel,
   },
   {
     id: 'help',
     place: 'left',
     when: ({ helpOpen }) => helpOpen.value,
-    load: async () => (await import('./panels/help-sheet.tsx')).HelpSheet,
+    load: async () => (await loadPart(import('./panels/help-sheet.tsx'))).HelpSheet,
   },
   {
     id: 'timeline',
     place: 'foot',
     when: ({ transport }) => transport.clip !== undefined,
-    load: async () => (await import('./panels/timeline.tsx')).Timeline,
+    load: async () => (await loadPart(import('./panels/timeline.tsx'))).Timeline,
   },
   {
     id: 'status',

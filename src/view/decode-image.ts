@@ -1,4 +1,5 @@
 import type { CharacterImage } from '../core/character.ts';
+import { Failure, loadPart } from '../core/failure.ts';
 import { extensionOf } from '../formats/file-entry.ts';
 
 /** The picture, its first row at the bottom, or why it can't be shown. Kept. */
@@ -9,18 +10,19 @@ export function decodeImage(image: CharacterImage): Promise<ImageBitmap | ImageD
 }
 
 async function decode({ name, bytes }: CharacterImage): Promise<ImageBitmap | ImageData | string> {
-  if (extensionOf(name) === '.tga') {
-    const { decodeTga } = await import('../formats/image/tga.ts');
-    const image = decodeTga(bytes);
-    return typeof image === 'string' ? image : new ImageData(image.pixels, image.width);
-  }
   try {
+    if (extensionOf(name) === '.tga') {
+      const { decodeTga } = await loadPart(import('../formats/image/tga.ts'));
+      const image = decodeTga(bytes);
+      return typeof image === 'string' ? image : new ImageData(image.pixels, image.width);
+    }
     return await createImageBitmap(new Blob([bytes as BlobPart]), {
       imageOrientation: 'flipY',
       premultiplyAlpha: 'none',
       colorSpaceConversion: 'none',
     });
-  } catch {
+  } catch (error) {
+    if (error instanceof Failure) return error.message;
     return 'a picture that this browser can’t read';
   }
 }

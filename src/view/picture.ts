@@ -1,3 +1,4 @@
+import { Failure } from '../core/failure.ts';
 import type { ViewContent } from './render-view.ts';
 import type { CaptureSize, Viewer } from './viewer.ts';
 
@@ -47,13 +48,13 @@ export async function encodePicture(picture: Picture, format: PictureFormat): Pr
   canvas.width = picture.width;
   canvas.height = picture.height;
   const context = canvas.getContext('2d');
-  if (!context) throw new Error('the browser has no room for a picture of this size');
+  if (!context) throw new Failure('The browser has no room for a picture of this size');
   context.putImageData(new ImageData(picture.pixels, picture.width, picture.height), 0, 0);
   return new Promise((resolve, reject) => {
     canvas.toBlob(
       (blob) => {
         if (blob) resolve(blob);
-        else reject(new Error('the browser could not encode the picture'));
+        else reject(new Failure('The browser could not make a file of the picture'));
       },
       `image/${format}`,
       0.92,

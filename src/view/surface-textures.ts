@@ -25,7 +25,7 @@ export class SurfaceTextures {
     this.onImage = onImage;
     for (const image of images) {
       if (pool.has(image)) this.textures.set(image.name, pool.lease(image, never));
-      else void this.load(image);
+      else this.load(image).catch(reportError);
     }
   }
 

@@ -1,4 +1,5 @@
 import { buffersOf } from '../core/buffers-of.ts';
+import { Failure } from '../core/failure.ts';
 import { taskTable } from './task-table.ts';
 import type { TaskReply, TaskRequest } from './tasks.ts';
 
@@ -13,7 +14,8 @@ async function answer({ name, input }: TaskRequest): Promise<void> {
     );
     reply({ kind: 'done', output }, buffersOf(output));
   } catch (error) {
-    reply({ kind: 'failed', message: error instanceof Error ? error.message : String(error) });
+    const message = error instanceof Error ? error.message : String(error);
+    reply({ kind: 'failed', message, isFailure: error instanceof Failure });
   }
 }
 

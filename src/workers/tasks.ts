@@ -24,8 +24,8 @@ export interface TaskRequest<Name extends TaskName = TaskName> {
   readonly input: TaskTypes[Name]['input'];
 }
 
-/** What the worker answers: progress any number of times, then one of the others. */
+/** What the worker answers: progress any number of times, then one of the others; a `Failure` stays one. */
 export type TaskReply =
   | { readonly kind: 'progress'; readonly label: string; readonly fraction: number }
   | { readonly kind: 'done'; readonly output: unknown }
-  | { readonly kind: 'failed'; readonly message: string };
+  | { readonly kind: 'failed'; readonly message: string; readonly isFailure: boolean };

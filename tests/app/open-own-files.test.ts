@@ -72,5 +72,23 @@ describe('an opening that another took over', () => {
 
 function slow(path: string, content: string, meanwhile: () => void): FileEntry {
   const file = memoryFile(path, bytesOf(content));
-  return { ...file, bytes: () => Promise.resolve().then(meanwhile).then(() => file.bytes()) };
+  return {
+    ...file,
+    bytes: () =>
+      Promise.resolve()
+        .then(meanwhile)
+        .then(() => file.bytes()),
+  };
 }
+
+describe('files that can’t be read', () => {
+  it.each(['pose.json', 'picture.png', 'a.obj', 'notes.txt'])('%s is told', async (path) => {
+    const { session, run } = await open();
+    const fault = new DOMException('a text of the browser', 'NotReadableError');
+    const broken = { ...memoryFile(path, bytesOf('')), bytes: () => Promise.reject(fault) };
+    const whole = memoryFile('b.skel', bytesOf(courseSkel));
+    expect((await run([broken, whole]))?.opened?.name).toBe('b');
+    const told = session.problems.value.filter(({ file }) => file === path);
+    expect(told).toHaveLength(1);
+  });
+});

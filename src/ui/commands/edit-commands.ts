@@ -1,4 +1,5 @@
 import { resetJoint } from '../../document/edits.ts';
+import { attempt } from '../attempt.ts';
 import type { Editor } from '../editor.ts';
 import type { Command } from './command.ts';
 
@@ -56,7 +57,7 @@ export const editCommands = [
     id: 'copy-pose',
     label: 'Copy the pose as text',
     short: 'Copy pose',
-    run: (editor) => void editor.copyPose(),
+    run: (editor) => attempt(editor, editor.copyPose()),
   },
   {
     id: 'cancel',

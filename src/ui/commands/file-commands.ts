@@ -1,21 +1,27 @@
+import { attempt } from '../attempt.ts';
 import { chooseFiles } from '../choose-files.ts';
 import type { Editor } from '../editor.ts';
 import type { Command } from './command.ts';
 
 /** What comes from files and goes to them. */
 export const fileCommands = [
-  { id: 'open-files', label: 'Open files', short: 'Open files…', run: (editor) => open(editor) },
+  {
+    id: 'open-files',
+    label: 'Open files',
+    short: 'Open files…',
+    run: (editor) => chooseFiles(editor, editor.fileExtensions),
+  },
   {
     id: 'open-folder',
     label: 'Open a folder',
     short: 'Open folder…',
-    run: (editor) => chooseFiles(null, (files) => void editor.openFiles(files)),
+    run: (editor) => chooseFiles(editor, null),
   },
   {
     id: 'add-files',
     label: 'Add files to the scene',
     short: 'Add files…',
-    run: (editor) => open(editor, true),
+    run: (editor) => chooseFiles(editor, editor.fileExtensions, true),
   },
   {
     id: 'cancel-opening',
@@ -27,7 +33,7 @@ export const fileCommands = [
     id: 'open-pose',
     label: 'Open a pose',
     short: 'Open pose…',
-    run: (editor) => chooseFiles(['.json'], (files) => void editor.openFiles(files)),
+    run: (editor) => chooseFiles(editor, ['.json']),
   },
   {
     id: 'save-pose',
@@ -45,7 +51,7 @@ export const fileCommands = [
     id: 'save-picture',
     label: 'Save a picture',
     keys: [{ key: 'j' }],
-    run: (editor) => void editor.savePicture({ format: 'png', background: true, target: 'file' }),
+    run: savePicture,
   },
   {
     id: 'verify',
@@ -55,6 +61,6 @@ export const fileCommands = [
   },
 ] as const satisfies readonly Command[];
 
-function open(editor: Editor, add = false): void {
-  chooseFiles(editor.fileExtensions, (files) => void editor.openFiles(files, add));
+function savePicture(editor: Editor): void {
+  attempt(editor, editor.savePicture({ format: 'png', background: true, target: 'file' }));
 }

@@ -1,9 +1,10 @@
 import type { GUI } from 'lil-gui';
 import type { PictureFormat } from '../../view/picture.ts';
-import type { Actions, PictureOptions } from '../editor.ts';
+import { attempt } from '../attempt.ts';
+import type { Actions, PictureOptions, Telling } from '../editor.ts';
 
 /** A picture of exactly what the view shows, or of the same at any size. */
-export function addPictureFolder(gui: GUI, editor: Actions): void {
+export function addPictureFolder(gui: GUI, editor: Actions & Telling): void {
   const folder = gui.addFolder('Picture').close();
   const bound = {
     format: 'png' as PictureFormat,
@@ -11,8 +12,8 @@ export function addPictureFolder(gui: GUI, editor: Actions): void {
     width: 1920,
     height: 1080,
     background: true,
-    save: () => void editor.savePicture(options('file')),
-    copy: () => void editor.savePicture({ ...options('clipboard'), format: 'png' }),
+    save: () => attempt(editor, editor.savePicture(options('file'))),
+    copy: () => attempt(editor, editor.savePicture({ ...options('clipboard'), format: 'png' })),
   };
   const options = (target: PictureOptions['target']): PictureOptions => ({
     format: bound.format,

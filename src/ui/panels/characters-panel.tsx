@@ -1,6 +1,7 @@
 import { useState } from 'preact/hooks';
 import { printable } from '../../core/diagnostics.ts';
 import { selectedActor } from '../../document/selected-actor.ts';
+import { attempt } from '../attempt.ts';
 import type { Editor } from '../editor.ts';
 import { CommandButton } from './command-button.tsx';
 
@@ -24,7 +25,7 @@ export function CharactersPanel({ editor }: { readonly editor: Editor }) {
               type="button"
               title={credit}
               aria-pressed={id === openedId.value}
-              onClick={() => void editor.openBundled(id)}
+              onClick={() => attempt(editor, editor.openBundled(id))}
             >
               {label}
             </button>
@@ -57,7 +58,7 @@ export function CharactersPanel({ editor }: { readonly editor: Editor }) {
               key={format}
               type="button"
               aria-describedby="save-as"
-              onClick={() => void editor.saveAs(format)}
+              onClick={() => attempt(editor, editor.saveAs(format))}
             >
               {label}
             </button>
@@ -95,7 +96,7 @@ function AddMenu({ editor }: { readonly editor: Editor }) {
       {open && (
         <ul class="picker" aria-label="Add to the scene">
           {editor.bundled.value.map(({ id, label }) =>
-            add(`Add ${label}`, () => void editor.openBundled(id, true)),
+            add(`Add ${label}`, () => attempt(editor, editor.openBundled(id, true))),
           )}
           {editor.own.value.map((read) =>
             add(`Add ${printable(read.character.name, 80)}`, () => editor.openOwn(read, true)),

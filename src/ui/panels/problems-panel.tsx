@@ -4,6 +4,7 @@ import {
   formatPlace,
   printable,
 } from '../../core/diagnostics.ts';
+import { attempt } from '../attempt.ts';
 import { copyText } from '../copy-text.ts';
 import type { Looking, Telling } from '../editor.ts';
 
@@ -23,7 +24,7 @@ export function ProblemsPanel({ editor }: { readonly editor: Looking & Telling }
         </ol>
       </div>
       <div class="buttons">
-        <button type="button" onClick={() => void copyReport(editor, sorted)}>
+        <button type="button" onClick={() => attempt(editor, copyReport(editor, sorted))}>
           Copy
         </button>
         <button type="button" onClick={() => (editor.session.problems.value = [])}>

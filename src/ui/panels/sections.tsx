@@ -1,4 +1,5 @@
 import { useEffect, useState } from 'preact/hooks';
+import { attempt } from '../attempt.ts';
 import type { Editor } from '../editor.ts';
 import { type Section, type SectionComponent, sections } from '../sections.ts';
 
@@ -25,11 +26,9 @@ export function Sections({ editor, place }: SectionsProperties) {
 function LoadedSection({ editor, section }: { editor: Editor; section: Section }) {
   const [shown, setShown] = useState<{ readonly Component: SectionComponent }>();
   useEffect(() => {
-    section.load().then(
-      (Component) => setShown({ Component }),
-      () => {
-        editor.notice.value = 'A part of the page could not be loaded; please reload the page';
-      },
+    attempt(
+      editor,
+      section.load().then((Component) => setShown({ Component })),
     );
   }, [editor, section]);
   return shown ? <shown.Component editor={editor} /> : null;

@@ -1,0 +1,72 @@
+import { expect, test as base, type Page } from '@playwright/test';
+import { openApp } from './support/app.ts';
+import { madeCharacter } from './support/made-character.ts';
+
+// What fails outside of Sinew ends in a message, and nothing is thrown. The browser logs what it could
+// not load, so that the promise of support/test.ts is kept here but for the console.
+const test = base.extend({
+  page: async ({ page }, use) => {
+    const thrown: string[] = [];
+    page.on('pageerror', (error) => thrown.push(error.stack ?? error.message));
+    await use(page);
+    expect(thrown).toEqual([]);
+  },
+});
+
+test.use({ viewport: { width: 860, height: 480 } });
+
+const notice = (page: Page) => page.locator('.status .notice');
+
+test('a part that is gone, a picture that can’t be encoded, a folder that can’t be read', async ({
+  page,
+}) => {
+  await openApp(page, 'model=tube');
+
+  await test.step('a deploy took away a part that comes at need', async () => {
+    await page.route(/save-as-/, (route) => route.fulfill({ status: 404, body: 'gone' }));
+    await page.getByRole('button', { name: '6.837' }).click();
+    await expect(notice(page)).toHaveText(/could not be loaded; reload the page/);
+  });
+
+  await test.step('the browser has no memory for the file of a picture', async () => {
+    await page.evaluate(() => {
+      HTMLCanvasElement.prototype.toBlob = (back: BlobCallback) => back(null);
+    });
+    await page.locator('canvas').focus();
+    await page.keyboard.press('j');
+    await expect(notice(page)).toHaveText(/could not make a file of the picture/);
+  });
+
+  await test.step('a folder does not open, and what lies beside it does', async () => {
+    const [{ name, content }] = madeCharacter(5, 2) as [{ name: string; content: string }];
+    await page.evaluate(
+      ({ name, content }) => {
+        const denied = new DOMException('a text of the browser', 'NotReadableError');
+        const folder = {
+          ...{ isDirectory: true, isFile: false, name: 'locked', fullPath: '/locked' },
+          createReader: () => ({
+            readEntries: (_: unknown, fail: (error: unknown) => void) => fail(denied),
+          }),
+        };
+        const file = {
+          ...{ isDirectory: false, isFile: true, name, fullPath: `/${name}` },
+          file: (then: (file: File) => void) => then(new File([content], name)),
+        };
+        const items = [folder, file].map((entry) => ({ webkitGetAsEntry: () => entry }));
+        const event = new DragEvent('drop', { bubbles: true, cancelable: true });
+        Object.defineProperty(event, 'dataTransfer', { value: { items, files: [] } });
+        document.body.dispatchEvent(event);
+      },
+      { name, content },
+    );
+    await expect(page.locator('.status strong')).toHaveText('made');
+    await expect(page.locator('.problems')).toContainText('locked');
+    await expect(page.locator('.problems')).toContainText('a file or folder that can be read');
+  });
+});
+
+test('panels that can’t be loaded: the view says so', async ({ page }) => {
+  await page.route(/start-interface-.*\.js/, (route) => route.abort());
+  await page.goto('./?model=tube');
+  await expect(page.getByRole('alert')).toHaveText(/could not be loaded; reload the page/);
+});
