@@ -1,6 +1,5 @@
 import { expect } from '@playwright/test';
-import { rigid } from '../src/skinning/rigid.ts';
-import { linearBlend } from '../src/skinning/linear-blend.ts';
+import { kernelById } from '../src/skinning/registry.ts';
 import type { Verification } from '../src/view/verify.ts';
 import { capture, choose, openSmallView, verify } from './support/app.ts';
 import { allowFaults, plantFault, plantedTexts, type Replacement } from './support/plant-fault.ts';
@@ -84,11 +83,11 @@ for (const [name, replacements] of Object.entries(normalFaults)) {
 }
 
 test('in the rigid method: the last joint, not the heaviest', async () => {
-  await choose(page(), 'Method', rigid.label);
+  await choose(page(), 'Method', kernelById('rigid').label);
   const found = await verifyWith([['weight > heaviestWeight', 'weight > 0.0']]);
   expect(found.identical).toBe(false);
   expect(found.position).toBeGreaterThan(clearly);
-  await choose(page(), 'Method', linearBlend.label);
+  await choose(page(), 'Method', kernelById('linear-blend').label);
 });
 
 test('what verify reads is what is drawn', async () => {

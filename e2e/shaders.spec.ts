@@ -37,7 +37,7 @@ test('every pass links', async ({ page }) => {
   expect(await problemsOf(page, passes)).toEqual([]);
 });
 
-for (const method of kernels) {
+for (const method of await Promise.all(kernels.map(({ load }) => load()))) {
   test(`the skin stage links in every variant: ${method.id}`, async ({ page }) => {
     const stages = influencePairs.flatMap((pairs) =>
       paletteRows.map((rows) => stage(method.chunk, method.vec4sPerEntry, pairs, rows)),

@@ -1,5 +1,5 @@
 import { expect } from '@playwright/test';
-import { rigid } from '../src/skinning/rigid.ts';
+import { kernelById } from '../src/skinning/registry.ts';
 import {
   choose,
   controlRow,
@@ -96,14 +96,14 @@ test('poses set, reset in part and as a whole', async () => {
 
 test('the method and the use of weights', async () => {
   const shape = await vertices(page(), 'gpu');
-  await choose(page(), 'Method', rigid.label);
-  await expect(page().locator('.status')).toContainText(rigid.label);
+  await choose(page(), 'Method', kernelById('rigid').label);
+  await expect(page().locator('.status')).toContainText(kernelById('rigid').label);
   expect(await vertices(page(), 'gpu')).not.toEqual(shape);
   await controlRow(page(), 'Normalise weights').getByRole('checkbox').check();
   await undo().click();
   await expect(controlRow(page(), 'Normalise weights').getByRole('checkbox')).not.toBeChecked();
   await undo().click();
-  await expect(page().locator('.status')).not.toContainText(rigid.label);
+  await expect(page().locator('.status')).not.toContainText(kernelById('rigid').label);
   expect(await vertices(page(), 'gpu')).toEqual(shape);
 });
 

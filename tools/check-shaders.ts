@@ -9,7 +9,8 @@ import { mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'nod
 import { availableParallelism } from 'node:os';
 import path from 'node:path';
 import { resolveShader, type Defines } from '../src/gl/shader-library.ts';
-import { methods } from '../src/skinning/registry.ts';
+import type { SkinningMethod } from '../src/skinning/method.ts';
+import { kernels } from '../src/skinning/registry.ts';
 import { cacheFolder, findOnPath, root } from './commands.mjs';
 
 // How the app compiles them (src/view/programs.ts). 0 stands for the texture in either.
@@ -54,7 +55,7 @@ function markLines(name: string, source: string): string {
     .join('\n');
 }
 
-function listPrograms(): (() => Program)[] {
+function listPrograms(loaded: readonly SkinningMethod[]): (() => Program)[] {
   const passes = Object.keys(files)
     .map((name) => /^passes\/(.+)\.(?:vert|frag)\.glsl$/.exec(name)?.[1])
     .filter((pass) => pass !== undefined);
@@ -63,7 +64,7 @@ function listPrograms(): (() => Program)[] {
     vertex: resolveShader(files, `passes/${pass}.vert.glsl`),
     fragment: resolveShader(files, `passes/${pass}.frag.glsl`),
   }));
-  const stagePrograms = methods.flatMap((method) =>
+  const stagePrograms = loaded.flatMap((method) =>
     influencePairs.flatMap((pairs) =>
       paletteRows.map((rows) => () => {
         const defines: Defines = {
@@ -126,7 +127,7 @@ function run(program: string, words: string[], folder: string): Promise<Outcome>
 }
 
 async function checkAll(validator: string): Promise<void> {
-  const programs = listPrograms();
+  const programs = listPrograms(await Promise.all(kernels.map(({ load }) => load())));
   const folder = path.join(cacheFolder, `shaders-${process.pid}`);
   const wrong = new Map<string, string[]>();
   const waiting = [...programs.entries()];

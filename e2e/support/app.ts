@@ -120,10 +120,11 @@ export function controlRow(within: Page | Locator, name: string): Locator {
   return within.locator(`.lil-controller:has(.lil-name:text-is("${name}"))`);
 }
 
-/** Chooses in a row of the controls, be they in sight or not. */
+/** Chooses in a row of the controls, be they in sight or not; what it brings about is there then. */
 export async function choose(page: Page, row: string, option: string): Promise<void> {
   const select = controlRow(page, row).locator('select');
   await select.selectOption({ label: option }, { force: true });
+  await page.evaluate(() => window.sinew.settled());
 }
 
 /** Deforms the selected character by a kernel: its method with its way of normals. */

@@ -88,22 +88,25 @@ export function createEditor(opening: Opening): Editor {
         losses.length > 0 ? 'Saved; what got lost is under Problems' : 'Saved, with nothing lost';
     },
 
-    exportMesh() {
+    async exportMesh() {
       const state = selected();
       if (!state || state.character.mesh.pointCount === 0) {
         notice.value = 'There is no mesh to export';
         return;
       }
+      await evaluations.settled();
       const bytes = writeObj(state.character.mesh, viewer.vertices(state, 'cpu'));
       download(`${state.character.name}-posed.obj`, bytes as BlobPart, 'text/plain');
       notice.value = 'Posed mesh saved as OBJ';
     },
 
     async savePicture(options) {
+      await evaluations.settled();
       notice.value = await savePicture(viewer, evaluations.selected(), options);
     },
 
-    verify() {
+    async verify() {
+      await evaluations.settled();
       verification.value = verifyShown(selected(), viewer);
       if (!verification.value) notice.value = 'There is nothing on the GPU to verify';
     },

@@ -11,7 +11,7 @@ import { placeInRow } from '../evaluation/placing.ts';
 import { sceneBounds } from '../evaluation/scene-bounds.ts';
 import type { FileEntry } from '../formats/format.ts';
 import type { ReadCharacter, ReadProgress } from '../formats/read-characters.ts';
-import { defaultDeformation } from '../skinning/registry.ts';
+import { defaultDeformation, kernelOf } from '../skinning/registry.ts';
 import type { MethodId } from '../skinning/method.ts';
 import type { OpenedFiles } from './renewal.ts';
 import { readFiles } from './read-files.ts';
@@ -71,11 +71,18 @@ export class FileOpener {
     const [first] = characters;
     const skeleton = first?.character.skeleton;
     const q = skeleton && pose && (await readPose?.(pose, skeleton, problems));
+    await this.prepare(characters);
     if (signal.aborted) return undefined;
     if (first) this.showAll([first], way, q);
     this.session.problems.value = problems;
     const opened = first?.character ?? null;
     return { found: characters, opened, reopened: false, posed: false };
+  }
+
+  /** Loads what characters are deformed by, so that none is shown by a stand-in first. */
+  async prepare(found: readonly ReadCharacter[]): Promise<void> {
+    const deformations = found.map(({ character }) => defaultDeformation(character));
+    await this.evaluations.settled(deformations.map((each) => kernelOf(each).id));
   }
 
   /**

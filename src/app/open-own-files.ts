@@ -42,6 +42,7 @@ export async function openOwnFiles(
   const { characters, diagnostics } = unread
     ? { characters: [], diagnostics: unread }
     : await readFiles(completed, signal, onProgress);
+  await opener.prepare(characters);
   if (isOver()) return undefined;
   const problems = [...unreadable, ...diagnostics];
   const [first] = characters;

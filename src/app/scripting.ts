@@ -157,6 +157,7 @@ export function createScripting(editor: Editor, ready: Promise<void>): Scripting
     verify: (name) => verifyShown(find(name), viewer),
     async capture({ format = 'png', width, height, background = true, views } = {}) {
       await settled();
+      await evaluations.settled(views?.flatMap(({ method }) => method ?? []));
       const size = width !== undefined && height !== undefined ? { width, height } : undefined;
       const contents = views?.map(({ camera, method }) => ({
         camera: { ...viewer.camera.value, ...camera },
@@ -174,6 +175,7 @@ export function createScripting(editor: Editor, ready: Promise<void>): Scripting
 
   async function settled(): Promise<void> {
     await editor.whenOpened();
+    await evaluations.settled();
     await texturesShown(store);
   }
 

@@ -4,9 +4,12 @@ import { reconcile } from '../document/reconcile.ts';
 import { Session } from '../document/session.ts';
 import { Store } from '../document/store.ts';
 import { Evaluations } from '../evaluation/evaluations.ts';
+import { Kernels } from '../evaluation/kernels.ts';
+import { failureText } from '../ui/attempt.ts';
 import { listenToDrops } from '../ui/drop-zone.ts';
 import type { Opening } from '../ui/editor.ts';
 import { listenToPaste } from '../ui/paste.ts';
+import { loadSkinningShader } from '../view/skinning-shaders.ts';
 import { Viewer } from '../view/viewer.ts';
 import { type CatalogueEntry, fetchCatalogue } from './catalogue.ts';
 import { createOpening } from './create-opening.ts';
@@ -35,7 +38,11 @@ export async function start(root: HTMLElement): Promise<void> {
   const layout = createLayout(root);
   const session = new Session();
   const store = new Store((before, after) => reconcile(session, before, after));
-  const evaluations = new Evaluations(store, session);
+  const kernels = new Kernels({
+    prepare: loadSkinningShader,
+    onFailed: (error) => (opening.notice.value = failureText(error)),
+  });
+  const evaluations = new Evaluations(store, session, kernels);
   const catalogue = signal<readonly CatalogueEntry[]>([]);
   let firstFrameShown = (): void => undefined;
   const firstFrame = new Promise<void>((resolve) => (firstFrameShown = resolve));

@@ -5,6 +5,7 @@ import { type Diagnostic, hasErrors } from '../core/diagnostics.ts';
 import type { Mesh } from '../core/mesh.ts';
 import type { Pose } from '../core/pose.ts';
 import { createActor } from '../document/scene.ts';
+import { EvaluationPool } from '../evaluation/evaluation-pool.ts';
 import { Evaluator } from '../evaluation/evaluator.ts';
 import { extensionOf } from '../formats/file-entry.ts';
 import { writeObj } from '../formats/obj/write-obj.ts';
@@ -14,6 +15,7 @@ import {
   defaultDeformation,
   deformationOf,
   isKernelId,
+  kernelOf,
   methods,
   normalWays,
 } from '../skinning/registry.ts';
@@ -50,7 +52,7 @@ export const pose: Command = {
       if (character?.mesh.pointCount === 0) console.error('error: there is no mesh to pose');
       return 1;
     }
-    const bytes = poseMesh(character, parsed.value, options);
+    const bytes = await poseMesh(character, parsed.value, options);
     return writeOut(options.out, bytes) ? 0 : 1;
   },
 };
@@ -100,7 +102,7 @@ function readPose(
   }
 }
 
-function poseMesh(character: Character, posed: Pose, options: Options): Uint8Array {
+async function poseMesh(character: Character, posed: Pose, options: Options): Promise<Uint8Array> {
   const deformation = options.method
     ? deformationOf(options.method)
     : defaultDeformation(character);
@@ -109,7 +111,10 @@ function poseMesh(character: Character, posed: Pose, options: Options): Uint8Arr
     ...(options.normals && { normals: options.normals }),
   };
   const kept = { ...posed, normals, normalizeWeights: options.normalize };
-  const skinned = new Evaluator(createActor(1, character, method, kept)).vertices();
+  const actor = createActor(1, character, method, kept);
+  const pool = new EvaluationPool();
+  await pool.kernels.load(kernelOf(actor).id);
+  const skinned = new Evaluator(actor, pool).vertices();
   const isMirrored = options.keepFileSpace && character.meta.fileSpace === 'left-handed';
   const { mesh, positions } = isMirrored
     ? mirrored(character.mesh, skinned.positions)

@@ -3,6 +3,7 @@ import type { Character } from '../core/character.ts';
 import type { Mesh } from '../core/mesh.ts';
 import type { VertexStreams } from '../skinning/method.ts';
 import type { DisplayTransform } from './display-transform.ts';
+import { Kernels } from './kernels.ts';
 import { StageCells } from './stage.ts';
 
 /** The values q that are shown, and an array to write them into where layers change them. */
@@ -12,7 +13,7 @@ export interface ShownValues {
 }
 
 /** What the evaluators of one character share: a value for each stage, and for each pose at one time. */
-export class CharacterStages {
+class CharacterStages {
   readonly values = new StageCells<ShownValues>();
   readonly joints = new StageCells<Float64Array>();
   readonly rest = new StageCells<Mesh>();
@@ -33,7 +34,12 @@ export class CharacterStages {
  * value is gone when the last evaluator that holds it moves on or is disposed.
  */
 export class EvaluationPool {
+  readonly kernels: Kernels;
   private readonly stages = new WeakMap<Character, CharacterStages>();
+
+  constructor(kernels = new Kernels()) {
+    this.kernels = kernels;
+  }
 
   of(character: Character): CharacterStages {
     let found = this.stages.get(character);

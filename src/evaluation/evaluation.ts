@@ -38,7 +38,10 @@ export interface Evaluation {
   /** The mesh under its rest layers. */
   readonly rest: Mesh;
   readonly skin: Skin;
+  /** What deforms it: linear blend stands in for a method whose code is on the way. */
   readonly method: SkinningMethod;
+  /** What is on the way, for people; empty where all is as the scene has it. */
+  readonly pending: readonly string[];
   /** (entryCount × vec4sPerEntry × 4) what the method's kernel reads. */
   readonly palette: Float32Array;
   /** Where it stands in the scene. */

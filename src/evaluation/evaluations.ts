@@ -2,11 +2,13 @@ import { type Actor, boundClip } from '../document/scene.ts';
 import { selectedActor } from '../document/selected-actor.ts';
 import type { Session } from '../document/session.ts';
 import type { Store } from '../document/store.ts';
+import type { KernelId } from '../skinning/method.ts';
 import { type Deformation, kernelOf } from '../skinning/registry.ts';
 import { timeInClip } from '../posing/playhead.ts';
 import type { Evaluation } from './evaluation.ts';
 import { EvaluationPool } from './evaluation-pool.ts';
 import { Evaluator } from './evaluator.ts';
+import { Kernels } from './kernels.ts';
 
 /** What of every actor is other than the scene has it: for views beside the usual one. */
 export interface Overrides {
@@ -21,11 +23,23 @@ export class Evaluations {
   private readonly store: Store;
   private readonly session: Session;
   private readonly evaluators = new Map<string, Evaluator>();
-  private readonly pool = new EvaluationPool();
+  private readonly pool: EvaluationPool;
 
-  constructor(store: Store, session: Session) {
+  constructor(store: Store, session: Session, kernels = new Kernels()) {
+    this.pool = new EvaluationPool(kernels);
     this.store = store;
     this.session = session;
+  }
+
+  /**
+   * Settles when nothing is pending, of the actors and of these kernels; rejects where something can't be
+   * loaded.
+   */
+  async settled(beside: readonly KernelId[] = []): Promise<void> {
+    const { kernels } = this.pool;
+    const shown = this.store.scene.peek().actors.map((actor) => kernelOf(actor).id);
+    await Promise.all([...shown, ...beside].map((id) => kernels.load(id)));
+    await kernels.settled();
   }
 
   /** Of every actor. */

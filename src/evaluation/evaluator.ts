@@ -5,12 +5,14 @@ import type { Pose } from '../core/pose.ts';
 import type { Skin } from '../core/skin.ts';
 import { type Actor, boundClip, skinInUse } from '../document/scene.ts';
 import { poseLayers } from '../posing/layers.ts';
+import { linearBlend } from '../skinning/linear-blend.ts';
 import type { SkinningMethod, VertexStreams } from '../skinning/method.ts';
 import { kernelOf } from '../skinning/registry.ts';
 import { restKey, restMesh } from '../skinning/rest-mesh.ts';
 import { type DisplayTransform, displayTransform } from './display-transform.ts';
 import type { Evaluation, Revisions } from './evaluation.ts';
 import { EvaluationPool, type ShownValues } from './evaluation-pool.ts';
+import type { Kernels } from './kernels.ts';
 import { posedBounds } from './posed-bounds.ts';
 import { Stage } from './stage.ts';
 
@@ -19,6 +21,7 @@ import { Stage } from './stage.ts';
  * other evaluators of its pool have computed from equal inputs it takes from them.
  */
 export class Evaluator implements Evaluation {
+  private readonly kernels: Kernels;
   private now: Actor;
   private time = 0;
 
@@ -32,6 +35,7 @@ export class Evaluator implements Evaluation {
 
   constructor(state: Actor, pool = new EvaluationPool()) {
     this.now = state;
+    this.kernels = pool.kernels;
     const { character } = state;
     const { skeleton } = character;
     const shared = pool.of(character);
@@ -108,7 +112,12 @@ export class Evaluator implements Evaluation {
   }
 
   get method(): SkinningMethod {
-    return kernelOf(this.now);
+    return this.kernels.of(kernelOf(this.now).id) ?? linearBlend;
+  }
+
+  get pending(): readonly string[] {
+    const { id, label } = kernelOf(this.now);
+    return this.kernels.of(id) ? [] : [label];
   }
 
   get palette(): Float32Array {

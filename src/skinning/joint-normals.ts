@@ -14,8 +14,6 @@ const { fround } = Math;
  */
 export const jointNormals: SkinningMethod<'joint-normals'> = {
   id: 'joint-normals',
-  label: 'Linear blend, CSE169 normals',
-  source: 'UCSD CSE169, project 2: skin',
   vec4sPerEntry: 6,
   packPalette,
   deform,

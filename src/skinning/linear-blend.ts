@@ -12,9 +12,6 @@ const { fround } = Math;
  */
 export const linearBlend: SkinningMethod<'linear-blend'> = {
   id: 'linear-blend',
-  label: 'Linear blend (SSD)',
-  source:
-    '6.837 handout, part 4; Magnenat-Thalmann et al. 1988, "Joint-dependent local deformations"',
   vec4sPerEntry: 3,
   packPalette: packAffinePalette,
   deform,

@@ -16,13 +16,10 @@ export type KernelId = MethodId | 'joint-normals';
 
 /**
  * A seam: a new skinning method is one file here, one chunk of GLSL with the same function names and
- * order of operations, and one line in the registry.
+ * order of operations, and one row in the registry.
  */
 export interface SkinningMethod<Id extends KernelId = KernelId> {
   readonly id: Id;
-  readonly label: string;
-  /** The paper or text that defines it. */
-  readonly source: string;
   /** How many vec4s of the palette an entry takes. */
   readonly vec4sPerEntry: number;
   /**

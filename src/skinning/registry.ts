@@ -1,16 +1,47 @@
 import { assert } from '../core/assert.ts';
 import type { Character } from '../core/character.ts';
+import { loadPart } from '../core/failure.ts';
 import type { NormalsId } from '../core/skin.ts';
-import { jointNormals } from './joint-normals.ts';
 import { linearBlend } from './linear-blend.ts';
 import type { KernelId, MethodId, SkinningMethod } from './method.ts';
-import { rigid } from './rigid.ts';
 
-/** Every kernel: a method with a way of normals. */
-export const kernels: readonly SkinningMethod[] = [linearBlend, jointNormals, rigid];
+/** A kernel, a method with a way of normals, as data; its code comes when it is first wanted. */
+export interface KernelRow<Id extends KernelId = KernelId> {
+  readonly id: Id;
+  readonly label: string;
+  /** The paper or text that defines it. */
+  readonly source: string;
+  readonly load: () => Promise<SkinningMethod<Id>>;
+}
+
+const linearBlendRow: KernelRow<'linear-blend'> = {
+  id: 'linear-blend',
+  label: 'Linear blend (SSD)',
+  source:
+    '6.837 handout, part 4; Magnenat-Thalmann et al. 1988, "Joint-dependent local deformations"',
+  // It stands in for the others until they are there, so it is there from the beginning.
+  load: () => Promise.resolve(linearBlend),
+};
+
+const jointNormalsRow: KernelRow<'joint-normals'> = {
+  id: 'joint-normals',
+  label: 'Linear blend, CSE169 normals',
+  source: 'UCSD CSE169, project 2: skin',
+  load: async () => (await loadPart(import('./joint-normals.ts'))).jointNormals,
+};
+
+const rigidRow: KernelRow<'rigid'> = {
+  id: 'rigid',
+  label: 'Rigid parts',
+  source: '6.837 handout, part 4, the figure of two meshes that collide at a joint',
+  load: async () => (await loadPart(import('./rigid.ts'))).rigid,
+};
+
+/** Every kernel. */
+export const kernels: readonly KernelRow[] = [linearBlendRow, jointNormalsRow, rigidRow];
 
 /** Every skinning method, as people choose it. */
-export const methods: readonly SkinningMethod<MethodId>[] = [linearBlend, rigid];
+export const methods: readonly KernelRow<MethodId>[] = [linearBlendRow, rigidRow];
 
 /** Every way in which normals follow, as people choose it. */
 export const normalWays: readonly { readonly id: NormalsId; readonly label: string }[] = [
@@ -30,8 +61,8 @@ export function defaultDeformation({ skin }: Pick<Character, 'skin'>): Deformati
 }
 
 /** A rigid part has one matrix, by which both ways turn its normals alike. */
-export function kernelOf({ method, normals }: Deformation): SkinningMethod {
-  if (method === 'linear-blend' && normals === 'joints') return jointNormals;
+export function kernelOf({ method, normals }: Deformation): KernelRow {
+  if (method === 'linear-blend' && normals === 'joints') return jointNormalsRow;
   return kernelById(method);
 }
 
@@ -41,7 +72,7 @@ export function deformationOf(id: KernelId): Deformation {
     : { method: id, normals: 'blended' };
 }
 
-export function kernelById(id: KernelId): SkinningMethod {
+export function kernelById(id: KernelId): KernelRow {
   const kernel = kernels.find((candidate) => candidate.id === id);
   assert(kernel !== undefined, `a skinning kernel named ${id}`);
   return kernel;

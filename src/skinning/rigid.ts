@@ -10,8 +10,6 @@ import type { SkinningMethod, VertexStreams } from './method.ts';
  */
 export const rigid: SkinningMethod<'rigid'> = {
   id: 'rigid',
-  label: 'Rigid parts',
-  source: '6.837 handout, part 4, the figure of two meshes that collide at a joint',
   vec4sPerEntry: 3,
   packPalette: packAffinePalette,
   deform,

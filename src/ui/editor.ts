@@ -115,9 +115,9 @@ export interface Actions {
   savePose(): void;
   /** Saves the character in a course's format, converted as far as it can hold it. */
   saveAs(format: ConvertTarget): Promise<void>;
-  exportMesh(): void;
+  exportMesh(): Promise<void>;
   savePicture(options: PictureOptions): Promise<void>;
-  verify(): void;
+  verify(): Promise<void>;
 }
 
 /** What opens characters: all that a page needs before its panels are there. */

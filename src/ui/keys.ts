@@ -1,4 +1,4 @@
-import type { ContextId, KeyPress } from './commands/command.ts';
+import { type ContextId, type KeyPress, runCommand } from './commands/command.ts';
 import { contexts, keysOf } from './commands/contexts.ts';
 import type { Editor } from './editor.ts';
 
@@ -27,7 +27,7 @@ export function runKey(editor: Editor, event: KeyboardEvent, ids: readonly Conte
   const binding = ids.flatMap(keysOf).find(({ press }) => matches(press, event));
   if (!binding || (isLetter(binding.press) && !editor.letterKeys.value)) return;
   event.preventDefault();
-  binding.command.run(editor);
+  runCommand(binding.command, editor);
 }
 
 function isInRow(target: EventTarget | null): boolean {

@@ -16,7 +16,8 @@ export function addShaderFiles(found: Readonly<Record<string, string>>): void {
 addShaderFiles(
   import.meta.glob<string>(
     [
-      '../../shaders/{lib,skinning}/*.glsl',
+      '../../shaders/lib/*.glsl',
+      '../../shaders/skinning/{stage.*,linear-blend}.glsl',
       '../../shaders/passes/{backdrop,blur,contact-shadow,floor,key-shadow,mesh}.*.glsl',
     ],
     { query: '?raw', import: 'default', eager: true },

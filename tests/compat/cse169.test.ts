@@ -9,6 +9,7 @@ import { readAnim } from '../../src/formats/cse169/anim.ts';
 import { poseFromJson } from '../../src/formats/pose-json.ts';
 import { restPose } from '../../src/core/pose.ts';
 import { defaultDeformation, kernelOf } from '../../src/skinning/registry.ts';
+import { loadedKernel } from '../support/kernels.ts';
 import { restMesh } from '../../src/skinning/rest-mesh.ts';
 import { skinVertices } from '../support/skin-vertices.ts';
 import { expectPosable, expectSound } from '../support/check-character.ts';
@@ -122,7 +123,7 @@ describeWithShared('the tube of CSE169, posed', [data, `${reference}/tube`], () 
         character,
         character.skin,
         pose,
-        kernelOf(defaultDeformation(character)),
+        loadedKernel(kernelOf(defaultDeformation(character)).id),
       );
       const positions = sharedFloats(`${reference}/tube/pose${i}.lbs.f32`);
       const normals = sharedFloats(`${reference}/tube/pose${i}.normals.f32`);

@@ -5,8 +5,8 @@ import { DofKind } from '../../src/core/skeleton.ts';
 import { type Actor, createActor } from '../../src/document/scene.ts';
 import type { Evaluation } from '../../src/evaluation/evaluation.ts';
 import { Evaluations } from '../../src/evaluation/evaluations.ts';
-import { EvaluationPool } from '../../src/evaluation/evaluation-pool.ts';
 import { Evaluator } from '../../src/evaluation/evaluator.ts';
+import { fullPool } from '../support/kernels.ts';
 import { Session } from '../../src/document/session.ts';
 import { Store } from '../../src/document/store.ts';
 import { characterOfRig } from '../fixtures/character-of-rig.ts';
@@ -71,7 +71,7 @@ describe('evaluators of one pool', () => {
   it('compute what is equal once: copies in one pose', () => {
     const { character, counts } = countingCharacter();
     const actors = copiesOf(character, 20);
-    const pool = new EvaluationPool();
+    const pool = fullPool();
     counts.rest = 0;
     const evaluators = actors.map((actor) => new Evaluator(actor, pool));
     evaluators.forEach(readAll);
@@ -86,7 +86,7 @@ describe('evaluators of one pool', () => {
   it('share pose, joints and mesh at rest under two methods, and nothing further down', () => {
     const { character, counts } = countingCharacter();
     const [actor] = copiesOf(character, 1) as [Actor];
-    const pool = new EvaluationPool();
+    const pool = fullPool();
     counts.rest = 0;
     const left = new Evaluator(actor, pool);
     const right = new Evaluator({ ...actor, method: 'rigid' }, pool);
@@ -98,11 +98,12 @@ describe('evaluators of one pool', () => {
     expect(right.revisions.vertices).not.toBe(left.revisions.vertices);
   });
 
-  it('are those of a scene, with what is compared beside it', () => {
+  it('are those of a scene, with what is compared beside it', async () => {
     const { character, counts } = countingCharacter();
     const store = new Store();
     store.dispatch({ label: 'Add', apply: () => ({ actors: copiesOf(character, 3) }) });
     const evaluations = new Evaluations(store, new Session());
+    await evaluations.settled(['rigid']);
     counts.rest = 0;
     const rigid = { deformation: { method: 'rigid', normals: 'blended' } } as const;
     const shown = [...evaluations.all(), ...evaluations.all(rigid)];
@@ -125,7 +126,7 @@ describe('evaluators of one pool', () => {
     });
     fc.assert(
       fc.property(fc.array(step, { maxLength: 12 }), (steps) => {
-        const pool = new EvaluationPool();
+        const pool = fullPool();
         const shown = actors.map((actor) => ({ actor, time: 0 }));
         const evaluators = actors.map((actor) => new Evaluator(actor, pool));
         for (const { who, angle, weight, clip, method, reads } of steps) {
@@ -137,7 +138,7 @@ describe('evaluators of one pool', () => {
         }
         evaluators.forEach((evaluator, i) => {
           const { actor, time } = shown[i]!;
-          const alone = new Evaluator(actor).evaluate(actor, time);
+          const alone = new Evaluator(actor, fullPool()).evaluate(actor, time);
           expect(evaluator.pose).toEqual(alone.pose);
           expect(evaluator.palette).toEqual(alone.palette);
           expect(evaluator.vertices()).toEqual(alone.vertices());
@@ -151,7 +152,7 @@ describe('evaluators of one pool', () => {
   it('hold nothing once they are disposed, and no pose that nobody shows', () => {
     const { character } = countingCharacter();
     const actors = copiesOf(character, 4);
-    const pool = new EvaluationPool();
+    const pool = fullPool();
     const evaluators = actors.map((actor) => new Evaluator(actor, pool));
     evaluators.forEach(readAll);
     const { size } = pool.of(character);

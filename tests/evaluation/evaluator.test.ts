@@ -6,6 +6,7 @@ import { type Actor, createActor } from '../../src/document/scene.ts';
 import type { Evaluation } from '../../src/evaluation/evaluation.ts';
 import { Evaluator } from '../../src/evaluation/evaluator.ts';
 import { deformationOf, kernels } from '../../src/skinning/registry.ts';
+import { fullPool, loadedKernels } from '../support/kernels.ts';
 import { skinVertices } from '../support/skin-vertices.ts';
 import { characterOfRig } from '../fixtures/character-of-rig.ts';
 import { allRigs } from '../fixtures/rigs.ts';
@@ -39,7 +40,7 @@ describe('an evaluation', () => {
     fc.assert(
       fc.property(fc.nat(characters.length - 1), steps, (which, chosen) => {
         let state = stateOf(which);
-        const evaluator = new Evaluator(state);
+        const evaluator = new Evaluator(state, fullPool());
         for (const [edit, amount] of chosen) {
           state = edits[edit]!(state, amount);
           const shown = evaluator.evaluate(state, amount);
@@ -53,9 +54,9 @@ describe('an evaluation', () => {
 
   it('agrees with the whole way on the CPU, by every method', () => {
     for (const [which, character] of characters.entries()) {
-      for (const method of kernels) {
+      for (const method of loadedKernels) {
         const state = { ...stateOf(which), ...deformationOf(method.id) };
-        const shown = new Evaluator(state).evaluate(state, 0);
+        const shown = new Evaluator(state, fullPool()).evaluate(state, 0);
         const { positions } = skinVertices(character, character.skin, state, method);
         expect(shown.vertices().positions).toEqual(positions);
         const joints = jointMatrices(character.skeleton, state.q);
@@ -72,7 +73,7 @@ describe('an evaluation', () => {
 
   it('keeps the revisions and the arrays of stages whose inputs did not change', () => {
     const state = stateOf(0);
-    const evaluator = new Evaluator(state);
+    const evaluator = new Evaluator(state, fullPool());
     const first = { ...evaluator.evaluate(state, 0).revisions };
     const { palette, characterFromJoint } = evaluator;
     expect(evaluator.evaluate({ ...state }, 7).revisions).toEqual(first);
@@ -97,7 +98,7 @@ describe('an evaluation', () => {
     const seen = new Set<number>();
     for (let which = 0; which < 20; which++) {
       const state = stateOf(which);
-      const { vertices } = new Evaluator(state).evaluate(state, 0).revisions;
+      const { vertices } = new Evaluator(state, fullPool()).evaluate(state, 0).revisions;
       expect(seen).not.toContain(vertices);
       seen.add(vertices);
     }
@@ -105,7 +106,7 @@ describe('an evaluation', () => {
 
   it('gives a snapshot that the next moment leaves alone', () => {
     const state = stateOf(0);
-    const evaluator = new Evaluator(state);
+    const evaluator = new Evaluator(state, fullPool());
     const kept = evaluator.evaluate(state, 0).snapshot();
     const before = kept.q.slice();
     state.q.fill(0.5);
@@ -115,7 +116,7 @@ describe('an evaluation', () => {
 });
 
 function expectFresh(shown: Evaluation, state: Actor, time: number): void {
-  const fresh = new Evaluator(state).evaluate(state, time);
+  const fresh = new Evaluator(state, fullPool()).evaluate(state, time);
   expect(shown.pose).toEqual(fresh.pose);
   expect(shown.characterFromJoint).toEqual(fresh.characterFromJoint);
   expect(shown.palette).toEqual(fresh.palette);

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { kernels } from '../../src/skinning/registry.ts';
+import { loadedKernels } from '../support/kernels.ts';
 import { renumberJoints, renumberPoints, transformsOf } from '../fixtures/rig.ts';
 import {
   manyInfluences,
@@ -23,7 +23,7 @@ function boundFor(points: readonly Vector[]): number {
   return tolerances.skinning * boundingDiagonal(points);
 }
 
-describe.each(kernels)('the laws of $id', (method) => {
+describe.each(loadedKernels)('the laws of $id', (method) => {
   it.each(Object.entries(soundRigs))('identity: "%s" at rest is the rest mesh', (_, makeRig) => {
     const rig = makeRig();
     const { positions, normals } = skinRig(rig, method, rig.rest);

@@ -2,7 +2,7 @@ import { expect } from 'vitest';
 import type { Character } from '../../src/core/character.ts';
 import { normalizeSkin } from '../../src/core/skin.ts';
 import { restPose } from '../../src/core/pose.ts';
-import { kernels } from '../../src/skinning/registry.ts';
+import { loadedKernels } from './kernels.ts';
 import { skinVertices } from './skin-vertices.ts';
 
 /** What every character promises, whatever file it came from. */
@@ -30,7 +30,7 @@ export function expectSound(character: Character): void {
 /** Every method poses it without a number that is none, raw or normalised. */
 export function expectPosable(character: Character): void {
   const pose = restPose(character.skeleton);
-  for (const method of kernels) {
+  for (const method of loadedKernels) {
     for (const skin of [character.skin, normalizeSkin(character.skin)]) {
       const { positions, normals } = skinVertices(character, skin, pose, method);
       expect(allFinite(positions)).toBe(true);

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { createActor } from '../../src/document/scene.ts';
 import type { VertexStreams } from '../../src/skinning/method.ts';
-import { kernelById } from '../../src/skinning/registry.ts';
+import { loadedKernel } from '../support/kernels.ts';
 import { skinVertices } from '../support/skin-vertices.ts';
 import { verifySkin } from '../../src/view/verify.ts';
 import { characterOfRig } from '../fixtures/character-of-rig.ts';
@@ -10,7 +10,7 @@ import { allRigs } from '../fixtures/rigs.ts';
 const character = characterOfRig(Object.values(allRigs)[0]!());
 const state = createActor(1, character, 'linear-blend');
 const { q } = state;
-const posed = skinVertices(character, character.skin, { q }, kernelById('linear-blend'));
+const posed = skinVertices(character, character.skin, { q }, loadedKernel('linear-blend'));
 
 function changed(change: (streams: VertexStreams) => void): VertexStreams {
   const copy = { positions: posed.positions.slice(), normals: posed.normals.slice() };

@@ -1,3 +1,4 @@
+import { attempt } from '../attempt.ts';
 import type { Editor } from '../editor.ts';
 
 /** A press of a key. */
@@ -32,7 +33,13 @@ export interface Command {
   readonly isEnabled?: (editor: Editor) => boolean;
   /** What it would do now, where that is more than the label says. */
   readonly describe?: (editor: Editor) => string;
-  readonly run: (editor: Editor) => void;
+  readonly run: (editor: Editor) => void | Promise<void>;
+}
+
+/** Runs a command; where it fails, the status line says so. */
+export function runCommand({ run }: Command, editor: Editor): void {
+  const work = run(editor);
+  if (work) attempt(editor, work);
 }
 
 /** "Ctrl/Cmd+Shift+Z", for people. */

@@ -1,5 +1,4 @@
 import { resetJoint } from '../../document/edits.ts';
-import { attempt } from '../attempt.ts';
 import type { Editor } from '../editor.ts';
 import type { Command } from './command.ts';
 
@@ -57,7 +56,7 @@ export const editCommands = [
     id: 'copy-pose',
     label: 'Copy the pose as text',
     short: 'Copy pose',
-    run: (editor) => attempt(editor, editor.copyPose()),
+    run: (editor) => editor.copyPose(),
   },
   {
     id: 'cancel',

@@ -1,6 +1,4 @@
-import { attempt } from '../attempt.ts';
 import { chooseFiles } from '../choose-files.ts';
-import type { Editor } from '../editor.ts';
 import type { Command } from './command.ts';
 
 /** What comes from files and goes to them. */
@@ -51,7 +49,7 @@ export const fileCommands = [
     id: 'save-picture',
     label: 'Save a picture',
     keys: [{ key: 'j' }],
-    run: savePicture,
+    run: (editor) => editor.savePicture({ format: 'png', background: true, target: 'file' }),
   },
   {
     id: 'verify',
@@ -60,7 +58,3 @@ export const fileCommands = [
     run: (editor) => editor.verify(),
   },
 ] as const satisfies readonly Command[];
-
-function savePicture(editor: Editor): void {
-  attempt(editor, editor.savePicture({ format: 'png', background: true, target: 'file' }));
-}

@@ -1,6 +1,6 @@
 import { effect } from '@preact/signals-core';
 import type { GUI } from 'lil-gui';
-import { keyName, titleOf } from '../commands/command.ts';
+import { keyName, runCommand, titleOf } from '../commands/command.ts';
 import { type CommandId, commandOf } from '../commands/registry.ts';
 import type { Editor } from '../editor.ts';
 import { field } from './signal-field.ts';
@@ -9,7 +9,7 @@ import { field } from './signal-field.ts';
 export function addCommandRow(folder: GUI, editor: Editor, id: CommandId): void {
   const command = commandOf(id);
   const { isOn } = command;
-  const run = (): void => command.run(editor);
+  const run = (): void => runCommand(command, editor);
   const row = isOn
     ? folder.add(
         field(() => isOn(editor), run),

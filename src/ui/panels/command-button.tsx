@@ -1,4 +1,4 @@
-import { titleOf } from '../commands/command.ts';
+import { runCommand, titleOf } from '../commands/command.ts';
 import { type CommandId, commandOf } from '../commands/registry.ts';
 import type { Editor } from '../editor.ts';
 
@@ -32,7 +32,7 @@ export function CommandButton({
       disabled={command.isEnabled?.(editor) === false}
       onClick={() => {
         onRun?.();
-        command.run(editor);
+        runCommand(command, editor);
       }}
     >
       {sign ?? command.short ?? command.label}

@@ -1,0 +1,65 @@
+import { effect, signal } from '@preact/signals-core';
+import { describe, expect, it } from 'vitest';
+import { createActor } from '../../src/document/scene.ts';
+import { openCharacter } from '../../src/document/open-characters.ts';
+import { setMethod } from '../../src/document/edits.ts';
+import { Session } from '../../src/document/session.ts';
+import { Store } from '../../src/document/store.ts';
+import { EvaluationPool } from '../../src/evaluation/evaluation-pool.ts';
+import { Evaluations } from '../../src/evaluation/evaluations.ts';
+import { Evaluator } from '../../src/evaluation/evaluator.ts';
+import { Kernels } from '../../src/evaluation/kernels.ts';
+import { characterOfRig } from '../fixtures/character-of-rig.ts';
+import { allRigs } from '../fixtures/rigs.ts';
+import { fullPool } from '../support/kernels.ts';
+
+const character = characterOfRig(Object.values(allRigs)[0]!());
+const bent = () =>
+  createActor(1, character, 'rigid', { q: character.skeleton.qRest.map(() => 0.4) });
+
+describe('a method whose code is on the way', () => {
+  it('is named as pending, linear blend stands in, and then it is there', async () => {
+    const actor = bent();
+    const evaluator = new Evaluator(actor, new EvaluationPool());
+    expect(evaluator.pending).toEqual(['Rigid parts']);
+    const stand = new Evaluator({ ...actor, method: 'linear-blend' }).vertices();
+    expect(evaluator.vertices()).toEqual(stand);
+
+    await expect.poll(() => evaluator.pending).toEqual([]);
+    const rigid = new Evaluator(actor, fullPool()).vertices();
+    expect(evaluator.vertices()).toEqual(rigid);
+    expect(rigid).not.toEqual(stand);
+  });
+
+  it('has whoever asked follow, and `settled` waits for it', async () => {
+    const session = new Session();
+    const store = new Store();
+    store.dispatch(openCharacter(null, character, 'linear-blend'));
+    const evaluations = new Evaluations(store, session);
+    const seen: string[] = [];
+    effect(() => {
+      for (const { method } of evaluations.all()) seen.push(method.id);
+    });
+    store.dispatch(setMethod(store.scene.value.actors[0]!.id, 'rigid'));
+    await evaluations.settled();
+    expect(seen).toEqual(['linear-blend', 'linear-blend', 'rigid']);
+  });
+
+  it('is told once where it can’t be had, and not asked for again', async () => {
+    const told: unknown[] = [];
+    const asked = signal(0);
+    const kernels = new Kernels({
+      prepare: () => {
+        asked.value++;
+        return Promise.reject(new Error('gone'));
+      },
+      onFailed: (error) => told.push(error),
+    });
+    expect(kernels.of('rigid')).toBeUndefined();
+    expect(kernels.of('rigid')).toBeUndefined();
+    await expect(kernels.settled()).rejects.toThrow('gone');
+    expect(kernels.of('rigid')).toBeUndefined();
+    expect(told).toHaveLength(1);
+    expect(asked.value).toBe(1);
+  });
+});

@@ -1,0 +1,21 @@
+import { EvaluationPool } from '../../src/evaluation/evaluation-pool.ts';
+import { Kernels } from '../../src/evaluation/kernels.ts';
+import type { KernelId, SkinningMethod } from '../../src/skinning/method.ts';
+import { kernels } from '../../src/skinning/registry.ts';
+
+/** Every kernel of the registry, loaded. */
+export const loadedKernels: readonly SkinningMethod[] = await Promise.all(
+  kernels.map(({ load }) => load()),
+);
+
+export function loadedKernel(id: KernelId): SkinningMethod {
+  return loadedKernels.find((kernel) => kernel.id === id)!;
+}
+
+const allThere = new Kernels();
+await Promise.all(kernels.map(({ id }) => allThere.load(id)));
+
+/** A pool whose kernels are all there. */
+export function fullPool(): EvaluationPool {
+  return new EvaluationPool(allThere);
+}
