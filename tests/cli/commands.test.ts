@@ -45,7 +45,8 @@ async function posed(...options: string[]): Promise<number[]> {
   const { folder, code } = run('pose', files, ...names, '--pose', 'p.json', ...options);
   expect(await code).toBe(0);
   const outPath = join(folder, options.at(-1)!);
-  const mesh = readObj('o.obj', new Uint8Array(readFileSync(outPath))).value!;
+  const read = await readObj('o.obj', new Uint8Array(readFileSync(outPath)));
+  const mesh = read.value!;
   expect([...mesh.cornerPoints]).toEqual([0, 1, 2]);
   expect(mesh.submeshes).toEqual([{ material: 'skin', firstTriangle: 0 }]);
   return Array.from(mesh.positions, (value) => Math.round(value * 1e5) / 1e5 + 0);

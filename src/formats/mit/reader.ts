@@ -57,7 +57,7 @@ function aloneDiagnostic(file: string): Diagnostic {
 async function readPart<T>(
   group: FileGroup,
   kind: string,
-  read: (file: string, bytes: Uint8Array) => Parsed<T>,
+  read: (file: string, bytes: Uint8Array) => Parsed<T> | Promise<Parsed<T>>,
 ): Promise<Parsed<T>> {
   const file = fileOf(group, kind);
   return file ? read(baseName(file.path), await file.bytes()) : { diagnostics: [] };

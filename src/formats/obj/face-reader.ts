@@ -1,20 +1,19 @@
-import type { MeshParts } from '../../core/character-parts.ts';
 import type { DiagnosticLog } from '../../core/diagnostics.ts';
 import { growInt32, growUint32 } from '../text/growable.ts';
 import type { LineReader } from '../text/line-reader.ts';
 import { type Corner, CornerReader } from './corner-reader.ts';
-import { triangulate } from './triangulate.ts';
+import { type FaceTriangles, triangulateFaces } from './triangulate-faces.ts';
 import type { ObjStreams } from './tuple-stream.ts';
 
 const effect = 'the mesh is not used';
 
 /** Reads the `f` lines of an OBJ: `f a b c …`, three corners or more. */
 export class FaceReader {
-  private degenerateCount = 0;
   private shortCount = 0;
-  private readonly cornerPoints = growUint32();
-  private readonly cornerUvs = growInt32();
-  private readonly cornerNormals = growInt32();
+  private readonly points = growUint32();
+  private readonly uvs = growInt32();
+  private readonly normals = growInt32();
+  private readonly ends = growUint32();
   private readonly reader: LineReader;
   private readonly streams: ObjStreams;
   private readonly log: DiagnosticLog;
@@ -28,8 +27,8 @@ export class FaceReader {
     this.corners = new CornerReader(reader, streams, log);
   }
 
-  get triangleCount(): number {
-    return this.cornerPoints.length / 3;
+  get faceCount(): number {
+    return this.ends.length;
   }
 
   /** Whether a face was one too many, which was said. */
@@ -37,12 +36,15 @@ export class FaceReader {
     return this.full;
   }
 
-  finish(): Pick<MeshParts, 'cornerPoints' | 'cornerUvs' | 'cornerNormals'> {
-    return {
-      cornerPoints: this.cornerPoints.finish(),
-      cornerUvs: this.cornerUvs.finish(),
-      cornerNormals: this.cornerNormals.finish(),
+  /** Cuts all faces into triangles. @param positions (pointCount × 3) */
+  finish(positions: Float32Array): Promise<FaceTriangles> {
+    const faces = {
+      points: this.points.finish(),
+      uvs: this.uvs.finish(),
+      normals: this.normals.finish(),
+      ends: this.ends.finish(),
     };
+    return triangulateFaces(faces, positions);
   }
 
   /** Reads the rest of the current line. */
@@ -59,18 +61,18 @@ export class FaceReader {
     if (count < 3) this.shortCount++;
     else if (count > cornersPerFace) {
       this.fail('limit', `a face of at most ${cornersPerFace} corners`, `${count}`);
-    } else if (this.triangleCount + count - 2 > triangleCount) {
+    } else if (this.points.length - 2 * this.faceCount + count - 2 > triangleCount) {
       this.full = true;
       this.fail('limit', `at most ${triangleCount} triangles`, 'more');
-    } else this.addTriangles(face);
+    } else this.add(face);
   }
 
   /** Says what harmless things were met, each kind once with its count. */
-  reportOddities(): void {
+  reportOddities(degenerateCount: number): void {
     const effect = 'they are left out';
-    if (this.degenerateCount > 0) {
+    if (degenerateCount > 0) {
       const expected = 'triangles of three different vertices';
-      const found = `${this.degenerateCount} that are not`;
+      const found = `${degenerateCount} that are not`;
       this.log.warn({ code: 'obj/degenerate', expected, found, effect });
     }
     if (this.shortCount > 0) {
@@ -81,26 +83,15 @@ export class FaceReader {
     this.corners.reportOddities();
   }
 
-  private addTriangles(face: readonly Corner[]): void {
+  private add(face: readonly Corner[]): void {
     const { positions } = this.streams;
     if (!face.every(({ point }) => positions.isSound(point))) return; // which the vertex's line has said
-    const local = face.flatMap(({ point }) => [0, 1, 2].map((i) => positions.value(point * 3 + i)));
-    const order = triangulate(
-      local,
-      face.map((_, corner) => corner),
-    );
-    for (let i = 0; i < order.length; i += 3) {
-      const corners = [order[i]!, order[i + 1]!, order[i + 2]!].map((corner) => face[corner]!);
-      if (new Set(corners.map(({ point }) => point)).size < 3) {
-        this.degenerateCount++;
-        continue;
-      }
-      for (const { point, uv, normal } of corners) {
-        this.cornerPoints.push(point);
-        this.cornerUvs.push(uv);
-        this.cornerNormals.push(normal);
-      }
+    for (const { point, uv, normal } of face) {
+      this.points.push(point);
+      this.uvs.push(uv);
+      this.normals.push(normal);
     }
+    this.ends.push(this.points.length);
   }
 
   private fail(kind: 'face' | 'limit', expected: string, found: string): void {

@@ -17,11 +17,11 @@ const named = new Set(['usemtl', 'mtllib', 'g', 'o']);
  * `usemtl`, comments and continued lines. Vertices keep their order and number, used or not: the
  * rows of `.attach` count them. Material libraries are noted, never fetched.
  */
-export function readObj(
+export async function readObj(
   file: string,
   bytes: Uint8Array,
   limits: Limits = defaultLimits,
-): Parsed<MeshParts> {
+): Promise<Parsed<MeshParts>> {
   const log = new DiagnosticLog(file);
   const reader = openText(file, bytes, log, { limits, continuations: true, named });
   if (!reader) return log.finish<MeshParts>(undefined);
@@ -48,7 +48,7 @@ export function readObj(
     }),
   };
   const faces = new FaceReader(reader, streams, log);
-  const submeshes: { material: string; firstTriangle: number }[] = [];
+  const runs: { material: string; firstFace: number }[] = [];
   const ignored = new IgnoredKeywords(reader, log);
 
   const parts = [streams.positions, streams.uvs, streams.normals, faces];
@@ -69,32 +69,36 @@ export function readObj(
         faces.read();
         break;
       case 'usemtl':
-        // One after another without a face between leaves the last.
-        if (submeshes.at(-1)?.firstTriangle === faces.triangleCount) submeshes.pop();
-        submeshes.push({ material: reader.rest(), firstTriangle: faces.triangleCount });
+        runs.push({ material: reader.rest(), firstFace: faces.faceCount });
         break;
       default:
         ignored.note(keyword);
     }
   }
-  if (!log.failed) checkCounts(streams, faces, log);
-  faces.reportOddities();
+  const positions = streams.positions.finish();
+  const { corners, firstTriangle, degenerateCount } = await faces.finish(positions);
+  if (!log.failed) checkCounts(positions, corners.cornerPoints, log);
+  faces.reportOddities(degenerateCount);
   streams.uvs.reportOddities(log);
   streams.normals.reportOddities(log);
+  const submeshes = runs
+    .map(({ material, firstFace }) => ({ material, firstTriangle: firstTriangle[firstFace]! }))
+    // One after another without a triangle between leaves the last.
+    .filter((run, index, all) => run.firstTriangle !== all[index + 1]?.firstTriangle);
   if (submeshes[0]?.firstTriangle !== 0) submeshes.unshift({ material: '', firstTriangle: 0 });
   const [uvs, normals] = [streams.uvs.finish(), streams.normals.finish()];
   return log.finish({
     file,
-    positions: streams.positions.finish(),
-    ...faces.finish(),
+    positions,
+    ...corners,
     ...(uvs.length > 0 ? { uvs } : {}),
     ...(normals.length > 0 ? { normals } : {}),
     submeshes,
   });
 }
 
-function checkCounts(streams: ObjStreams, faces: FaceReader, log: DiagnosticLog): void {
-  const missing = streams.positions.count === 0 ? 'vertex' : 'triangle';
-  if (streams.positions.count > 0 && faces.triangleCount > 0) return;
+function checkCounts(positions: Float32Array, cornerPoints: Uint32Array, log: DiagnosticLog): void {
+  const missing = positions.length === 0 ? 'vertex' : 'triangle';
+  if (positions.length > 0 && cornerPoints.length > 0) return;
   log.error({ code: 'obj/empty', expected: `at least one ${missing}`, found: 'none', effect });
 }

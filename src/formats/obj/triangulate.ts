@@ -1,19 +1,40 @@
-import earcut from 'earcut';
-
 /**
  * Cuts a polygon into triangles that keep its orientation: a fan where it is convex, ear clipping
  * (in the plane of its Newell normal) where it is not.
  *
  * @param positions xyz triples
  * @param corners indices of positions, in order around the face
+ * @param earClip cuts an outline (xy pairs) into triples of its corners; without it every face is a fan
  * @returns triples of indices into `corners`
  */
-export function triangulate(positions: ArrayLike<number>, corners: readonly number[]): number[] {
+export function triangulate(
+  positions: ArrayLike<number>,
+  corners: readonly number[],
+  earClip?: (outline: readonly number[]) => number[],
+): number[] {
   if (corners.length === 3) return [0, 1, 2];
   const outline = projectToPlane(positions, corners);
-  if (isConvex(outline)) return fan(corners.length);
-  const ears = earcut(outline);
+  if (corners.length === 4) return cutQuad(outline);
+  if (!earClip || isConvex(outline)) return fan(corners.length);
+  const ears = earClip(outline);
   return ears.length === (corners.length - 2) * 3 ? orient(ears, outline) : fan(corners.length);
+}
+
+/** Whether a fan is no way to cut a polygon: it has five corners or more and is not convex. */
+export function needsEarClipping(
+  positions: ArrayLike<number>,
+  corners: readonly number[],
+): boolean {
+  return corners.length > 4 && !isConvex(projectToPlane(positions, corners));
+}
+
+/** A quad has at most one corner that points inwards: both its triangles start there. */
+function cutQuad(outline: readonly number[]): number[] {
+  const turnAt = (corner: number): number =>
+    turn(outline, (corner + 3) % 4, corner, (corner + 1) % 4);
+  const inward = [0, 1, 2, 3].filter((corner) => turnAt(corner) < 0);
+  const [from = 0] = inward.length === 1 ? inward : [];
+  return [0, 1, 2, 0, 2, 3].map((corner) => (from + corner) % 4);
 }
 
 function fan(cornerCount: number): number[] {

@@ -8,7 +8,7 @@ import { normalizeSkin } from '../../../src/core/skin.ts';
 import { writeMit } from '../../../src/formats/mit/write-character.ts';
 import { readObj } from '../../../src/formats/obj/read-obj.ts';
 import { writeObj } from '../../../src/formats/obj/write-obj.ts';
-import { kernels } from '../../../src/skinning/registry.ts';
+import { loadedKernels } from '../../support/kernels.ts';
 import { skinVertices } from '../../support/skin-vertices.ts';
 import { jointMatrices } from '../../../src/core/forward-kinematics.ts';
 import { readOne } from '../../support/files.ts';
@@ -29,11 +29,11 @@ function built(parts: Parameters<typeof buildCharacter>[0]): Character {
 }
 
 describe('random meshes', () => {
-  it('are the same when written and read again, normals and all', () => {
-    fc.assert(
-      fc.property(meshParts, (parts) => {
+  it('are the same when written and read again, normals and all', async () => {
+    await fc.assert(
+      fc.asyncProperty(meshParts, async (parts) => {
         const mesh = buildMesh(parts);
-        const { value, diagnostics } = readObj('a.obj', writeObj(mesh));
+        const { value, diagnostics } = await readObj('a.obj', writeObj(mesh));
         expect(diagnostics).toEqual([]);
         expect(withoutSeams(buildMesh(value!))).toEqual(withoutSeams(mesh));
       }),
@@ -66,7 +66,7 @@ describe('random characters', () => {
         const { mesh, skeleton } = character;
         const pose = { q: skeleton.qRest.map((_, i) => q[i]!) };
         for (const skin of [character.skin, normalizeSkin(character.skin)]) {
-          for (const method of kernels) {
+          for (const method of loadedKernels) {
             const palette = new Float32Array(skeleton.jointCount * method.vec4sPerEntry * 4);
             method.packPalette(skin, jointMatrices(skeleton, pose.q), palette);
             const { positions, normals } = skinVertices(character, skin, pose, method);

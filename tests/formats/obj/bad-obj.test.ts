@@ -26,8 +26,8 @@ describe('readObj refuses', () => {
     ['f 1.5 2 3', `:5:3: ${corner}, found "1.5" [obj/face]`],
     ['f 1e0 2 3', `:5:3: ${corner}, found "1e0" [obj/face]`],
     ['f 0x1 2 3', `:5:3: ${corner}, found "0x1" [obj/face]`],
-  ])('%j', (line, message) => {
-    const { value, diagnostics } = readObj('a.obj', bytesOf(`${points}${line}\nf 1 2 3\n`));
+  ])('%j', async (line, message) => {
+    const { value, diagnostics } = await readObj('a.obj', bytesOf(`${points}${line}\nf 1 2 3\n`));
     expect(value).toBeUndefined();
     expect(shown(diagnostics)).toEqual([`error: a.obj${message}; the mesh is not used`]);
   });
@@ -36,8 +36,8 @@ describe('readObj refuses', () => {
     ['# nothing\n', 'expected at least one vertex, found "none"'],
     [points, 'expected at least one triangle, found "none"'],
     [`${points}f 1 1 2`, 'expected at least one triangle, found "none"'],
-  ])('%j, which has no surface', (text, message) => {
-    const { value, diagnostics } = readObj('a.obj', bytesOf(text));
+  ])('%j, which has no surface', async (text, message) => {
+    const { value, diagnostics } = await readObj('a.obj', bytesOf(text));
     expect(value).toBeUndefined();
     expect(shown(diagnostics)[0]).toBe(
       `error: a.obj: ${message} [obj/empty]; the mesh is not used`,
@@ -51,17 +51,17 @@ describe('the limits of readObj', () => {
     ['triangleCount', 3, `${points}f 1 2 3\nf 1 2 3\nf 1 2 3\n`, 'at most 2 triangles'],
     ['triangleCount', 2, `${points}f 1 2 3 4`, 'at most 1 triangles'],
     ['cornersPerFace', 4, `${points}f 1 2 3 4`, 'a face of at most 3 corners'],
-  ])('%s: %d are taken, one more than the limit is not', (name, count, text, expected) => {
+  ])('%s: %d are taken, one more than the limit is not', async (name, count, text, expected) => {
     const readWith = (limit: number) =>
       readObj('a.obj', bytesOf(text), { ...defaultLimits, [name]: limit });
-    expect(readWith(count)).toMatchObject({ value: { file: 'a.obj' }, diagnostics: [] });
-    const beyond = readWith(count - 1);
+    expect(await readWith(count)).toMatchObject({ value: { file: 'a.obj' }, diagnostics: [] });
+    const beyond = await readWith(count - 1);
     expect(beyond.value).toBeUndefined();
     expect(beyond.diagnostics).toMatchObject([{ code: 'obj/limit', expected }]);
   });
 
-  it('list a hundred bad faces and count the rest', () => {
-    const { diagnostics } = readObj('a.obj', bytesOf(`${points}${'f 1 2 x\n'.repeat(300)}`));
+  it('list a hundred bad faces and count the rest', async () => {
+    const { diagnostics } = await readObj('a.obj', bytesOf(`${points}${'f 1 2 x\n'.repeat(300)}`));
     expect(diagnostics).toHaveLength(101);
     expect(diagnostics.at(-1)).toMatchObject({ code: 'file/more', found: '200 more' });
   });

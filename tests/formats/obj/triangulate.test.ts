@@ -1,3 +1,4 @@
+import earcut from 'earcut';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { triangulate } from '../../../src/formats/obj/triangulate.ts';
@@ -8,7 +9,7 @@ type Polygon = readonly (readonly number[])[];
 
 function cut(polygon: Polygon): number[] {
   const corners = polygon.map((_, index) => index);
-  return triangulate(polygon.flat(), corners);
+  return triangulate(polygon.flat(), corners, earcut);
 }
 
 /** Twice the signed area of each triangle, seen from +z. */
