@@ -9,7 +9,6 @@ import type { ReadCharacter } from '../formats/read-characters.ts';
 import { failureText } from '../ui/attempt.ts';
 import type { Opening, ThemeChoice } from '../ui/editor.ts';
 import type { WorkspaceId } from '../ui/workspace.ts';
-import type { Verification } from '../view/verify.ts';
 import type { Viewer } from '../view/viewer.ts';
 import { type CatalogueEntry, fetchBundled } from './catalogue.ts';
 import { FileOpener, type OpenOutcome } from './open-files.ts';
@@ -31,10 +30,6 @@ export function createOpening(
     return source?.kind === 'bundled' ? source.id : null;
   });
   const own = signal<readonly ReadCharacter[]>([]);
-  const verification = signal<Verification | null>(null);
-  const selected = computed(() => selectedActor(store, session)?.character);
-  // What was verified is of one character, whatever puts another in its place.
-  selected.subscribe(() => (verification.value = null));
   const notice = signal('');
   const meter = new ProgressMeter();
   let current = new AbortController();
@@ -50,7 +45,6 @@ export function createOpening(
     bundled: catalogue,
     own,
     openedId,
-    verification,
     progress: meter.shown,
     notice,
     theme: signal<ThemeChoice>('system'),

@@ -9,7 +9,6 @@ import type { ConvertTarget } from '../formats/registry.ts';
 import type { FileEntry } from '../formats/format.ts';
 import type { ReadCharacter } from '../formats/read-characters.ts';
 import type { PictureFormat } from '../view/picture.ts';
-import type { Verification } from '../view/verify.ts';
 import type { CaptureSize, Viewer } from '../view/viewer.ts';
 import type { Workspace, WorkspaceId } from './workspace.ts';
 
@@ -79,8 +78,6 @@ export interface Courses {
 export interface Telling {
   /** A word on what was just done, for the status line. */
   readonly notice: Signal<string>;
-  /** Of the character that is selected. */
-  readonly verification: Signal<Verification | null>;
 }
 
 /** How the page itself is, apart from the scene. */

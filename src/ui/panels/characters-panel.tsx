@@ -1,14 +1,10 @@
 import { useState } from 'preact/hooks';
 import { printable } from '../../core/diagnostics.ts';
 import { selectedActor } from '../../document/selected-actor.ts';
+import { convertTargets, labelOf } from '../../formats/registry.ts';
 import { attempt } from '../attempt.ts';
 import type { Editor } from '../editor.ts';
 import { CommandButton } from './command-button.tsx';
-
-const saveTargets = [
-  ['mit', '6.837 files'],
-  ['cse169', 'CSE169 files'],
-] as const;
 
 /** What stands in the scene, the bundled characters, one's own, and the way to more. */
 export function CharactersPanel({ editor }: { readonly editor: Editor }) {
@@ -53,14 +49,14 @@ export function CharactersPanel({ editor }: { readonly editor: Editor }) {
       {shown && (
         <div class="save-as">
           <span id="save-as">Save as</span>
-          {saveTargets.map(([format, label]) => (
+          {convertTargets.map((format) => (
             <button
               key={format}
               type="button"
               aria-describedby="save-as"
               onClick={() => attempt(editor, editor.saveAs(format))}
             >
-              {label}
+              {labelOf(format)}
             </button>
           ))}
         </div>
