@@ -80,20 +80,24 @@ export class Store {
     return gesture !== null;
   }
 
-  undo(): void {
+  /** Takes back the last step; gives what it was, or null where there was none. */
+  undo(): string | null {
     this.open?.commit();
     const entry = this.history.value.past.at(-1);
-    if (!entry) return;
+    if (!entry) return null;
     this.show(entry.before);
     this.history.value = stepBack(this.history.value);
+    return entry.label;
   }
 
-  redo(): void {
+  /** Does the step again that was taken back last; gives what it was, or null where there was none. */
+  redo(): string | null {
     this.open?.commit();
     const entry = this.history.value.future.at(-1);
-    if (!entry) return;
+    if (!entry) return null;
     this.show(entry.after);
     this.history.value = stepForward(this.history.value);
+    return entry.label;
   }
 
   /** In one batch, so that nobody meets a session that does not fit the scene. */

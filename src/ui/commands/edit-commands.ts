@@ -1,3 +1,4 @@
+import type { Signal } from '@preact/signals-core';
 import { resetJoint } from '../../document/edits.ts';
 import { attempt } from '../attempt.ts';
 import type { Editor } from '../editor.ts';
@@ -12,7 +13,7 @@ export const editCommands = [
     context: 'control',
     isEnabled: ({ store }) => store.undoLabel.value !== null,
     describe: ({ store }) => told('Undo', store.undoLabel.value),
-    run: ({ store }) => store.undo(),
+    run: ({ store, notice }) => announce(notice, 'Undid', store.undo()),
   },
   {
     id: 'redo',
@@ -21,7 +22,7 @@ export const editCommands = [
     context: 'control',
     isEnabled: ({ store }) => store.redoLabel.value !== null,
     describe: ({ store }) => told('Redo', store.redoLabel.value),
-    run: ({ store }) => store.redo(),
+    run: ({ store, notice }) => announce(notice, 'Redid', store.redo()),
   },
   {
     id: 'duplicate-character',
@@ -69,6 +70,13 @@ export const editCommands = [
 
 function told(verb: string, label: string | null): string {
   return label === null ? `Nothing to ${verb.toLowerCase()}` : `${verb}: ${label}`;
+}
+
+/** Says what a step was. Screen readers speak what changes: the same once more differs by a blank. */
+function announce(notice: Signal<string>, verb: string, label: string | null): void {
+  if (label === null) return;
+  const text = `${verb}: ${label}`;
+  notice.value = notice.value === text ? `${text}\u00a0` : text;
 }
 
 function resetSelectedJoint({ store, session, evaluations }: Editor): void {
