@@ -15,6 +15,9 @@ import { FileOpener, type OpenOutcome } from './open-files.ts';
 import { ProgressMeter } from './progress-meter.ts';
 import { workspaces } from './workspaces.ts';
 
+/** So many own characters stay in the list beside those that were opened last. */
+const mostEarlier = 12;
+
 /** Opens characters and workspaces: all that the first picture needs of the editor. */
 export function createOpening(
   store: Store,
@@ -59,9 +62,10 @@ export function createOpening(
         return openOwnFiles(opener, files, { signal, onProgress: meter.report, openBundled, add });
       });
       if (!outcome) return;
-      const { found, opened, reopened, posed } = outcome;
+      const { found, opened, reopened, posed, before } = outcome;
       if (opened) {
-        own.value = found;
+        const earlier = own.value.filter(({ character }) => character !== before);
+        own.value = [...earlier.slice(-mostEarlier), ...found];
         const more = found.length > 1 ? ` and ${found.length - 1} more` : '';
         showOpened(`${opened.name}${more}`, reopened ? 'updated; pose and camera kept' : word(add));
       } else if (posed) notice.value = 'Pose set';
@@ -117,6 +121,10 @@ export function createOpening(
       if (workspace.framed) viewer.frameAll();
       if (changed) session.show(workspace.look);
     },
+
+    frameOpened() {
+      if (workspaces.find(({ id }) => id === workspaceId.value)?.framed) viewer.frameAll();
+    },
   };
   return opening;
 
@@ -155,8 +163,7 @@ export function createOpening(
   }
 
   function showOpened(name: string, what: string): void {
-    const workspace = workspaces.find(({ id }) => id === workspaceId.value);
-    if (workspace?.framed && !what.startsWith('updated')) viewer.frameAll();
+    if (!what.startsWith('updated')) opening.frameOpened();
     notice.value = `${name} ${what}`;
   }
 }

@@ -68,6 +68,7 @@ export async function openOwnFiles(
     opened: first?.character ?? null,
     reopened: renewed !== undefined,
     posed: q !== undefined,
+    before: completed === parts ? undefined : open?.character,
   };
 }
 

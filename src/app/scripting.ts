@@ -141,7 +141,7 @@ export function createScripting(editor: Editor, ready: Promise<void>): Scripting
         throw new Error(`expected one of ${clips.join(', ') || 'no clips'}`);
       }
       if (!isSelected) {
-        store.dispatch(bindClip(actor.id, index));
+        store.amend(bindClip(actor.id, index));
         session.playing.value = false;
         session.clipTime.value = time;
         return;

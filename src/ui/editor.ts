@@ -52,7 +52,7 @@ export interface Looking {
 /** Where characters come from. */
 export interface Gallery {
   readonly bundled: ReadonlySignal<readonly BundledCharacter[]>;
-  /** Characters of the user's own files, as last opened. */
+  /** Characters of the user's own files, those opened last at the end; earlier ones stay. */
   readonly own: ReadonlySignal<readonly ReadCharacter[]>;
   /** Id of the bundled character that is selected, or null. */
   readonly openedId: ReadonlySignal<string | null>;
@@ -72,6 +72,8 @@ export interface Courses {
   readonly workspaces: readonly Workspace[];
   readonly workspaceId: ReadonlySignal<WorkspaceId>;
   setWorkspace(id: WorkspaceId): void;
+  /** Frames what came into the scene, where the workspace does so. */
+  frameOpened(): void;
 }
 
 /** What the page tells. */

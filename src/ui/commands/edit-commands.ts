@@ -1,4 +1,3 @@
-import type { Signal } from '@preact/signals-core';
 import { resetJoint } from '../../document/edits.ts';
 import { attempt } from '../attempt.ts';
 import type { Editor } from '../editor.ts';
@@ -13,7 +12,7 @@ export const editCommands = [
     context: 'control',
     isEnabled: ({ store }) => store.undoLabel.value !== null,
     describe: ({ store }) => told('Undo', store.undoLabel.value),
-    run: ({ store, notice }) => announce(notice, 'Undid', store.undo()),
+    run: (editor) => step(editor, 'Undid', () => editor.store.undo()),
   },
   {
     id: 'redo',
@@ -22,7 +21,7 @@ export const editCommands = [
     context: 'control',
     isEnabled: ({ store }) => store.redoLabel.value !== null,
     describe: ({ store }) => told('Redo', store.redoLabel.value),
-    run: ({ store, notice }) => announce(notice, 'Redid', store.redo()),
+    run: (editor) => step(editor, 'Redid', () => editor.store.redo()),
   },
   {
     id: 'duplicate-character',
@@ -72,10 +71,17 @@ function told(verb: string, label: string | null): string {
   return label === null ? `Nothing to ${verb.toLowerCase()}` : `${verb}: ${label}`;
 }
 
-/** Says what a step was. Screen readers speak what changes: the same once more differs by a blank. */
-function announce(notice: Signal<string>, verb: string, label: string | null): void {
+/** Takes a step of the history, says which, and frames what it brings; a renewed character keeps its name. */
+function step(editor: Editor, verb: string, take: () => string | null): void {
+  const { store, notice } = editor;
+  const names = (): string =>
+    store.scene.value.actors.map(({ character }) => character.name).join();
+  const before = names();
+  const label = take();
   if (label === null) return;
+  if (names() !== before) editor.frameOpened();
   const text = `${verb}: ${label}`;
+  // Screen readers speak what changes: the same once more differs by a blank.
   notice.value = notice.value === text ? `${text}\u00a0` : text;
 }
 
