@@ -1,6 +1,6 @@
 import AxeBuilder from '@axe-core/playwright';
 import { expect, type Page } from '@playwright/test';
-import { drop, openApp, openJoint } from './support/app.ts';
+import { drop, openApp, openJoint, setPose } from './support/app.ts';
 import { sharedPage, test } from './support/test.ts';
 
 // What a checker can see of WCAG 2.2 AA: names, roles, contrast, order of headings.
@@ -24,6 +24,20 @@ for (const colorScheme of ['light', 'dark'] as const) {
     expect(await violations(page())).toEqual([]);
   });
 }
+
+test('the view is operated, says what it shows, and undo is told', async () => {
+  const view = page().getByRole('application');
+  await expect(view).toHaveAccessibleName('3D view: tube');
+  await expect(view).toHaveAccessibleDescription(/Arrow keys orbit/);
+  await page().getByRole('treeitem', { name: 'joint 02' }).click();
+  await expect(view).toHaveAccessibleName('3D view: tube, joint 02');
+  await setPose(page(), { joints: { 'joint 02': [0.5, 0, 0] } });
+  await page().keyboard.press('Control+z');
+  await expect(page().locator('output.notice')).toHaveText('Undid: Set the pose');
+  await page().keyboard.press('Control+Shift+z');
+  await expect(page().locator('output.notice')).toHaveText('Redid: Set the pose');
+  expect(await violations(page())).toEqual([]);
+});
 
 test('clips, morphs and a joint with locked angles', async () => {
   await page().evaluate(() => window.sinew.open('insect'));

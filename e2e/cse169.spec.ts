@@ -224,8 +224,8 @@ test('a skeleton alone is completed by skin, morph and clip that come later', as
 test('it saves as either course’s files, and tells what got lost', async () => {
   await insectOf();
   for (const [label, name] of [
-    ['CSE169 files', 'insect-cse169.zip'],
-    ['6.837 files', 'insect-mit.zip'],
+    ['UCSD CSE169', 'insect-cse169.zip'],
+    ['MIT 6.837', 'insect-mit.zip'],
   ] as const) {
     const saving = page().waitForEvent('download');
     await page().getByRole('button', { name: label }).click();

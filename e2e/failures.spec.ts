@@ -1,4 +1,5 @@
 import { expect, test as base, type Page } from '@playwright/test';
+import { convertTargets, labelOf } from '../src/formats/registry.ts';
 import { openApp } from './support/app.ts';
 import { madeCharacter } from './support/made-character.ts';
 
@@ -22,9 +23,13 @@ test('a part that is gone, a picture that canâ€™t be encoded, a folder that canâ
 }) => {
   await openApp(page, 'model=tube');
 
+  // Every format that can be written, as the registry has them.
+  const targets = page.locator('.save-as button');
+  await expect(targets).toHaveText(convertTargets.map(labelOf));
+
   await test.step('a deploy took away a part that comes at need', async () => {
     await page.route(/save-as-/, (route) => route.fulfill({ status: 404, body: 'gone' }));
-    await page.getByRole('button', { name: '6.837' }).click();
+    await targets.first().click();
     await expect(notice(page)).toHaveText(/could not be loaded; reload the page/);
   });
 

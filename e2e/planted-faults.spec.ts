@@ -1,6 +1,6 @@
 import { expect } from '@playwright/test';
 import { kernelById } from '../src/skinning/registry.ts';
-import type { Verification } from '../src/view/verify.ts';
+import type { Verification } from '../src/document/verification.ts';
 import { capture, choose, openSmallView, verify } from './support/app.ts';
 import { allowFaults, plantFault, plantedTexts, type Replacement } from './support/plant-fault.ts';
 import { sharedPage, test } from './support/test.ts';

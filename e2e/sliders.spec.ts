@@ -67,6 +67,9 @@ test('a double click resets one value, on the slider or on its name', async () =
   expect((await chest()).joint).toEqual([0.5, 0.25, -0.25]);
   await slider.dblclick({ position: { x: 3, y: 5 } });
   expect((await chest()).joint).toEqual([0, 0.25, -0.25]);
+  // The first press of the two drags the slider: both are one step.
+  await page().keyboard.press('Control+z');
+  expect((await chest()).joint).toEqual([0.5, 0.25, -0.25]);
 });
 
 test('undo and redo act while a number is being typed', async () => {

@@ -10,6 +10,7 @@ import {
   setPose,
   vertices,
 } from './support/app.ts';
+import { cameraOf } from './support/controls.ts';
 import { madeCharacter } from './support/made-character.ts';
 import { sharedPage, test } from './support/test.ts';
 
@@ -81,6 +82,36 @@ test('one’s own character chosen again stays as it is posed, and its sliders s
   expect((await getPose(page())).joints?.[joints[1]!]).toEqual([0.25, 0, 0]);
   for (let i = 0; i < 5; i++) await undo().click();
   expect(await name()).toBe('human');
+});
+
+test('undo of an opening frames the character that comes back', async () => {
+  await page().getByRole('button', { name: 'Insect' }).click();
+  await expect.poll(name).toBe('insect');
+  const opened = await cameraOf(page());
+  await undo().click();
+  const undone = await cameraOf(page());
+  expect(undone.distance).not.toBe(opened.distance);
+  await page().locator('canvas').focus();
+  await page().keyboard.press('Home');
+  expect(await cameraOf(page())).toEqual(undone);
+});
+
+test('own characters of before come back by one click', async () => {
+  const [first, second] = ['first', 'second'].map((stem) =>
+    madeCharacter(5, 2).map((file) => ({ ...file, name: file.name.replace('made', stem) })),
+  );
+  const own = (label: string) => page().getByRole('button', { name: label, exact: true });
+  await drop(page(), first!);
+  await drop(page(), second!);
+  await expect.poll(name).toBe('second');
+  await own('first').click();
+  await expect.poll(name).toBe('first');
+  // Their own files once more renew the one that is there.
+  await drop(page(), first!);
+  await expect(own('first')).toHaveCount(1);
+  await expect(own('second')).toHaveCount(1);
+  for (let i = 0; i < 4; i++) await undo().click();
+  await expect.poll(name).toBe('human');
 });
 
 test('poses set, reset in part and as a whole', async () => {

@@ -4,7 +4,7 @@ import type { PoseJson } from '../../src/formats/pose-json.ts';
 import type { KernelId } from '../../src/skinning/method.ts';
 import { deformationOf, methods, normalWays } from '../../src/skinning/registry.ts';
 import type { PictureFormat } from '../../src/view/picture.ts';
-import type { Verification } from '../../src/view/verify.ts';
+import type { Verification } from '../../src/document/verification.ts';
 import './test.ts';
 
 /** The view alone, 640 × 480, once its first picture is drawn; controls are there, out of sight. */

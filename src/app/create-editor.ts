@@ -20,7 +20,7 @@ import { savePicture } from './save-picture.ts';
 
 /** Joins what is open to all that the interface can ask for. */
 export function createEditor(opening: Opening): Editor {
-  const { store, session, evaluations, viewer, verification, notice } = opening;
+  const { store, session, evaluations, viewer, notice } = opening;
   const selected = () => selectedActor(store, session);
 
   const editor: Editor = {
@@ -107,8 +107,8 @@ export function createEditor(opening: Opening): Editor {
 
     async verify() {
       await evaluations.settled();
-      verification.value = verifyShown(selected(), viewer);
-      if (!verification.value) notice.value = 'There is nothing on the GPU to verify';
+      session.verification.value = verifyShown(selected(), viewer);
+      if (!session.verification.value) notice.value = 'There is nothing on the GPU to verify';
     },
   };
   return editor;

@@ -9,12 +9,14 @@ import type { ReadCharacter } from '../formats/read-characters.ts';
 import { failureText } from '../ui/attempt.ts';
 import type { Opening, ThemeChoice } from '../ui/editor.ts';
 import type { WorkspaceId } from '../ui/workspace.ts';
-import type { Verification } from '../view/verify.ts';
 import type { Viewer } from '../view/viewer.ts';
 import { type CatalogueEntry, fetchBundled } from './catalogue.ts';
 import { FileOpener, type OpenOutcome } from './open-files.ts';
 import { ProgressMeter } from './progress-meter.ts';
 import { workspaces } from './workspaces.ts';
+
+/** So many own characters stay in the list beside those that were opened last. */
+const mostEarlier = 12;
 
 /** Opens characters and workspaces: all that the first picture needs of the editor. */
 export function createOpening(
@@ -31,10 +33,6 @@ export function createOpening(
     return source?.kind === 'bundled' ? source.id : null;
   });
   const own = signal<readonly ReadCharacter[]>([]);
-  const verification = signal<Verification | null>(null);
-  const selected = computed(() => selectedActor(store, session)?.character);
-  // What was verified is of one character, whatever puts another in its place.
-  selected.subscribe(() => (verification.value = null));
   const notice = signal('');
   const meter = new ProgressMeter();
   let current = new AbortController();
@@ -50,7 +48,6 @@ export function createOpening(
     bundled: catalogue,
     own,
     openedId,
-    verification,
     progress: meter.shown,
     notice,
     theme: signal<ThemeChoice>('system'),
@@ -65,9 +62,10 @@ export function createOpening(
         return openOwnFiles(opener, files, { signal, onProgress: meter.report, openBundled, add });
       });
       if (!outcome) return;
-      const { found, opened, reopened, posed } = outcome;
+      const { found, opened, reopened, posed, before } = outcome;
       if (opened) {
-        own.value = found;
+        const earlier = own.value.filter(({ character }) => character !== before);
+        own.value = [...earlier.slice(-mostEarlier), ...found];
         const more = found.length > 1 ? ` and ${found.length - 1} more` : '';
         showOpened(`${opened.name}${more}`, reopened ? 'updated; pose and camera kept' : word(add));
       } else if (posed) notice.value = 'Pose set';
@@ -123,6 +121,10 @@ export function createOpening(
       if (workspace.framed) viewer.frameAll();
       if (changed) session.show(workspace.look);
     },
+
+    frameOpened() {
+      if (workspaces.find(({ id }) => id === workspaceId.value)?.framed) viewer.frameAll();
+    },
   };
   return opening;
 
@@ -161,8 +163,7 @@ export function createOpening(
   }
 
   function showOpened(name: string, what: string): void {
-    const workspace = workspaces.find(({ id }) => id === workspaceId.value);
-    if (workspace?.framed && !what.startsWith('updated')) viewer.frameAll();
+    if (!what.startsWith('updated')) opening.frameOpened();
     notice.value = `${name} ${what}`;
   }
 }

@@ -26,8 +26,9 @@ export function createLayout(root: HTMLElement): Layout {
   const canvas = view.appendChild(document.createElement('canvas'));
   canvas.className = 'scene';
   canvas.tabIndex = 0;
-  canvas.setAttribute('role', 'img');
-  canvas.setAttribute('aria-label', 'The character; arrow keys orbit, Home frames it');
+  // It takes keys of its own, which a screen reader has to let through.
+  canvas.setAttribute('role', 'application');
+  canvas.setAttribute('aria-label', '3D view');
   const overlay = append(view, 'div', 'overlay');
   return {
     root,

@@ -34,6 +34,8 @@ export interface OpenOutcome {
   /** The same files once more: pose and camera stay. */
   readonly reopened: boolean;
   readonly posed: boolean;
+  /** The character that the files completed or renewed, which what was found stands for now. */
+  readonly before?: Character | undefined;
 }
 
 /**

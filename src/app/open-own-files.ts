@@ -69,6 +69,7 @@ export async function openOwnFiles(
     opened: first?.character ?? null,
     reopened: renewed !== undefined,
     posed: q !== undefined,
+    before: completed === parts ? undefined : open?.character,
   };
 }
 

@@ -3,6 +3,7 @@ import { bindClip, removeActor, setMorphWeight, setPose } from '../document/edit
 import type { Actor } from '../document/scene.ts';
 import { selectedActor } from '../document/selected-actor.ts';
 import type { SkinDevice } from '../document/session.ts';
+import type { Verification } from '../document/verification.ts';
 import type { FileEntry } from '../formats/format.ts';
 import { poseFromJson, type PoseJson } from '../formats/pose-json.ts';
 import { poseToJson } from '../formats/write-pose-json.ts';
@@ -14,7 +15,7 @@ import { deformationOf } from '../skinning/registry.ts';
 import type { Camera } from '../view/camera.ts';
 import { decodeImage } from '../view/decode-image.ts';
 import { capturePicture, encodePicture, type PictureFormat } from '../view/picture.ts';
-import { type Verification, verifyShown } from '../view/verify.ts';
+import { verifyShown } from '../view/verify.ts';
 import { fetchFile } from './catalogue.ts';
 
 /** The id or the name of an actor; the first of that name. */
@@ -140,7 +141,7 @@ export function createScripting(editor: Editor, ready: Promise<void>): Scripting
         throw new Error(`expected one of ${clips.join(', ') || 'no clips'}`);
       }
       if (!isSelected) {
-        store.dispatch(bindClip(actor.id, index));
+        store.amend(bindClip(actor.id, index));
         session.playing.value = false;
         session.clipTime.value = time;
         return;

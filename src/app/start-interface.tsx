@@ -4,6 +4,7 @@ import { effect } from '@preact/signals-core';
 import { render } from 'preact';
 import type { Opening } from '../ui/editor.ts';
 import { listenToKeys } from '../ui/keys.ts';
+import { nameView } from '../ui/name-view.ts';
 import { LeftPanel } from '../ui/panels/left-panel.tsx';
 import { RightPanel } from '../ui/panels/right-panel.tsx';
 import { Sections } from '../ui/panels/sections.tsx';
@@ -29,6 +30,7 @@ export function startInterface(layout: Layout, opening: Opening, ready: Promise<
   listenToKeys(editor);
   runClock(editor.session, editor.transport);
   listenToPointer(layout.canvas, editor);
+  nameView(layout.canvas, editor);
   const { boneMode, hoveredJoint } = opening.session;
   effect(() => {
     const over = boneMode.value && hoveredJoint.value !== null;

@@ -6,7 +6,8 @@ import type { Session } from './session.ts';
 
 /**
  * Drops from the session what the scene no longer has: a selected actor that is gone, joints and bones
- * of another skeleton, a clip that is not there, playing without a bound clip. It runs with every change
+ * of another skeleton, a clip that is not there, playing without a bound clip, what a check found of
+ * another actor. It runs with every change
  * of the scene, undo and redo too, so that nothing that reads both has to ask.
  */
 export function reconcile(session: Session, before: Scene, after: Scene): void {
@@ -16,7 +17,7 @@ export function reconcile(session: Session, before: Scene, after: Scene): void {
   const came = after.actors.find(({ id }) => !actorById(before, id));
   const now = came ?? actorById(after, selectedActorId.value) ?? after.actors.at(-1);
   selectedActorId.value = now?.id ?? null;
-  if (old !== now) fitJoints(session, old?.character, now);
+  if (old !== now) fitActor(session, old, now);
   if (!after.actors.some(({ clip }) => clip !== null)) playing.value = false;
 }
 
@@ -27,12 +28,14 @@ export function selectActor(session: Session, scene: Scene, id: ActorId): void {
   batch(() => {
     selectedActorId.value = id;
     dropJoints(session);
-    fitJoints(session, undefined, actorById(scene, id));
+    fitActor(session, undefined, actorById(scene, id));
   });
 }
 
-function fitJoints(session: Session, old?: Character, now?: Actor): void {
-  if (!haveSameJoints(old, now?.character)) dropJoints(session);
+function fitActor(session: Session, old?: Actor, now?: Actor): void {
+  // What was verified is of one actor as it was opened.
+  if (old?.id !== now?.id || old?.character !== now?.character) session.verification.value = null;
+  if (!haveSameJoints(old?.character, now?.character)) dropJoints(session);
   const { hoveredBone, clipIndex } = session;
   const bone = hoveredBone.value;
   if (bone && !now?.character.bones.includes(bone)) hoveredBone.value = null;

@@ -4,6 +4,7 @@ import type { Diagnostic } from '../core/diagnostics.ts';
 import type { ActorId } from './scene.ts';
 import type { KernelId } from '../skinning/method.ts';
 import type { PlayMode } from '../posing/playhead.ts';
+import type { Verification } from './verification.ts';
 
 export type Shading = 'smooth' | 'faceted';
 /** Where vertices are skinned. */
@@ -95,6 +96,8 @@ export class Session {
   readonly playForward = signal(true);
   /** Whether materials show their textures. */
   readonly showTextures = signal(true);
+  /** What a check found of the selected actor's numbers. */
+  readonly verification = signal<Verification | null>(null);
   /** What the last files had to say. */
   readonly problems = signal<readonly Diagnostic[]>([]);
 

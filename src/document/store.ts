@@ -1,7 +1,14 @@
 import { batch, computed, type ReadonlySignal, signal } from '@preact/signals-core';
 import type { Edit } from './edits.ts';
 import { emptyScene, sameScene, type Scene } from './scene.ts';
-import { emptyHistory, type History, record, stepBack, stepForward } from './history.ts';
+import {
+  emptyHistory,
+  type History,
+  type HistoryEntry,
+  record,
+  stepBack,
+  stepForward,
+} from './history.ts';
 
 /** A change that is still under way, a slider or bone drag: one step of undo in the end. */
 export interface Gesture {
@@ -12,6 +19,8 @@ export interface Gesture {
   commit(): void;
   /** Restores the scene of the beginning, bit for bit. */
   cancel(): void;
+  /** Takes back what was committed, as if it had never been; not where something came after it. */
+  withdraw(): void;
 }
 
 /** Holds the scene and its history; every change goes through here. */
@@ -37,11 +46,21 @@ export class Store {
     gesture.commit();
   }
 
+  /**
+   * Changes the scene without a step of undo, for what makes nothing of the user's: which clip plays. Undo
+   * and redo go to the scenes of the steps about it.
+   */
+  amend(edit: Edit): void {
+    this.open?.commit();
+    this.show(edit.apply(this.current.value));
+  }
+
   /** Begins a gesture; one that is still open is committed first. */
   begin(label: string): Gesture {
     this.open?.commit();
     const before = this.current.value;
     const isOpen = (): boolean => this.open === gesture;
+    let entry: HistoryEntry | undefined;
     const gesture: Gesture = {
       get isOpen() {
         return isOpen();
@@ -61,12 +80,19 @@ export class Store {
         // An empty page is nothing to go back to: the first character opens without a step of undo.
         const isFirst = before.actors.length === 0 && this.history.value.past.length === 0;
         if (isFirst) return;
-        this.history.value = record(this.history.value, { label, before, after });
+        entry = { label, before, after };
+        this.history.value = record(this.history.value, entry);
       },
       cancel: () => {
         if (!isOpen()) return;
         this.open = null;
         this.show(before);
+      },
+      withdraw: () => {
+        const { past } = this.history.value;
+        if (!entry || past.at(-1) !== entry) return;
+        this.show(before);
+        this.history.value = { past: past.slice(0, -1), future: [] };
       },
     };
     this.open = gesture;
@@ -80,20 +106,24 @@ export class Store {
     return gesture !== null;
   }
 
-  undo(): void {
+  /** Takes back the last step; gives what it was, or null where there was none. */
+  undo(): string | null {
     this.open?.commit();
     const entry = this.history.value.past.at(-1);
-    if (!entry) return;
+    if (!entry) return null;
     this.show(entry.before);
     this.history.value = stepBack(this.history.value);
+    return entry.label;
   }
 
-  redo(): void {
+  /** Does the step again that was taken back last; gives what it was, or null where there was none. */
+  redo(): string | null {
     this.open?.commit();
     const entry = this.history.value.future.at(-1);
-    if (!entry) return;
+    if (!entry) return null;
     this.show(entry.after);
     this.history.value = stepForward(this.history.value);
+    return entry.label;
   }
 
   /** In one batch, so that nobody meets a session that does not fit the scene. */

@@ -9,7 +9,7 @@ import type { Store } from './store.ts';
 /** Seconds of one step by hand: a frame of 30 a second. */
 const stepSeconds = 1 / 30;
 
-/** Plays, pauses and seeks the clips of the selected character. */
+/** Plays, pauses and seeks the clips of the selected character; none of it is a step of undo. */
 export class Transport {
   private readonly store: Store;
   private readonly session: Session;
@@ -71,7 +71,7 @@ export class Transport {
     const { session, state } = this;
     session.clipIndex.value = index;
     session.clipTime.value = this.clip?.start ?? 0;
-    if (state && state.clip !== null) this.store.dispatch(bindClip(state.id, index));
+    if (state && state.clip !== null) this.store.amend(bindClip(state.id, index));
     session.clipTime.value = this.clip?.start ?? 0;
   }
 
@@ -79,7 +79,7 @@ export class Transport {
   release(): void {
     const { state } = this;
     this.session.playing.value = false;
-    if (state && state.clip !== null) this.store.dispatch(bindClip(state.id, null));
+    if (state && state.clip !== null) this.store.amend(bindClip(state.id, null));
   }
 
   /** So much time has passed while playing. */
@@ -110,7 +110,7 @@ export class Transport {
   private bind(): Clip | undefined {
     const { state, clip } = this;
     if (state && clip && state.clip === null) {
-      this.store.dispatch(bindClip(state.id, this.clipIndex));
+      this.store.amend(bindClip(state.id, this.clipIndex));
     }
     return clip;
   }

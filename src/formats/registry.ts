@@ -58,6 +58,10 @@ export const convertTargets: readonly ConvertTarget[] = entries.flatMap((entry) 
   'loadWriter' in entry ? [entry.id] : [],
 );
 
+export function labelOf(id: FormatId): string {
+  return formats.find((each) => each.id === id)!.label;
+}
+
 export function shapeOf(id: FormatId): FormatShape {
   return formats.find((each) => each.id === id)!.shape;
 }

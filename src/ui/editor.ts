@@ -9,7 +9,6 @@ import type { ConvertTarget } from '../formats/registry.ts';
 import type { FileEntry } from '../formats/format.ts';
 import type { ReadCharacter } from '../formats/read-characters.ts';
 import type { PictureFormat } from '../view/picture.ts';
-import type { Verification } from '../view/verify.ts';
 import type { CaptureSize, Viewer } from '../view/viewer.ts';
 import type { Workspace, WorkspaceId } from './workspace.ts';
 
@@ -53,7 +52,7 @@ export interface Looking {
 /** Where characters come from. */
 export interface Gallery {
   readonly bundled: ReadonlySignal<readonly BundledCharacter[]>;
-  /** Characters of the user's own files, as last opened. */
+  /** Characters of the user's own files, those opened last at the end; earlier ones stay. */
   readonly own: ReadonlySignal<readonly ReadCharacter[]>;
   /** Id of the bundled character that is selected, or null. */
   readonly openedId: ReadonlySignal<string | null>;
@@ -73,14 +72,14 @@ export interface Courses {
   readonly workspaces: readonly Workspace[];
   readonly workspaceId: ReadonlySignal<WorkspaceId>;
   setWorkspace(id: WorkspaceId): void;
+  /** Frames what came into the scene, where the workspace does so. */
+  frameOpened(): void;
 }
 
 /** What the page tells. */
 export interface Telling {
   /** A word on what was just done, for the status line. */
   readonly notice: Signal<string>;
-  /** Of the character that is selected. */
-  readonly verification: Signal<Verification | null>;
 }
 
 /** How the page itself is, apart from the scene. */

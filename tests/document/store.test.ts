@@ -182,6 +182,24 @@ describe('the store', () => {
     expect(store.undoLabel.value).toBe('first');
   });
 
+  it('takes a committed gesture back as if it had never been, unless something came after', () => {
+    const store = openStore();
+    const before = store.scene.value;
+    const first = store.begin('Turn');
+    first.preview(turn(store, 0, 1));
+    first.commit();
+    first.withdraw();
+    expect(store.scene.value).toBe(before);
+    expect([store.undoLabel.value, store.redoLabel.value]).toEqual([null, null]);
+    first.withdraw();
+    const second = store.begin('Turn');
+    second.preview(turn(store, 0, 1));
+    second.commit();
+    store.dispatch(turn(store, 1, 1, 'after'));
+    second.withdraw();
+    expect(store.undoLabel.value).toBe('after');
+  });
+
   it('records nothing where nothing changed', () => {
     const store = openStore();
     store.begin('Turn').commit();

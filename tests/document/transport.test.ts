@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { clipFor } from '../../src/core/clip.ts';
+import { setPose } from '../../src/document/edits.ts';
 import { openCharacter } from '../../src/document/open-characters.ts';
 import { selectedActor } from '../../src/document/selected-actor.ts';
 import { reconcile } from '../../src/document/reconcile.ts';
@@ -78,19 +79,41 @@ describe('the transport', () => {
     expect(session.playing.value).toBe(false);
   });
 
-  it('gives the character back to its own pose, and undo gives the clip back', async () => {
-    const { store, transport, shownKnee } = await open(files);
+  it('makes nothing, so that none of it is a step of undo', async () => {
+    const { store, session, transport } = await open(files);
+    store.dispatch(
+      setPose(session.selectedActorId.value!, selectedActor(store, session)!.q, 'None'),
+    );
+    transport.togglePlay();
+    transport.seek(1);
+    transport.choose(0);
+    transport.release();
+    expect(store.undoLabel.value).toBeNull();
+  });
+
+  it('gives the character back to its own pose', async () => {
+    const { transport, shownKnee } = await open(files);
     transport.seek(2);
     transport.release();
     expect(shownKnee()).toBe(0);
+  });
+
+  it('lets an edit take the pose, and undo gives the clip back', async () => {
+    const { store, session, transport, shownKnee } = await open(files);
+    transport.seek(2);
+    const { id, q } = selectedActor(store, session)!;
+    store.dispatch(setPose(id, q));
+    expect([shownKnee(), transport.isBound]).toEqual([0, false]);
     store.undo();
-    expect(shownKnee()).toBe(-1);
+    expect([shownKnee(), transport.isBound]).toEqual([-1, true]);
+    expect(store.undoLabel.value).toBeNull();
   });
 
   it('stops playing when an edit let the clip go', async () => {
     const { store, session, transport } = await open(files);
     transport.togglePlay();
-    store.undo(); // takes the binding back
+    const { id, q } = selectedActor(store, session)!;
+    store.dispatch(setPose(id, q));
     transport.pass(0.1);
     expect(session.playing.value).toBe(false);
   });

@@ -11,7 +11,7 @@ export const editCommands = [
     context: 'control',
     isEnabled: ({ store }) => store.undoLabel.value !== null,
     describe: ({ store }) => told('Undo', store.undoLabel.value),
-    run: ({ store }) => store.undo(),
+    run: (editor) => step(editor, 'Undid', () => editor.store.undo()),
   },
   {
     id: 'redo',
@@ -20,7 +20,7 @@ export const editCommands = [
     context: 'control',
     isEnabled: ({ store }) => store.redoLabel.value !== null,
     describe: ({ store }) => told('Redo', store.redoLabel.value),
-    run: ({ store }) => store.redo(),
+    run: (editor) => step(editor, 'Redid', () => editor.store.redo()),
   },
   {
     id: 'duplicate-character',
@@ -68,6 +68,20 @@ export const editCommands = [
 
 function told(verb: string, label: string | null): string {
   return label === null ? `Nothing to ${verb.toLowerCase()}` : `${verb}: ${label}`;
+}
+
+/** Takes a step of the history, says which, and frames what it brings; a renewed character keeps its name. */
+function step(editor: Editor, verb: string, take: () => string | null): void {
+  const { store, notice } = editor;
+  const names = (): string =>
+    store.scene.value.actors.map(({ character }) => character.name).join();
+  const before = names();
+  const label = take();
+  if (label === null) return;
+  if (names() !== before) editor.frameOpened();
+  const text = `${verb}: ${label}`;
+  // Screen readers speak what changes: the same once more differs by a blank.
+  notice.value = notice.value === text ? `${text}\u00a0` : text;
 }
 
 function resetSelectedJoint({ store, session, evaluations }: Editor): void {

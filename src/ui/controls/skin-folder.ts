@@ -2,11 +2,11 @@ import { effect } from '@preact/signals-core';
 import type { GUI } from 'lil-gui';
 import { setMethod, setNormalizeWeights, setNormals } from '../../document/edits.ts';
 import { selectedActor } from '../../document/selected-actor.ts';
-import type { Shading, SkinDevice } from '../../document/session.ts';
+import type { Session, Shading, SkinDevice } from '../../document/session.ts';
 import type { NormalsId } from '../../core/skin.ts';
 import type { KernelId, MethodId } from '../../skinning/method.ts';
 import { kernels, methods, normalWays } from '../../skinning/registry.ts';
-import type { Editor, Telling } from '../editor.ts';
+import type { Editor } from '../editor.ts';
 import { watch } from '../watch.ts';
 import { addCommandRow } from './command-row.ts';
 
@@ -76,11 +76,11 @@ export function addSkinFolder(gui: GUI, editor: Editor): void {
     for (const row of rows) row.updateDisplay();
   });
   effect(() => {
-    result.replaceChildren(...verificationLines(editor).map(textLine));
+    result.replaceChildren(...verificationLines(session).map(textLine));
   });
 }
 
-function verificationLines({ verification }: Telling): string[] {
+function verificationLines({ verification }: Session): string[] {
   const found = verification.value;
   if (!found) return [];
   const difference = found.identical

@@ -36,12 +36,15 @@ export function addValueRow(folder: GUI, options: ValueRowOptions): ValueRow {
   let gesture: Gesture | null = null;
   /** Whether keys, not the pointer, are at work on the slider. */
   let keyed = false;
+  /** What the last press of the pointer did, which a second one right after it takes back. */
+  let pressed: Gesture | null = null;
   const write = (value: number): void => {
     if (!gesture?.isOpen) gesture = options.begin();
     options.preview(gesture, value);
   };
   const finish = (): void => {
     gesture?.commit();
+    if (gesture) pressed = gesture;
     gesture = null;
     keyed = false;
   };
@@ -101,8 +104,10 @@ export function addValueRow(folder: GUI, options: ValueRowOptions): ValueRow {
   row.addEventListener(
     'mousedown',
     (event) => {
+      if (event.detail === 1) pressed = null;
       if (options.locked || event.detail !== 2 || event.target === field) return;
       event.stopImmediatePropagation();
+      pressed?.withdraw();
       options.reset();
     },
     true,

@@ -1,19 +1,16 @@
 import { useState } from 'preact/hooks';
 import { printable } from '../../core/diagnostics.ts';
 import { selectedActor } from '../../document/selected-actor.ts';
+import { convertTargets, labelOf } from '../../formats/registry.ts';
 import { attempt } from '../attempt.ts';
 import type { Editor } from '../editor.ts';
 import { CommandButton } from './command-button.tsx';
-
-const saveTargets = [
-  ['mit', '6.837 files'],
-  ['cse169', 'CSE169 files'],
-] as const;
 
 /** What stands in the scene, the bundled characters, one's own, and the way to more. */
 export function CharactersPanel({ editor }: { readonly editor: Editor }) {
   const { bundled, own, openedId, fileExtensions } = editor;
   const shown = selectedActor(editor.store, editor.session)?.character;
+  const ownNames = numberedNames(own.value.map(({ character }) => character.name));
   return (
     <section aria-labelledby="characters-title">
       <SceneList editor={editor} />
@@ -31,36 +28,33 @@ export function CharactersPanel({ editor }: { readonly editor: Editor }) {
             </button>
           </li>
         ))}
-        {own.value.map((read, index) => {
-          const name = printable(read.character.name, 80);
-          return (
-            <li key={`own ${index}`}>
-              <button
-                type="button"
-                title="From your files"
-                aria-pressed={read.character === shown}
-                onClick={() => editor.openOwn(read)}
-              >
-                {name}
-              </button>
-            </li>
-          );
-        })}
+        {own.value.map((read, index) => (
+          <li key={`own ${index}`}>
+            <button
+              type="button"
+              title="From your files"
+              aria-pressed={read.character === shown}
+              onClick={() => editor.openOwn(read)}
+            >
+              {ownNames[index]}
+            </button>
+          </li>
+        ))}
       </ul>
       <CommandButton editor={editor} command="open-files" class="primary" />
       <CommandButton editor={editor} command="open-folder" class="wide" />
-      <AddMenu editor={editor} />
+      <AddMenu editor={editor} ownNames={ownNames} />
       {shown && (
         <div class="save-as">
           <span id="save-as">Save as</span>
-          {saveTargets.map(([format, label]) => (
+          {convertTargets.map((format) => (
             <button
               key={format}
               type="button"
               aria-describedby="save-as"
               onClick={() => attempt(editor, editor.saveAs(format))}
             >
-              {label}
+              {labelOf(format)}
             </button>
           ))}
         </div>
@@ -72,8 +66,14 @@ export function CharactersPanel({ editor }: { readonly editor: Editor }) {
   );
 }
 
+interface AddMenuProperties {
+  readonly editor: Editor;
+  /** Of the user's own characters. */
+  readonly ownNames: readonly string[];
+}
+
 /** Adds a character beside those that are there, where the list above replaces the selected one. */
-function AddMenu({ editor }: { readonly editor: Editor }) {
+function AddMenu({ editor, ownNames }: AddMenuProperties) {
   const [open, setOpen] = useState(false);
   const add = (label: string, run: () => void) => (
     <li key={label}>
@@ -98,8 +98,8 @@ function AddMenu({ editor }: { readonly editor: Editor }) {
           {editor.bundled.value.map(({ id, label }) =>
             add(`Add ${label}`, () => attempt(editor, editor.openBundled(id, true))),
           )}
-          {editor.own.value.map((read) =>
-            add(`Add ${printable(read.character.name, 80)}`, () => editor.openOwn(read, true)),
+          {editor.own.value.map((read, index) =>
+            add(`Add ${ownNames[index]!}`, () => editor.openOwn(read, true)),
           )}
           <li>
             <CommandButton editor={editor} command="add-files" onRun={() => setOpen(false)} />
@@ -115,7 +115,7 @@ function SceneList({ editor }: { readonly editor: Editor }) {
   const { actors } = editor.store.scene.value;
   const selected = editor.session.selectedActorId.value;
   if (actors.length < 2) return null;
-  const names = numberedNames(actors.map(({ character }) => printable(character.name, 80)));
+  const names = numberedNames(actors.map(({ character }) => character.name));
   return (
     <>
       <h2 id="scene-title">Scene ({actors.length})</h2>
@@ -140,6 +140,6 @@ function SceneList({ editor }: { readonly editor: Editor }) {
 function numberedNames(names: readonly string[]): string[] {
   return names.map((name, index) => {
     const before = names.slice(0, index).filter((other) => other === name).length;
-    return before === 0 ? name : `${name} ${before + 1}`;
+    return `${printable(name, 80)}${before === 0 ? '' : ` ${before + 1}`}`;
   });
 }

@@ -6,10 +6,10 @@ import { CommandButton } from './command-button.tsx';
 
 /** One line on what is shown, and on what was just done. */
 export function StatusLine({ editor }: { readonly editor: Editor }) {
-  const { session, viewer, verification, notice } = editor;
+  const { session, viewer, notice } = editor;
   const state = selectedActor(editor.store, editor.session);
   const problems = session.problems.value.length;
-  const found = verification.value;
+  const found = session.verification.value;
   return (
     <footer class="status">
       {state && (
