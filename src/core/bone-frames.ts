@@ -25,6 +25,8 @@ export interface BoneFrame {
   readonly rotation: mat4;
   /** t, n and b in the world, as its first three columns. */
   readonly axes: mat4;
+  /** The same in the frame of the source, which carries them along. */
+  readonly sourceAxes: mat4;
 }
 
 /** A link that is shorter has no direction: files put joints on one point. */
@@ -61,6 +63,7 @@ export function boneFrames(skeleton: Skeleton): BoneFrame[] {
       translation: mat4.fromTranslation(identity(), above ? [above.length, 0, 0] : from),
       rotation: above ? between(above.axes, axes) : axes,
       axes,
+      sourceAxes: between(turnOf(world, source), axes),
     };
   }
 }
@@ -87,25 +90,24 @@ export function tangentAxes(along: vec3): mat4 {
 }
 
 /**
- * S, which is R in a pose: the joint that a bone starts at carries its axes along, so that all bones of
- * one joint turn together.
+ * S of a bone, which is R in a pose: the joint that a bone starts at carries its axes along, so that all
+ * bones of one joint turn together.
  *
  * @param characterFromJoint (jointCount × 16) of the pose
  */
-export function posedRotations(
-  skeleton: Skeleton,
+export function posedRotation(
   frames: readonly BoneFrame[],
+  bone: number,
   characterFromJoint: Float64Array,
-): mat4[] {
-  const rest = jointMatrices(skeleton, skeleton.qRest);
-  const posed = frames.map(({ source, axes }) => {
-    const turned = between(turnOf(rest, source), identity());
-    mat4.multiply(turned, turnOf(characterFromJoint, source), turned);
-    return mat4.multiply(turned, turned, axes);
-  });
-  return frames.map(({ parent }, bone) =>
-    parent === -1 ? posed[bone]! : between(posed[parent]!, posed[bone]!),
-  );
+): mat4 {
+  const axes = posedAxes(frames[bone]!, characterFromJoint);
+  const above = frames[frames[bone]!.parent];
+  return above ? between(posedAxes(above, characterFromJoint), axes) : axes;
+}
+
+function posedAxes({ source, sourceAxes }: BoneFrame, characterFromJoint: Float64Array): mat4 {
+  const turn = turnOf(characterFromJoint, source);
+  return mat4.multiply(turn, turn, sourceAxes);
 }
 
 /** A bone where its chain puts it. */

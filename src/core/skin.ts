@@ -33,23 +33,75 @@ export function largestInfluenceCount(skin: Skin): number {
   return largest;
 }
 
+/** Influences of some points, packed as a skin packs those of all. */
+export interface InfluenceRows {
+  /** (n + 1) where each row starts. */
+  readonly start: ArrayLike<number>;
+  readonly entries: ArrayLike<number>;
+  readonly weights: ArrayLike<number>;
+}
+
+/**
+ * The same skin with other rows at some points. It shares with the former one what stays, `start` too
+ * where no row becomes longer or shorter, so that both can be told apart row by row.
+ *
+ * @param points (n) rising
+ */
+export function skinWithRows(skin: Skin, points: ArrayLike<number>, rows: InfluenceRows): Skin {
+  const lengths = Uint32Array.from({ length: skin.start.length - 1 }, (_, p) => rowLength(skin, p));
+  for (let row = 0; row < points.length; row++) lengths[points[row]!] = rowLength(rows, row);
+  const start = startsOf(lengths);
+  const stays = start.every((at, point) => at === skin.start[point]);
+  const entries = new Uint16Array(start.at(-1)!);
+  const weights = new Float32Array(start.at(-1)!);
+  for (let point = 0, row = 0; point < lengths.length; point++) {
+    const isOther = points[row] === point;
+    const source = isOther ? rows : skin;
+    const from = source.start[isOther ? row++ : point]!;
+    for (let i = 0; i < lengths[point]!; i++) {
+      entries[start[point]! + i] = source.entries[from + i]!;
+      weights[start[point]! + i] = source.weights[from + i]!;
+    }
+  }
+  const sameEntries = stays && entries.every((entry, i) => entry === skin.entries[i]);
+  return {
+    ...skin,
+    start: stays ? skin.start : start,
+    entries: sameEntries ? skin.entries : entries,
+    weights,
+  };
+}
+
 /**
  * The same skin with each row divided by its sum; rows that sum to nearly nothing, measured by their
  * own weights, stay as they are.
  */
 export function normalizeSkin(skin: Skin): Skin {
-  const weights = skin.weights.slice();
+  const points: number[] = [];
+  const start = [0];
+  const entries: number[] = [];
+  const weights: number[] = [];
   for (let point = 0; point + 1 < skin.start.length; point++) {
-    const from = skin.start[point]!;
-    const to = skin.start[point + 1]!;
-    let sum = 0;
-    let size = 0;
-    for (let i = from; i < to; i++) {
-      sum += skin.weights[i]!;
-      size += Math.abs(skin.weights[i]!);
+    const row = skin.weights.subarray(skin.start[point], skin.start[point + 1]);
+    const sum = row.reduce((total, weight) => total + weight, 0);
+    const size = row.reduce((total, weight) => total + Math.abs(weight), 0);
+    if (sum === 1 || !(Math.abs(sum) > size * 1e-3)) continue;
+    points.push(point);
+    for (let i = skin.start[point]!; i < skin.start[point + 1]!; i++) {
+      entries.push(skin.entries[i]!);
+      weights.push(skin.weights[i]! / sum);
     }
-    if (!(Math.abs(sum) > size * 1e-3)) continue;
-    for (let i = from; i < to; i++) weights[i] = skin.weights[i]! / sum;
+    start.push(weights.length);
   }
-  return { ...skin, weights };
+  return skinWithRows(skin, points, { start, entries, weights });
+}
+
+function rowLength({ start }: { readonly start: ArrayLike<number> }, row: number): number {
+  return start[row + 1]! - start[row]!;
+}
+
+function startsOf(lengths: Uint32Array): Uint32Array {
+  const start = new Uint32Array(lengths.length + 1);
+  lengths.forEach((length, row) => (start[row + 1] = start[row]! + length));
+  return start;
 }

@@ -34,11 +34,11 @@ export class Buffer {
     }
   }
 
-  /** Overwrites the buffer from its start; what lies beyond the bytes stays. */
-  write(bytes: ArrayBufferView): void {
+  /** Overwrites the buffer from a byte on; what lies before and beyond stays. */
+  write(bytes: ArrayBufferView, offset = 0): void {
     this.gl.bindVertexArray(null);
     this.gl.bindBuffer(this.target, this.handle);
-    this.gl.bufferSubData(this.target, 0, bytes);
+    this.gl.bufferSubData(this.target, offset, bytes);
     this.gl.bindBuffer(this.target, null);
   }
 

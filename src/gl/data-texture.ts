@@ -1,7 +1,7 @@
 import type { Gpu } from './gpu.ts';
 import { Texture, type TextureFormat } from './texture.ts';
 
-const texelSize = { 'data-rgba32f': 4, 'data-rg32f': 2 } as const;
+const texelSizes = { 'data-rgba32f': 4, 'data-rg32f': 2 } as const;
 const width = 1024;
 
 /**
@@ -11,19 +11,27 @@ const width = 1024;
 export class DataTexture {
   readonly texture: Texture;
   private readonly staging: Float32Array;
-  private readonly rowLength: number;
+  private readonly texelSize: number;
 
   constructor(gpu: Gpu, format: Exclude<TextureFormat, 'color-rgba8'>, texelCount: number) {
     const rows = Math.max(1, Math.ceil(texelCount / width));
     this.texture = new Texture(gpu, format, width, rows);
-    this.rowLength = width * texelSize[format];
-    this.staging = new Float32Array(rows * this.rowLength);
+    this.texelSize = texelSizes[format];
+    this.staging = new Float32Array(rows * width * this.texelSize);
   }
 
-  /** Writes from the first texel on; whole rows are sent. */
-  write(values: ArrayLike<number>): void {
-    this.staging.set(values);
-    this.texture.write(this.staging, Math.max(1, Math.ceil(values.length / this.rowLength)));
+  /** Writes from a texel on: within a row those texels alone are sent, past its end whole rows. */
+  write(values: ArrayLike<number>, firstTexel = 0): void {
+    const { staging, texelSize } = this;
+    const count = values.length / texelSize;
+    if (count === 0) return;
+    staging.set(values, firstTexel * texelSize);
+    const [x, y] = [firstTexel % width, Math.floor(firstTexel / width)];
+    const height = Math.ceil((x + count) / width);
+    const part = height === 1 ? { x, y, width: count, height } : { x: 0, y, width, height };
+    const from = (y * width + part.x) * texelSize;
+    const pixels = staging.subarray(from, from + part.width * height * texelSize);
+    this.texture.write(pixels, part);
   }
 
   bind(unit: number): void {

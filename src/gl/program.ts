@@ -11,16 +11,21 @@ export interface ProgramSources {
 
 export type UniformValue = number | boolean | ArrayLike<number>;
 
+/** A uniform of a program, none of which is an array. */
+interface Uniform {
+  readonly location: WebGLUniformLocation;
+  readonly type: number;
+  /** Written at every use, so that none is allocated. */
+  readonly staging: Float32Array;
+}
+
 /** A linked program; uniforms are set by name, attributes found by name. */
 export class Program {
   readonly name: string;
   private readonly gl: WebGL2RenderingContext;
   private readonly handle: WebGLProgram;
   private readonly untrack: () => void;
-  private readonly uniforms = new Map<
-    string,
-    WebGLActiveInfo & { location: WebGLUniformLocation }
-  >();
+  private readonly uniforms = new Map<string, Uniform>();
   private readonly attributes = new Map<string, number>();
 
   constructor(gpu: Gpu, sources: ProgramSources) {
@@ -57,7 +62,10 @@ export class Program {
 
   /** Sets uniforms of this program, which must be in use; unknown names are passed over. */
   set(values: Readonly<Record<string, UniformValue>>): void {
-    for (const [name, value] of Object.entries(values)) this.setUniform(name, value);
+    for (const name in values) {
+      const uniform = this.uniforms.get(name);
+      if (uniform) this.setUniform(uniform, values[name]!);
+    }
   }
 
   bindBlock(name: string, binding: number): void {
@@ -72,30 +80,28 @@ export class Program {
     this.untrack();
   }
 
-  private setUniform(name: string, value: UniformValue): void {
-    const uniform = this.uniforms.get(name);
-    if (!uniform) return;
+  private setUniform({ location, type, staging }: Uniform, value: UniformValue): void {
     const { gl } = this;
-    const { location, type } = uniform;
-    const values = typeof value === 'object' ? Float32Array.from(value) : [Number(value)];
+    if (typeof value === 'object') staging.set(value);
+    else staging[0] = Number(value);
     switch (type) {
       case gl.FLOAT:
-        gl.uniform1fv(location, values);
+        gl.uniform1fv(location, staging);
         break;
       case gl.FLOAT_VEC2:
-        gl.uniform2fv(location, values);
+        gl.uniform2fv(location, staging);
         break;
       case gl.FLOAT_VEC3:
-        gl.uniform3fv(location, values);
+        gl.uniform3fv(location, staging);
         break;
       case gl.FLOAT_VEC4:
-        gl.uniform4fv(location, values);
+        gl.uniform4fv(location, staging);
         break;
       case gl.FLOAT_MAT4:
-        gl.uniformMatrix4fv(location, false, values);
+        gl.uniformMatrix4fv(location, false, staging);
         break;
       default:
-        gl.uniform1i(location, values[0]!);
+        gl.uniform1i(location, staging[0]!);
     }
   }
 
@@ -106,8 +112,8 @@ export class Program {
       const info = gl.getActiveUniform(handle, i);
       const location = info && gl.getUniformLocation(handle, info.name);
       if (!location) continue; // a member of a block
-      const { name, type, size } = info;
-      this.uniforms.set(name.replace(/\[0\]$/, ''), { name, type, size, location });
+      const staging = new Float32Array(floatsOf(gl, info.type));
+      this.uniforms.set(info.name, { location, type: info.type, staging });
     }
   }
 
@@ -118,6 +124,22 @@ export class Program {
       const info = gl.getActiveAttrib(handle, i);
       if (info) this.attributes.set(info.name, gl.getAttribLocation(handle, info.name));
     }
+  }
+}
+
+/** How many numbers a uniform of a type holds. */
+function floatsOf(gl: WebGL2RenderingContext, type: number): number {
+  switch (type) {
+    case gl.FLOAT_VEC2:
+      return 2;
+    case gl.FLOAT_VEC3:
+      return 3;
+    case gl.FLOAT_VEC4:
+      return 4;
+    case gl.FLOAT_MAT4:
+      return 16;
+    default:
+      return 1;
   }
 }
 

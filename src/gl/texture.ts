@@ -3,6 +3,13 @@ import { type Gpu, GpuLimitError } from './gpu.ts';
 /** `data` formats hold exact numbers and are read by texel; `color` ones are filtered. */
 export type TextureFormat = 'data-rgba32f' | 'data-rg32f' | 'color-rgba8';
 
+export interface TexelRectangle {
+  readonly x: number;
+  readonly y: number;
+  readonly width: number;
+  readonly height: number;
+}
+
 /** A two-dimensional texture; owned by whoever made it. */
 export class Texture {
   readonly handle: WebGLTexture;
@@ -34,12 +41,12 @@ export class Texture {
     gl.bindTexture(gl.TEXTURE_2D, null);
   }
 
-  /** Writes the first `rows` rows. */
-  write(pixels: Float32Array, rows = this.height): void {
+  /** Writes a rectangle of texels, in rows. */
+  write(pixels: Float32Array, { x, y, width, height }: TexelRectangle): void {
     const { gl } = this;
     const { layout, type } = this.constants;
     gl.bindTexture(gl.TEXTURE_2D, this.handle);
-    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, this.width, rows, layout, type, pixels);
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, x, y, width, height, layout, type, pixels);
     gl.bindTexture(gl.TEXTURE_2D, null);
   }
 

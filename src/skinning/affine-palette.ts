@@ -9,25 +9,35 @@ import { flushSubnormal } from '../core/float32.ts';
 export function packAffinePalette(
   skin: Skin,
   characterFromJoint: Float64Array,
-  palette: Float32Array | Float64Array,
+  palette: Float32Array,
 ): void {
-  const { paletteJoint, jointFromBind } = skin;
-  for (let entry = 0; entry < paletteJoint.length; entry++) {
-    const joint = paletteJoint[entry]!;
-    const bind = entry * 16;
-    for (let row = 0; row < 3; row++) {
-      for (let column = 0; column < 4; column++) {
-        let sum: number;
-        if (joint === noJoint) sum = jointFromBind[bind + column * 4 + row]!;
-        else {
-          sum = 0;
-          for (let k = 0; k < 4; k++) {
-            sum +=
-              characterFromJoint[joint * 16 + k * 4 + row]! * jointFromBind[bind + column * 4 + k]!;
-          }
+  for (let entry = 0; entry < skin.paletteJoint.length; entry++) {
+    writeAffineRows(skin, characterFromJoint, entry, palette, entry * 12);
+  }
+}
+
+/** Writes the 12 numbers of one palette entry from `at` on. */
+export function writeAffineRows(
+  { paletteJoint, jointFromBind }: Skin,
+  characterFromJoint: Float64Array,
+  entry: number,
+  out: Float32Array | Float64Array,
+  at: number,
+): void {
+  const joint = paletteJoint[entry]!;
+  const bind = entry * 16;
+  for (let row = 0; row < 3; row++) {
+    for (let column = 0; column < 4; column++) {
+      let sum: number;
+      if (joint === noJoint) sum = jointFromBind[bind + column * 4 + row]!;
+      else {
+        sum = 0;
+        for (let k = 0; k < 4; k++) {
+          sum +=
+            characterFromJoint[joint * 16 + k * 4 + row]! * jointFromBind[bind + column * 4 + k]!;
         }
-        palette[entry * 12 + row * 4 + column] = flushSubnormal(sum);
       }
+      out[at + row * 4 + column] = flushSubnormal(sum);
     }
   }
 }

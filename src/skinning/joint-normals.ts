@@ -1,7 +1,7 @@
 import { flushSubnormal } from '../core/float32.ts';
 import type { Mesh } from '../core/mesh.ts';
 import type { Skin } from '../core/skin.ts';
-import { packAffinePalette } from './affine-palette.ts';
+import { writeAffineRows } from './affine-palette.ts';
 import { transformNormalBy, transformPoint } from './affine-kernel.ts';
 import type { SkinningMethod, VertexStreams } from './method.ts';
 
@@ -24,26 +24,21 @@ const floatsPerEntry = 24;
 
 /** Three rows of W B⁻¹, then three of its inverse transpose (their fourth number is 0). */
 function packPalette(skin: Skin, characterFromJoint: Float64Array, palette: Float32Array): void {
-  const entryCount = skin.paletteJoint.length;
-  const affine = new Float64Array(entryCount * 12);
-  packAffinePalette(skin, characterFromJoint, affine);
-  for (let entry = 0; entry < entryCount; entry++) {
-    const matrix = affine.subarray(entry * 12, entry * 12 + 12);
+  for (let entry = 0; entry < skin.paletteJoint.length; entry++) {
     const at = entry * floatsPerEntry;
-    for (let i = 0; i < 12; i++) palette[at + i] = flushSubnormal(matrix[i]!);
-    writeInverseTranspose(matrix, palette, at + 12);
+    writeAffineRows(skin, characterFromJoint, entry, affine, 0);
+    for (let i = 0; i < 12; i++) palette[at + i] = flushSubnormal(affine[i]!);
+    writeInverseTranspose(palette, at + 12);
   }
 }
 
-/** Cofactors over the determinant, by rows of four; all zero where there is no inverse. */
-function writeInverseTranspose(rows: Float64Array, out: Float32Array, at: number): void {
-  const cofactor = (row: number, column: number): number => {
-    const [r1, r2] = [((row + 1) % 3) * 4, ((row + 2) % 3) * 4];
-    const [c1, c2] = [(column + 1) % 3, (column + 2) % 3];
-    return rows[r1 + c1]! * rows[r2 + c2]! - rows[r1 + c2]! * rows[r2 + c1]!;
-  };
+/** (3 × 4) W B⁻¹ of one entry, float64. */
+const affine = new Float64Array(12);
+
+/** Cofactors of `affine` over its determinant, by rows of four; all zero where there is no inverse. */
+function writeInverseTranspose(out: Float32Array, at: number): void {
   let determinant = 0;
-  for (let column = 0; column < 3; column++) determinant += rows[column]! * cofactor(0, column);
+  for (let column = 0; column < 3; column++) determinant += affine[column]! * cofactor(0, column);
   for (let row = 0; row < 3; row++) {
     for (let column = 0; column < 3; column++) {
       const value = determinant === 0 ? 0 : cofactor(row, column) / determinant;
@@ -51,6 +46,14 @@ function writeInverseTranspose(rows: Float64Array, out: Float32Array, at: number
     }
     out[at + row * 4 + 3] = 0;
   }
+}
+
+function cofactor(row: number, column: number): number {
+  const r1 = ((row + 1) % 3) * 4;
+  const r2 = ((row + 2) % 3) * 4;
+  const c1 = (column + 1) % 3;
+  const c2 = (column + 2) % 3;
+  return affine[r1 + c1]! * affine[r2 + c2]! - affine[r1 + c2]! * affine[r2 + c1]!;
 }
 
 function deform(mesh: Mesh, skin: Skin, palette: Float32Array, out: VertexStreams): void {

@@ -1,4 +1,4 @@
-import { type BoneFrame, boneFrames, posedRotations } from '../core/bone-frames.ts';
+import { type BoneFrame, boneFrames } from '../core/bone-frames.ts';
 import { boneWeights } from '../core/bone-weights.ts';
 import type { Character } from '../core/character.ts';
 import type { Skeleton } from '../core/skeleton.ts';
@@ -24,19 +24,6 @@ export function weighedCount({ skeleton, skin }: Character, bone: number): numbe
   let starts = knownStarts.get(frames);
   if (!starts) knownStarts.set(frames, (starts = boneWeights(frames, skin).start));
   return starts[bone + 1]! - starts[bone]!;
-}
-
-/**
- * S of a bone in a pose, column-major 4 × 4.
- *
- * @param characterFromJoint (jointCount × 16) as posed
- */
-export function posedRotation(
-  skeleton: Skeleton,
-  bone: number,
-  characterFromJoint: Float64Array,
-): ArrayLike<number> {
-  return posedRotations(skeleton, framesOf(skeleton), characterFromJoint)[bone]!;
 }
 
 const knownFrames = new WeakMap<Skeleton, readonly BoneFrame[]>();

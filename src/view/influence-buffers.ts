@@ -5,10 +5,12 @@ import { DataTexture } from '../gl/data-texture.ts';
 import type { Gpu } from '../gl/gpu.ts';
 import { Owner } from '../gl/owner.ts';
 import type { Attribute } from '../gl/vertex-array.ts';
+import { changedInfluences, changedVertices } from './changed-runs.ts';
 import {
   lanes,
   maximumPairs,
   packAttributeInfluences,
+  packTexels,
   packTextureInfluences,
 } from './influence-layout.ts';
 
@@ -18,8 +20,18 @@ export interface InfluenceBuffers {
   readonly pairs: number;
   readonly attributes: Readonly<Record<string, Attribute>>;
   readonly texture: DataTexture | null;
+  /**
+   * Puts another skin in the place of the one that it holds, by the bytes of what differs; false where
+   * rows are of other lengths, and everything must be made anew.
+   */
+  patch(held: Skin, skin: Skin): boolean;
   dispose(): void;
 }
+
+/** What one of the layouts makes. */
+type Layout = Omit<InfluenceBuffers, 'patch' | 'dispose'> & {
+  readonly write: (held: Skin, skin: Skin) => void;
+};
 
 export function createInfluenceBuffers(
   gpu: Gpu,
@@ -31,24 +43,26 @@ export function createInfluenceBuffers(
   // Disposes of what was made, also where a later part can't be made.
   const owner = new Owner();
   try {
-    const made =
+    const { write, ...made } =
       pairs > maximumPairs || forceTexture
         ? createTexture(owner, gpu, mesh, skin)
         : createAttributes(owner, gpu, mesh, skin, pairs);
-    return { ...made, dispose: () => owner.dispose() };
+    return {
+      ...made,
+      patch(held, other) {
+        if (held.start !== other.start) return false;
+        write(held, other);
+        return true;
+      },
+      dispose: () => owner.dispose(),
+    };
   } catch (error) {
     owner.dispose();
     throw error;
   }
 }
 
-function createAttributes(
-  owner: Owner,
-  gpu: Gpu,
-  mesh: Mesh,
-  skin: Skin,
-  pairs: number,
-): Omit<InfluenceBuffers, 'dispose'> {
+function createAttributes(owner: Owner, gpu: Gpu, mesh: Mesh, skin: Skin, pairs: number): Layout {
   const { entries, weights } = packAttributeInfluences(mesh, skin, pairs);
   const entryBuffer = owner.own(new Buffer(gpu, 'vertex', entries));
   const weightBuffer = owner.own(new Buffer(gpu, 'vertex', weights));
@@ -68,15 +82,20 @@ function createAttributes(
       offset: pair * lanes * Float32Array.BYTES_PER_ELEMENT,
     };
   }
-  return { pairs, attributes, texture: null };
+  return { pairs, attributes, texture: null, write };
+
+  function write(held: Skin, other: Skin): void {
+    for (const run of changedVertices(mesh, held, other)) {
+      const packed = packAttributeInfluences(mesh, other, pairs, run);
+      const first = run.from * pairs * lanes;
+      weightBuffer.write(packed.weights, first * Float32Array.BYTES_PER_ELEMENT);
+      if (held.entries === other.entries) continue;
+      entryBuffer.write(packed.entries, first * Uint16Array.BYTES_PER_ELEMENT);
+    }
+  }
 }
 
-function createTexture(
-  owner: Owner,
-  gpu: Gpu,
-  mesh: Mesh,
-  skin: Skin,
-): Omit<InfluenceBuffers, 'dispose'> {
+function createTexture(owner: Owner, gpu: Gpu, mesh: Mesh, skin: Skin): Layout {
   const { ranges, texels } = packTextureInfluences(mesh, skin);
   const texture = owner.own(new DataTexture(gpu, 'data-rg32f', texels.length / 2));
   texture.write(texels);
@@ -85,5 +104,10 @@ function createTexture(
     pairs: 0,
     attributes: { influenceRange: { buffer, size: 2, type: 'uint32' } },
     texture,
+    write(held, other) {
+      for (const run of changedInfluences(held, other)) {
+        texture.write(packTexels(other, run), run.from);
+      }
+    },
   };
 }

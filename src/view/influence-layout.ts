@@ -1,5 +1,6 @@
 import type { Mesh } from '../core/mesh.ts';
 import type { Skin } from '../core/skin.ts';
+import type { Run } from './changed-runs.ts';
 
 /** Influences that fit in one pair of attributes: vec4 entries, vec4 weights. */
 export const lanes = 4;
@@ -7,27 +8,27 @@ export const lanes = 4;
 export const maximumPairs = 4;
 
 export interface AttributeInfluences {
-  /** (vertexCount × pairs × 4) palette entries, padded with 0. */
+  /** (n × pairs × 4) palette entries, padded with 0. */
   readonly entries: Uint16Array;
-  /** (vertexCount × pairs × 4) weights, padded with 0. */
+  /** (n × pairs × 4) weights, padded with 0. */
   readonly weights: Float32Array;
 }
 
-/** The influences of every render vertex in fixed lanes, in the file's order. */
+/** The influences of a run of n render vertices in fixed lanes, in the file's order. */
 export function packAttributeInfluences(
   mesh: Mesh,
   skin: Skin,
   pairs: number,
+  { from, to }: Run = { from: 0, to: mesh.vertexCount },
 ): AttributeInfluences {
   const stride = pairs * lanes;
-  const entries = new Uint16Array(mesh.vertexCount * stride);
-  const weights = new Float32Array(mesh.vertexCount * stride);
-  for (let vertex = 0; vertex < mesh.vertexCount; vertex++) {
+  const entries = new Uint16Array((to - from) * stride);
+  const weights = new Float32Array((to - from) * stride);
+  for (let vertex = from; vertex < to; vertex++) {
     const point = mesh.pointOf[vertex]!;
-    const from = skin.start[point]!;
-    const to = skin.start[point + 1]!;
-    entries.set(skin.entries.subarray(from, to), vertex * stride);
-    weights.set(skin.weights.subarray(from, to), vertex * stride);
+    const row = [skin.start[point]!, skin.start[point + 1]!] as const;
+    entries.set(skin.entries.subarray(...row), (vertex - from) * stride);
+    weights.set(skin.weights.subarray(...row), (vertex - from) * stride);
   }
   return { entries, weights };
 }
@@ -47,10 +48,15 @@ export function packTextureInfluences(mesh: Mesh, skin: Skin): TextureInfluences
     ranges[vertex * 2] = skin.start[point]!;
     ranges[vertex * 2 + 1] = skin.start[point + 1]!;
   }
-  const texels = new Float32Array(skin.weights.length * 2);
-  skin.weights.forEach((weight, i) => {
-    texels[i * 2] = skin.entries[i]!;
-    texels[i * 2 + 1] = weight;
-  });
-  return { ranges, texels };
+  return { ranges, texels: packTexels(skin, { from: 0, to: skin.weights.length }) };
+}
+
+/** (n × 2) entry and weight of a run of n influences. */
+export function packTexels({ entries, weights }: Skin, { from, to }: Run): Float32Array {
+  const texels = new Float32Array((to - from) * 2);
+  for (let i = from; i < to; i++) {
+    texels[(i - from) * 2] = entries[i]!;
+    texels[(i - from) * 2 + 1] = weights[i]!;
+  }
+  return texels;
 }

@@ -15,6 +15,7 @@ export class InstancedSolid {
   private readonly buffers: { positions: Buffer; normals: Buffer; indices: Buffer };
   private instances: { buffer: Buffer; array: VertexArray } | null = null;
   private count = 0;
+  private key = '';
 
   constructor(gpu: Gpu, program: Program, shape: SolidShape) {
     this.gpu = gpu;
@@ -27,16 +28,16 @@ export class InstancedSolid {
     };
   }
 
-  /** @param instances (count × instanceSize) */
-  write(instances: Float32Array): void {
-    this.count = instances.length / instanceSize;
-    if (this.count === 0) return;
-    if (!this.instances || this.instances.buffer.byteLength < instances.byteLength) {
-      this.disposeInstances();
-      const buffer = new Buffer(this.gpu, 'vertex', instances.byteLength);
-      this.instances = { buffer, array: this.createArray(buffer) };
-    }
-    this.instances.buffer.write(instances);
+  /**
+   * Puts other instances in the place of those that are drawn; does nothing while the key is the same.
+   *
+   * @param key stands for all that the instances are a function of
+   * @param create gives runs of instances (count × instanceSize), one after the other
+   */
+  update(key: string, create: () => readonly Float32Array[]): void {
+    if (key === this.key) return;
+    this.key = key;
+    this.write(joined(create()));
   }
 
   /** Draws all instances; the program must be in use. */
@@ -51,6 +52,17 @@ export class InstancedSolid {
   dispose(): void {
     this.disposeInstances();
     for (const buffer of Object.values(this.buffers)) buffer.dispose();
+  }
+
+  private write(instances: Float32Array): void {
+    this.count = instances.length / instanceSize;
+    if (this.count === 0) return;
+    if (!this.instances || this.instances.buffer.byteLength < instances.byteLength) {
+      this.disposeInstances();
+      const buffer = new Buffer(this.gpu, 'vertex', instances.byteLength);
+      this.instances = { buffer, array: this.createArray(buffer) };
+    }
+    this.instances.buffer.write(instances);
   }
 
   private createArray(buffer: Buffer): VertexArray {
@@ -79,4 +91,14 @@ export class InstancedSolid {
     this.instances?.buffer.dispose();
     this.instances = null;
   }
+}
+
+function joined(parts: readonly Float32Array[]): Float32Array {
+  const all = new Float32Array(parts.reduce((sum, { length }) => sum + length, 0));
+  let at = 0;
+  for (const part of parts) {
+    all.set(part, at);
+    at += part.length;
+  }
+  return all;
 }

@@ -8,6 +8,7 @@ import type { Evaluations } from '../evaluation/evaluations.ts';
 import { pickSkin } from '../posing/pick-skin.ts';
 import { pickBox } from './pick-box.ts';
 import { characterRay, pickJoint, rayThrough, sizeOfPixel } from './picking.ts';
+import { posedTriangles } from './posed-triangles.ts';
 import type { Viewer } from './viewer.ts';
 
 /** A place in the view, and how near to it is near enough. */
@@ -84,7 +85,7 @@ function hitOf(shown: Evaluation, look: Looking, place: PickPlace): Hit | null {
     target: joint === null ? null : atJoint(shown, joint, ray, distance, bone),
   });
   if (session.showSkin.value && !session.translucent.value) {
-    const hit = pickSkin(character.mesh, skin, shown.vertices().positions, ray);
+    const hit = pickSkin(character.mesh, skin, posedTriangles(shown), ray);
     if (hit) return at(hit.joint, hit.distance);
   }
   if (!session.showSkeleton.value) return null;

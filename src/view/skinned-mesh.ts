@@ -43,6 +43,7 @@ export class SkinnedMesh {
   private readonly layout: LayoutChoice;
   /** Vertices at rest that are not the mesh's own; none while they are. */
   private shaped: RestBuffers | null = null;
+  private skin: Skin;
   private influences: Lease<InfluenceBuffers>;
   private palette: PaletteBuffer | null = null;
   private paletteRowCount = 0;
@@ -59,6 +60,7 @@ export class SkinnedMesh {
     this.programs = programs;
     this.pools = pools;
     this.mesh = mesh;
+    this.skin = skin;
     this.layout = layout;
     const { owner } = this;
     const reserve = (): Buffer =>
@@ -77,8 +79,12 @@ export class SkinnedMesh {
     }
   }
 
-  /** Puts other weights in the place of those in use. */
+  /** Puts other weights in the place of those in use: the rows that differ, where that is enough. */
   useSkin(skin: Skin): void {
+    const held = this.skin;
+    this.skin = skin;
+    const { influences } = this.pools;
+    if (influences.convert(held, skin, (buffers) => buffers.patch(held, skin))) return;
     const former = this.influences;
     this.influences = this.leaseInfluences(skin);
     former.release();

@@ -26,6 +26,18 @@ export function marksOf({ state }: CharacterView, options: ViewOptions): JointMa
   return { selected: options.selectedJoint, hovered: options.hoveredJoint };
 }
 
+/** Stands for where the joints of views are and which of them stand out: while it is the same, so are instances. */
+export function keyOf(views: readonly CharacterView[], options?: ViewOptions): string {
+  const keys = views.map((view) => {
+    const { pose, display } = view.evaluation.revisions;
+    const { selected, hovered } = options ? marksOf(view, options) : noMarks;
+    return `${pose} ${display} ${selected} ${hovered}`;
+  });
+  return keys.join();
+}
+
+const noMarks: JointMarks = { selected: null, hovered: null };
+
 function colorOf(joint: number, { selected, hovered }: JointMarks, plain: Color): Color {
   if (joint === selected) return palette.selected;
   return joint === hovered ? palette.hovered : plain;
@@ -62,8 +74,7 @@ export function boneLineInstances(view: CharacterView, marks: JointMarks): Float
 
 /** The cylinder, as thick as it is for picking, about the bone that is lit. */
 export function litBoneInstance(view: CharacterView, bone: Bone): Float32Array {
-  const marks = { selected: null, hovered: null };
-  return instancesAlong(view, [bone], marks, boneReach, palette.litBone);
+  return instancesAlong(view, [bone], noMarks, boneReach, palette.litBone);
 }
 
 function instancesAlong(

@@ -4,7 +4,7 @@ import {
   type BoneFrame,
   boneFrames,
   placeBones,
-  posedRotations,
+  posedRotation,
   tangentAxes,
 } from '../../src/core/bone-frames.ts';
 import { boneWeights } from '../../src/core/bone-weights.ts';
@@ -125,19 +125,20 @@ describe('boneFrames', () => {
   });
 });
 
-describe('posedRotations', () => {
-  it('are R at the pose of the file', () => {
+describe('posedRotation', () => {
+  it('is R at the pose of the file', () => {
     for (const rig of Object.values(allRigs)) {
       const { skeleton } = characterOfRig(rig());
       const frames = boneFrames(skeleton);
       const world = jointMatrices(skeleton, skeleton.qRest);
-      posedRotations(skeleton, frames, world).forEach((rotation, bone) => {
-        expect(largestDifference(rotation, frames[bone]!.rotation)).toBeLessThan(1e-12);
+      frames.forEach((frame, bone) => {
+        const rotation = posedRotation(frames, bone, world);
+        expect(largestDifference(rotation, frame.rotation)).toBeLessThan(1e-12);
       });
     }
   });
 
-  it('put the bones where a joint turns them, all that start there and all below', async () => {
+  it('puts the bones where a joint turns them, all that start there and all below', async () => {
     const { skeleton } = await readOne({ 'a.pmd': squarePmd });
     const frames = boneFrames(skeleton);
     const q = skeleton.qRest.slice();
@@ -149,7 +150,10 @@ describe('posedRotations', () => {
       at += 3;
     }
     const world = jointMatrices(skeleton, q);
-    const placed = placeBones(frames, posedRotations(skeleton, frames, world));
+    const placed = placeBones(
+      frames,
+      frames.map((_, bone) => posedRotation(frames, bone, world)),
+    );
     placed.forEach(({ end }, bone) => {
       const wanted = placeOf(world, frames[bone]!.destination);
       expect(largestDifference(end, wanted)).toBeLessThan(1e-12);

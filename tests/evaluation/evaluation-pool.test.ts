@@ -1,7 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import type { Character } from '../../src/core/character.ts';
-import { DofKind } from '../../src/core/skeleton.ts';
 import { type Actor, createActor } from '../../src/document/scene.ts';
 import type { Evaluation } from '../../src/evaluation/evaluation.ts';
 import { Evaluations } from '../../src/evaluation/evaluations.ts';
@@ -11,6 +10,7 @@ import { Session } from '../../src/document/session.ts';
 import { Store } from '../../src/document/store.ts';
 import { characterOfRig } from '../fixtures/character-of-rig.ts';
 import { rotatedTree } from '../fixtures/rigs.ts';
+import { swingOf } from '../fixtures/swing.ts';
 import { withMorph } from '../fixtures/with-morph.ts';
 
 interface Counts {
@@ -46,15 +46,6 @@ function countingCharacter(): { character: Character; counts: Counts } {
     },
   };
   return { character, counts };
-}
-
-/** The last joint of the file turns about x by a radian a second. */
-function swingOf({ skeleton }: Character): Character['clips'][number] {
-  const key = (time: number) =>
-    ({ time, value: time, tangentIn: 'linear', tangentOut: 'linear' }) as const;
-  const target = { joint: skeleton.jointCount - 1, kind: DofKind.hinge, axis: 0 } as const;
-  const channel = { target, before: 'linear', after: 'linear', keys: [key(0), key(1)] } as const;
-  return { file: 'swing.anim', name: 'swing', start: 0, end: 1, channels: [channel] };
 }
 
 /** Reads every stage. */

@@ -2,6 +2,7 @@ import { describe, expect, it } from 'vitest';
 import type { Ray } from '../../src/core/ray.ts';
 import { noJoint } from '../../src/core/skin.ts';
 import { pickSkin } from '../../src/posing/pick-skin.ts';
+import { TriangleTree } from '../../src/posing/triangle-tree.ts';
 import { characterOfRig } from '../fixtures/character-of-rig.ts';
 import { type Rig } from '../fixtures/rig.ts';
 import { rotatedTree, unitWeights } from '../fixtures/rigs.ts';
@@ -56,12 +57,13 @@ describe('picking the skin', () => {
   it.each([rotatedTree, unitWeights])('finds the nearest triangle and its owner', (rigOf) => {
     const rig = rigOf();
     const { mesh, skin, skeleton } = characterOfRig(rig);
+    const tree = new TriangleTree(mesh);
     const random = randomSource(11);
     let hits = 0;
     for (let i = 0; i < 400; i++) {
       const ray = randomRay(random);
       const expected = pickByElimination(rig, ray.origin, ray.direction);
-      const found = pickSkin(mesh, skin, mesh.positions, ray);
+      const found = pickSkin(mesh, skin, tree, ray);
       if (!found) {
         expect(expected.distance).toBe(Infinity);
         continue;
@@ -76,16 +78,17 @@ describe('picking the skin', () => {
 
   it('meets the surface from within as well', () => {
     const { mesh, skin } = characterOfRig(rotatedTree());
+    const tree = new TriangleTree(mesh);
     const inside: Ray = { origin: [0.1, 0.5, 0.05], direction: [0, 0.6, 0.8] };
-    expect(pickSkin(mesh, skin, mesh.positions, inside)).not.toBeNull();
+    expect(pickSkin(mesh, skin, tree, inside)).not.toBeNull();
   });
 
   it('gives no joint where the skin follows none, and nothing without a mesh', () => {
     const { mesh, skin } = characterOfRig(rotatedTree());
     const still = { ...skin, paletteJoint: skin.paletteJoint.map(() => noJoint) };
     const inside: Ray = { origin: [0.1, 0.5, 0.05], direction: [0, 0.6, 0.8] };
-    expect(pickSkin(mesh, still, mesh.positions, inside)?.joint).toBeNull();
+    expect(pickSkin(mesh, still, new TriangleTree(mesh), inside)?.joint).toBeNull();
     const empty = { ...mesh, indices: new Uint32Array(0) };
-    expect(pickSkin(empty, skin, new Float32Array(0), inside)).toBeNull();
+    expect(pickSkin(empty, skin, new TriangleTree(empty), inside)).toBeNull();
   });
 });

@@ -30,7 +30,7 @@ export class JointFolder {
       const { selectedJoint } = this.editor.session;
       if (this.openedForShow) return;
       if (!this.folder._closed) {
-        this.build();
+        this.fill();
         selectedJoint.value = joint;
       } else if (selectedJoint.value === joint) selectedJoint.value = null;
     });
@@ -65,13 +65,14 @@ export class JointFolder {
     for (const { row, fullName } of this.rows) row.show(wanted === '' || matches(fullName));
   }
 
+  /** Shows the values as they are now; rows that nobody sees wait until they are opened. */
   refresh(): void {
-    for (const { row } of this.rows) row.refresh();
+    if (!this.folder._closed) this.refreshRows();
   }
 
   private openForShow(): void {
     if (!this.folder._closed) return;
-    this.build();
+    this.fill();
     this.openedForShow = true;
     this.folder.open();
   }
@@ -94,8 +95,16 @@ export class JointFolder {
     return this.editor.evaluations.selected()?.pose.q ?? this.state.q;
   }
 
+  private fill(): void {
+    if (this.built) this.refreshRows();
+    else this.build();
+  }
+
+  private refreshRows(): void {
+    for (const { row } of this.rows) row.refresh();
+  }
+
   private build(): void {
-    if (this.built) return;
     this.built = true;
     for (const value of this.values) {
       this.rows.push({ row: this.addRow(value), fullName: this.nameOf(value) });

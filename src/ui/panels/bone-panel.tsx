@@ -1,5 +1,6 @@
 import { useState } from 'preact/hooks';
-import { bonesAt, framesOf, posedRotation, weighedCount } from '../bone-facts.ts';
+import { posedRotation } from '../../core/bone-frames.ts';
+import { bonesAt, framesOf, weighedCount } from '../bone-facts.ts';
 import type { Looking } from '../editor.ts';
 import { fixedText } from '../number-text.ts';
 
@@ -90,7 +91,7 @@ function BonesOfJoint({ editor, joint }: BoneProperties) {
       <Matrix
         caption="S, R as posed"
         rows={rotationRows}
-        of={posedRotation(skeleton, bone, shown.characterFromJoint)}
+        of={posedRotation(frames, bone, shown.characterFromJoint)}
       />
       <Matrix caption="Axes at rest, world" heads={['t', 'n', 'b']} rows={rotationRows} of={axes} />
     </>

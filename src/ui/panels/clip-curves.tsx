@@ -21,6 +21,11 @@ export function ClipCurves({ editor, clip, skeleton, time }: ClipCurvesPropertie
   const curves = useMemo(() => clipCurves(clip, skeleton, joint), [clip, skeleton, joint]);
   const { start, end } = clip;
   const across = (seconds: number): number => ((seconds - start) / (end - start || 1)) * width;
+  // Playing moves the playhead alone: what is the very same is not rendered again.
+  const paths = useMemo(
+    () => curves.map((curve) => <CurvePath key={curve.name} curve={curve} across={across} />),
+    [curves],
+  );
   const seekAt = (event: MouseEvent): void => {
     const { left, width: shown } = (event.currentTarget as Element).getBoundingClientRect();
     editor.transport.seek(start + ((event.clientX - left) / shown) * (end - start));
@@ -36,9 +41,7 @@ export function ClipCurves({ editor, clip, skeleton, time }: ClipCurvesPropertie
         onPointerDown={seekAt}
         onPointerMove={(event) => event.buttons === 1 && seekAt(event)}
       >
-        {curves.map((curve) => (
-          <CurvePath key={curve.name} curve={curve} across={across} />
-        ))}
+        {paths}
         <line class="playhead" x1={across(time)} x2={across(time)} y1={0} y2={height} />
       </svg>
       <figcaption>

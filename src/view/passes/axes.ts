@@ -1,6 +1,6 @@
 import { InstancedSolid } from '../instanced-solid.ts';
 import type { Pass } from '../pass.ts';
-import { axisInstances, boneAxisInstances } from '../solid-instances.ts';
+import { axisInstances, boneAxisInstances, keyOf } from '../solid-instances.ts';
 import { cylinder } from '../solid-shapes.ts';
 
 /**
@@ -18,11 +18,13 @@ export const axesPass: Pass = {
         const { showAxes, showSkeleton, skeletonStyle } = frame.options;
         if (!showAxes) return;
         const ofBones = showSkeleton && skeletonStyle === 'lines';
-        const instances = frame.characters.flatMap((view) => [
-          ...axisInstances(view, showSkeleton && !ofBones),
-          ...(ofBones ? boneAxisInstances(view) : []),
-        ]);
-        axes.write(Float32Array.from(instances));
+        const ofJoints = showSkeleton && !ofBones;
+        axes.update(`${ofJoints} ${ofBones} ${keyOf(frame.characters)}`, () =>
+          frame.characters.flatMap((view) => [
+            axisInstances(view, ofJoints),
+            ...(ofBones ? [boneAxisInstances(view)] : []),
+          ]),
+        );
         program.use();
         program.set(frame.uniforms);
         program.set({ opacity: 1, rim: 1 });

@@ -1,7 +1,7 @@
 import type { Frame } from '../frame.ts';
 import { InstancedSolid } from '../instanced-solid.ts';
 import type { Pass } from '../pass.ts';
-import { boneLineInstances, litBoneInstance, marksOf } from '../solid-instances.ts';
+import { boneLineInstances, keyOf, litBoneInstance, marksOf } from '../solid-instances.ts';
 import { lineGrid, segment } from '../solid-shapes.ts';
 
 /** Of the grid that is wrapped to a cylinder. */
@@ -27,10 +27,10 @@ export const boneLinesPass: Pass = {
         const { options } = frame;
         const { showSkeleton, skeletonStyle, translucent } = options;
         const withLines = showSkeleton && skeletonStyle === 'lines' ? frame.characters : [];
-        bones.write(
-          joined(withLines.map((view) => boneLineInstances(view, marksOf(view, options)))),
+        bones.update(keyOf(withLines, options), () =>
+          withLines.map((view) => boneLineInstances(view, marksOf(view, options))),
         );
-        lit.write(litBone(frame));
+        updateLit(frame);
         program.use();
         program.set(frame.uniforms);
         gl.depthMask(false);
@@ -48,6 +48,15 @@ export const boneLinesPass: Pass = {
       },
     };
 
+    /** Hovering is of the selected actor alone. */
+    function updateLit({ characters, options: { hoveredBone, selectedActorId } }: Frame): void {
+      const view = hoveredBone && characters.find(({ state }) => state.id === selectedActorId);
+      const index = view ? view.state.character.bones.indexOf(hoveredBone) : -1;
+      lit.update(view ? `${index} ${keyOf([view])}` : '', () =>
+        view ? [litBoneInstance(view, hoveredBone)] : [],
+      );
+    }
+
     function drawBoth(depthFunction: number, opacity: number): void {
       gl.depthFunc(depthFunction);
       program.set({ opacity, wrapped: false, lineWidth: boneWidth });
@@ -57,13 +66,3 @@ export const boneLinesPass: Pass = {
     }
   },
 };
-
-/** Hovering is of the selected actor alone. */
-function litBone({ characters, options: { hoveredBone, selectedActorId } }: Frame): Float32Array {
-  const view = characters.find(({ state }) => state.id === selectedActorId);
-  return view && hoveredBone ? litBoneInstance(view, hoveredBone) : new Float32Array(0);
-}
-
-function joined(parts: readonly Float32Array[]): Float32Array {
-  return Float32Array.from(parts.flatMap((part) => [...part]));
-}

@@ -9,6 +9,7 @@ import {
   boxInstances,
   jointInstances,
   type JointMarks,
+  keyOf,
   marksOf,
 } from '../solid-instances.ts';
 import { cube, cylinder, sphere } from '../solid-shapes.ts';
@@ -80,8 +81,8 @@ class SkeletonSolids {
 
   drawSticks(frame: Frame, opacity: number): void {
     const views = frame.characters.filter((view) => showsSticks(view, frame));
-    this.joints.write(concatenate(views, frame, jointInstances));
-    this.bones.write(concatenate(views, frame, boneInstances));
+    update(this.joints, views, frame, jointInstances);
+    update(this.bones, views, frame, boneInstances);
     this.useProgram(frame, { opacity, rim: 1 });
     this.joints.draw();
     this.bones.draw();
@@ -89,7 +90,7 @@ class SkeletonSolids {
 
   drawBoxes(frame: Frame, opacity: number): void {
     const views = frame.characters.filter((view) => showsBoxes(view, frame));
-    this.boxes.write(concatenate(views, frame, boxInstances));
+    update(this.boxes, views, frame, boxInstances);
     // Faces are flat: a rim would make the whole of a slanting one dark.
     this.useProgram(frame, { opacity, rim: 0 });
     this.boxes.draw();
@@ -121,10 +122,13 @@ function showsBoxes(view: CharacterView, { options }: Frame): boolean {
   return view.state.character.skeleton.displayBoxes !== null;
 }
 
-function concatenate(
+function update(
+  solid: InstancedSolid,
   views: readonly CharacterView[],
   { options }: Frame,
   instancesOf: (view: CharacterView, marks: JointMarks) => Float32Array,
-): Float32Array {
-  return Float32Array.from(views.flatMap((view) => [...instancesOf(view, marksOf(view, options))]));
+): void {
+  solid.update(keyOf(views, options), () =>
+    views.map((view) => instancesOf(view, marksOf(view, options))),
+  );
 }

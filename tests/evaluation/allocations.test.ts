@@ -1,0 +1,61 @@
+import { afterEach, describe, expect, it } from 'vitest';
+import { createActor } from '../../src/document/scene.ts';
+import { EvaluationPool } from '../../src/evaluation/evaluation-pool.ts';
+import { Evaluator } from '../../src/evaluation/evaluator.ts';
+import { deformationOf, kernels } from '../../src/skinning/registry.ts';
+import { characterOfRig } from '../fixtures/character-of-rig.ts';
+import { rotatedTree } from '../fixtures/rigs.ts';
+import { swingOf } from '../fixtures/swing.ts';
+
+const arrays = ['Float32Array', 'Float64Array', 'Uint16Array', 'Uint32Array'] as const;
+const own = arrays.map((name) => globalThis[name]);
+
+/** Counts every typed array that is made by name from now on. */
+function countArrays(): { made: number } {
+  const count = { made: 0 };
+  for (const name of arrays) {
+    const counting: ProxyHandler<object> = {
+      construct(target, parameters, newTarget) {
+        count.made++;
+        return Reflect.construct(target as new () => object, parameters, newTarget) as object;
+      },
+    };
+    Object.assign(globalThis, { [name]: new Proxy(globalThis[name], counting) });
+  }
+  return count;
+}
+
+afterEach(() => {
+  arrays.forEach((name, i) => Object.assign(globalThis, { [name]: own[i] }));
+});
+
+describe('playing', () => {
+  const character = characterOfRig(rotatedTree());
+  const playing = {
+    ...createActor(1, { ...character, clips: [swingOf(character)] }, 'linear-blend'),
+    clip: 0,
+  };
+
+  it.each(kernels.map(({ id }) => id))('makes no array on the way to vertices by %s', (id) => {
+    const state = { ...playing, ...deformationOf(id) };
+    const evaluator = new Evaluator(state);
+    evaluator.evaluate(state, 0).vertices();
+    const count = countArrays();
+    for (let frame = 1; frame <= 10; frame++) evaluator.evaluate(state, frame / 30).vertices();
+    expect(count.made).toBe(0);
+  });
+
+  it('makes none where copies play in step, which share what is computed', () => {
+    const pool = new EvaluationPool();
+    const evaluators = Array.from({ length: 3 }, () => new Evaluator(playing, pool));
+    const show = (time: number) =>
+      evaluators.forEach((each) => each.evaluate(playing, time).vertices());
+    show(0);
+    show(1 / 30);
+    const count = countArrays();
+    for (let frame = 2; frame <= 10; frame++) show(frame / 30);
+    expect(count.made).toBe(0);
+    new Float32Array(1);
+    expect(count.made).toBe(1);
+  });
+});
