@@ -1,4 +1,5 @@
 import { defineConfig, type Connect, type Plugin } from 'vite';
+import { contentPolicy } from './tools/vite-content-policy.ts';
 import { shortShaders } from './tools/vite-glsl.ts';
 
 const jsx = { runtime: 'automatic', importSource: 'preact' } as const;
@@ -8,7 +9,7 @@ export default defineConfig({
   base: './',
   // One page: an address without a file is an error 404, never the page again.
   appType: 'mpa',
-  plugins: [shortShaders(), packedAsTheyAre()],
+  plugins: [shortShaders(), contentPolicy(), packedAsTheyAre()],
   oxc: { jsx },
   optimizeDeps: { entries: ['index.html'], rolldownOptions: { transform: { jsx } } },
   build: {
