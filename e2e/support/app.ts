@@ -34,6 +34,28 @@ export async function openApp(page: Page, query = ''): Promise<void> {
   await expectFittingCanvas(page);
 }
 
+/**
+ * Brings a page back to what its address opened, in a workspace as on a first visit: all edits are undone.
+ * That takes a tenth of the time of loading it anew.
+ */
+export async function startOver(page: Page, workspace = 'studio'): Promise<void> {
+  await page.evaluate(async (wanted) => {
+    const toolbar = document.querySelector('.toolbar')!;
+    const later = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
+    const [undo] = toolbar.querySelectorAll('button');
+    for (; !undo!.disabled; await later()) undo!.click();
+    // Only a change of workspace sets what is drawn, and how.
+    const menu = toolbar.querySelector('select')!;
+    const others = [...menu.options].map(({ value }) => value).filter((id) => id !== wanted);
+    for (const id of [others[0]!, wanted]) {
+      menu.value = id;
+      menu.dispatchEvent(new Event('change'));
+      await later();
+    }
+  }, workspace);
+  await choose(page, 'Compare with', 'Nothing');
+}
+
 /** The canvas follows the space that panels leave to it a frame later. */
 export async function expectFittingCanvas(page: Page): Promise<void> {
   await page.waitForFunction(() => {
