@@ -41,7 +41,7 @@ export async function openApp(page: Page, query = ''): Promise<void> {
 export async function startOver(page: Page, workspace = 'studio'): Promise<void> {
   await page.evaluate(async (wanted) => {
     const toolbar = document.querySelector('.toolbar')!;
-    const later = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
+    const later = (): Promise<unknown> => new Promise((resolve) => setTimeout(resolve));
     const [undo] = toolbar.querySelectorAll('button');
     for (; !undo!.disabled; await later()) undo!.click();
     // Only a change of workspace sets what is drawn, and how.
