@@ -1,4 +1,5 @@
 import { defineConfig, type Connect, type Plugin } from 'vite';
+import { contentPolicy } from './tools/vite-content-policy.ts';
 import { pureGlMatrix } from './tools/vite-gl-matrix.ts';
 import { shortShaders } from './tools/vite-glsl.ts';
 
@@ -9,7 +10,7 @@ export default defineConfig({
   base: './',
   // One page: an address without a file is an error 404, never the page again.
   appType: 'mpa',
-  plugins: [shortShaders(), pureGlMatrix(), packedAsTheyAre()],
+  plugins: [shortShaders(), pureGlMatrix(), contentPolicy(), packedAsTheyAre()],
   oxc: { jsx },
   optimizeDeps: { entries: ['index.html'], rolldownOptions: { transform: { jsx } } },
   build: {

@@ -98,25 +98,36 @@ test('lost in the middle of a drag, the page says so and the drag goes on', asyn
   await openApp(page, 'model=tube');
   const { slider } = await openJoint(page, 'joint 02', 'X');
   const box = (await slider.boundingBox())!;
-  const middle = box.y + box.height / 2;
-  await page.mouse.move(box.x + box.width / 2, middle);
-  await page.mouse.down();
-  await page.mouse.move(box.x + box.width * 0.6, middle);
-  await lose(page);
-  await expect(page.locator('.message')).toContainText('lost');
-  await page.mouse.move(box.x + box.width * 0.7, middle);
-  await restore(page);
-  await expect(page.locator('.message')).toBeHidden();
-  await page.mouse.move(box.x + box.width * 0.8, middle);
-  await page.mouse.up();
+  /** To the right, with things that happen at two places of the way. */
+  const drag = async (...between: (() => Promise<void>)[]): Promise<void> => {
+    const moveTo = (part: number): Promise<void> =>
+      page.mouse.move(box.x + box.width * part, box.y + box.height / 2);
+    await moveTo(0.5);
+    await page.mouse.down();
+    await moveTo(0.6);
+    await between[0]?.();
+    await moveTo(0.7);
+    await between[1]?.();
+    await moveTo(0.8);
+    await page.mouse.up();
+  };
+  await drag();
   const pose = await page.evaluate(() => window.sinew.pose());
-  const lost = await capture(page);
+  const kept = await capture(page);
   expect(pose.joints!['joint 02']![0]).toBeGreaterThan(0.5);
-  // The same pose on a page that never lost its context.
-  await page.reload();
-  await page.evaluate(() => window.sinew.ready);
-  await page.evaluate((pose) => window.sinew.pose(pose), pose);
-  await page.locator('.controls .lil-gui').first().waitFor();
-  await (await openJoint(page, 'joint 02', 'X')).slider.waitFor();
-  expect(await capture(page)).toEqual(lost);
+  await page.keyboard.press('Control+z');
+
+  const message = page.locator('.message');
+  await drag(
+    async () => {
+      await lose(page);
+      await expect(message).toContainText('lost');
+    },
+    async () => {
+      await restore(page);
+      await expect(message).toBeHidden();
+    },
+  );
+  expect(await page.evaluate(() => window.sinew.pose())).toEqual(pose);
+  expect(await capture(page)).toEqual(kept);
 });

@@ -1,18 +1,35 @@
 import { gzipSync } from 'node:zlib';
 import { expect } from '@playwright/test';
 import { openApp } from './support/app.ts';
-import { test } from './support/test.ts';
+import { sharedPage, test } from './support/test.ts';
 
 const kilobyte = 1000;
 
-test('the first picture needs at most 60 KB of gzipped scripts', async ({ page }) => {
-  const scripts = new Map<string, Promise<Buffer>>();
+// What one first visit asked for, and got.
+const asked: string[] = [];
+const statuses: number[] = [];
+const scripts = new Map<string, Promise<Buffer>>();
+let transferred = 0;
+
+const page = sharedPage(async (page) => {
+  const session = await page.context().newCDPSession(page);
+  await session.send('Network.enable');
+  session.on(
+    'Network.loadingFinished',
+    ({ encodedDataLength }) => (transferred += encodedDataLength),
+  );
+  page.on('request', (request) => asked.push(request.url()));
   page.on('response', (response) => {
+    statuses.push(response.status());
     const type = response.headers()['content-type'] ?? '';
     if (/javascript|wasm/.test(type)) scripts.set(response.url(), response.body());
   });
   await openApp(page);
-  const { mark, starts } = await page.evaluate(() => ({
+  await page.waitForLoadState('networkidle');
+});
+
+test('the first picture needs at most 60 KB of gzipped scripts', async () => {
+  const { mark, starts } = await page().evaluate(() => ({
     mark: performance.getEntriesByName('first-frame')[0]!.startTime,
     starts: performance
       .getEntriesByType('resource')
@@ -35,18 +52,7 @@ test('the first picture needs at most 60 KB of gzipped scripts', async ({ page }
   expect(sizes.length, 'the panels come later').toBeGreaterThan(early.length);
 });
 
-test('the first visit transfers at most 700 KB', async ({ page }) => {
-  const session = await page.context().newCDPSession(page);
-  await session.send('Network.enable');
-  let transferred = 0;
-  session.on(
-    'Network.loadingFinished',
-    ({ encodedDataLength }) => (transferred += encodedDataLength),
-  );
-  const statuses: number[] = [];
-  page.on('response', (response) => statuses.push(response.status()));
-  await openApp(page);
-  await page.waitForLoadState('networkidle');
+test('the first visit transfers at most 700 KB', () => {
   annotate('first visit', `${transferred} bytes in ${statuses.length} responses`);
   expect(statuses.length).toBeGreaterThan(5);
   expect(statuses.filter((status) => status !== 200)).toEqual([]);
@@ -55,10 +61,7 @@ test('the first visit transfers at most 700 KB', async ({ page }) => {
   expect(transferred).toBeLessThanOrEqual(700 * kilobyte);
 });
 
-test('the page works from a sub-path, with every address below it', async ({ page, baseURL }) => {
-  const asked: string[] = [];
-  page.on('request', (request) => asked.push(request.url()));
-  await openApp(page);
+test('the page works from a sub-path, with every address below it', ({ baseURL }) => {
   expect(new URL(baseURL!).pathname.split('/').length).toBeGreaterThan(2);
   expect(asked.filter((url) => !url.startsWith(baseURL!))).toEqual([]);
 });

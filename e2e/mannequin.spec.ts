@@ -263,17 +263,16 @@ test.describe('touch', () => {
 });
 
 test.describe('pictures', () => {
-  const view = sharedPage(() => Promise.resolve());
+  const view = sharedPage((page) => openView(page, 'workspace=mannequin'));
 
   test('translucent, with the bones inside', async () => {
-    await openView(view(), 'workspace=mannequin');
     expectPicture('mannequin', await capture(view()));
     await view().keyboard.press('a');
     expectPicture('mannequin-frames', await capture(view()));
+    await view().keyboard.press('a');
   });
 
   test('a lit bone in its cylinder', async () => {
-    await openView(view(), 'workspace=mannequin');
     const box = (await view().locator('canvas').boundingBox())!;
     for (let across = 0.32; across < 0.6; across += 0.015) {
       await view().mouse.move(box.x + across * box.width, box.y + box.height * 0.6);

@@ -1,59 +1,61 @@
 import { readFileSync } from 'node:fs';
-import { expect, type Page } from '@playwright/test';
+import { expect } from '@playwright/test';
 import { PNG } from 'pngjs';
 import { insertPngText } from '../src/formats/png/text-chunk.ts';
 import { bytesOf, drop, openApp, setPose } from './support/app.ts';
 import { madeCharacter } from './support/made-character.ts';
-import { test } from './support/test.ts';
+import { sharedPage, test } from './support/test.ts';
 
-async function savedPicture(page: Page): Promise<Buffer> {
-  await page.locator('canvas').focus();
-  const [download] = await Promise.all([page.waitForEvent('download'), page.keyboard.press('j')]);
+test.use({ viewport: { width: 760, height: 420 } });
+const page = sharedPage((page) => openApp(page, 'model=tube'));
+
+async function savedPicture(): Promise<Buffer> {
+  await page().locator('canvas').focus();
+  const [download] = await Promise.all([
+    page().waitForEvent('download'),
+    page().keyboard.press('j'),
+  ]);
   return readFileSync(await download.path());
 }
 
-test('a PNG remembers its character and pose, and dropping it opens them', async ({ page }) => {
-  await openApp(page, 'model=tube');
-  const pose = await setPose(page, { joints: { '#2': [0.1, 0.2, 0.3] }, root: [0, 0.5, 0] });
-  const png = await savedPicture(page);
-  await page.evaluate(() => window.sinew.open('hand'));
-  await drop(page, [{ name: 'renamed.png', content: png }]);
-  await expect(page.locator('.status')).toContainText('tube');
-  expect(await page.evaluate(() => window.sinew.pose())).toEqual(pose);
+test('a PNG remembers its character and pose, and dropping it opens them', async () => {
+  const pose = await setPose(page(), { joints: { '#2': [0.1, 0.2, 0.3] }, root: [0, 0.5, 0] });
+  const png = await savedPicture();
+  await page().evaluate(() => window.sinew.open('hand'));
+  await drop(page(), [{ name: 'renamed.png', content: png }]);
+  await expect(page().locator('.status')).toContainText('tube');
+  expect(await page().evaluate(() => window.sinew.pose())).toEqual(pose);
 });
 
-test('of one’s own files it keeps the name alone, and poses them again', async ({ page }) => {
-  await openApp(page, 'model=tube');
-  await drop(page, madeCharacter(5, 2));
-  const pose = await setPose(page, { joints: { '#1': [0.5, 0, 0] } });
-  const png = await savedPicture(page);
-  await page.getByRole('button', { name: 'Reset all' }).click();
-  await drop(page, [{ name: 'again.png', content: png }]);
-  expect(await page.evaluate(() => window.sinew.pose())).toEqual(pose);
+test('of one’s own files it keeps the name alone, and poses them again', async () => {
+  await drop(page(), madeCharacter(5, 2));
+  const pose = await setPose(page(), { joints: { '#1': [0.5, 0, 0] } });
+  const png = await savedPicture();
+  await page().getByRole('button', { name: 'Reset all' }).click();
+  await drop(page(), [{ name: 'again.png', content: png }]);
+  expect(await page().evaluate(() => window.sinew.pose())).toEqual(pose);
+  await page().evaluate(() => window.sinew.open('tube'));
 });
 
-test('any other picture is told, and nothing changes', async ({ page }) => {
-  await openApp(page, 'model=tube');
+test('any other picture is told, and nothing changes', async () => {
   const content = PNG.sync.write(new PNG({ width: 2, height: 2 }));
-  await drop(page, [{ name: 'holiday.png', content }]);
-  await expect(page.locator('.problems')).toContainText('a PNG that Sinew saved');
-  await expect(page.locator('.status')).toContainText('tube');
+  await drop(page(), [{ name: 'holiday.png', content }]);
+  await expect(page().locator('.problems')).toContainText('a PNG that Sinew saved');
+  await expect(page().locator('.status')).toContainText('tube');
 });
 
-test('a damaged note is told by line and column, and nothing changes', async ({ page }) => {
-  await openApp(page, 'model=tube');
+test('a damaged note is told by line and column, and nothing changes', async () => {
   const picture = new Uint8Array(PNG.sync.write(new PNG({ width: 2, height: 2 })));
   const note = '{"bundled":"hand","name":"Hand","pose":[]}';
   const content = Buffer.from(insertPngText(picture, 'Sinew', note));
-  await drop(page, [{ name: 'damaged.png', content }]);
-  await expect(page.locator('.problems')).toContainText('damaged.png:1:40 (pose)');
-  await expect(page.locator('.status')).toContainText('tube');
+  await drop(page(), [{ name: 'damaged.png', content }]);
+  await expect(page().locator('.problems')).toContainText('damaged.png:1:40 (pose)');
+  await expect(page().locator('.status')).toContainText('tube');
 });
 
-test('pictures have the size that is asked for, with or without background', async ({ page }) => {
-  await openApp(page, 'model=tube');
+test('pictures have the size that is asked for, with or without background', async () => {
   for (const background of [true, false]) {
-    const blob = await page.evaluateHandle(
+    const blob = await page().evaluateHandle(
       (background) => window.sinew.capture({ width: 701, height: 333, background }),
       background,
     );
@@ -64,4 +66,14 @@ test('pictures have the size that is asked for, with or without background', asy
     expect(opaque / (width * height), 'the character, or all').toBeGreaterThan(0.05);
     if (!background) expect(opaque / (width * height)).toBeLessThan(0.5);
   }
+});
+
+test('a picture larger than the GPU draws is refused with a word', async () => {
+  const refused = await page().evaluate(() =>
+    window.sinew.capture({ width: 1_000_000, height: 16 }).then(
+      () => '',
+      (error: unknown) => String(error),
+    ),
+  );
+  expect(refused).toContain('picture of 1000000 × 16');
 });

@@ -4,10 +4,13 @@ import { expect } from '@playwright/test';
 import { zipSync } from 'fflate';
 import { drop, openApp } from './support/app.ts';
 import { madeCharacter } from './support/made-character.ts';
-import { test } from './support/test.ts';
+import { sharedPage, test } from './support/test.ts';
 
 // A small view is drawn sooner; nothing here is about its size.
 test.use({ viewport: { width: 760, height: 420 } });
+
+const page = sharedPage((page) => openApp(page, 'model=tube'));
+const status = () => page().locator('.status strong');
 
 const encoder = new TextEncoder();
 
@@ -22,99 +25,97 @@ function packed(count: number): Uint8Array {
   return zipSync(files);
 }
 
-test('several characters of an archive stand in the scene, by one step of undo', async ({
-  page,
-}) => {
-  await openApp(page, 'model=tube');
-  await drop(page, [{ name: 'all.zip', content: packed(3) }]);
-  expect(await page.evaluate(() => window.sinew.problems)).toEqual([]);
-  await expect(page.locator('.status strong')).toHaveText('made0');
+test('several characters of an archive stand in the scene, by one step of undo', async () => {
+  await drop(page(), [{ name: 'all.zip', content: packed(3) }]);
+  expect(await page().evaluate(() => window.sinew.problems)).toEqual([]);
+  await expect(status()).toHaveText('made0');
   for (const name of ['made2', 'made0', 'made1']) {
-    await page.locator('.scene-list').getByRole('button', { name, exact: true }).click();
-    await expect(page.locator('.status strong')).toHaveText(name);
+    await page().locator('.scene-list').getByRole('button', { name, exact: true }).click();
+    await expect(status()).toHaveText(name);
   }
-  await page.getByRole('button', { name: 'Undo' }).click();
-  await expect(page.locator('.status strong')).toHaveText('tube');
-  expect(await page.evaluate(() => window.sinew.characters.length)).toBe(1);
+  await page().getByRole('button', { name: 'Undo' }).click();
+  await expect(status()).toHaveText('tube');
+  expect(await page().evaluate(() => window.sinew.characters.length)).toBe(1);
 });
 
-test('files dropped again after a change keep pose and camera', async ({ page }) => {
-  await openApp(page, 'model=tube');
+test('files dropped again after a change keep pose and camera', async () => {
   const files = madeCharacter(5, 2);
-  await drop(page, files);
-  const pose = await page.evaluate(() =>
+  await drop(page(), files);
+  const pose = await page().evaluate(() =>
     window.sinew.pose({ joints: { '#1': [0.3, 0, 0] }, root: [0, 0.1, 0] }),
   );
-  await page.locator('canvas').focus();
-  await page.keyboard.press('ArrowLeft');
-  const azimuth = await page.getByRole('slider', { name: 'Azimuth' }).getAttribute('aria-valuenow');
+  await page().locator('canvas').focus();
+  await page().keyboard.press('ArrowLeft');
+  const azimuth = await page()
+    .getByRole('slider', { name: 'Azimuth' })
+    .getAttribute('aria-valuenow');
   const changed = files.map((file) =>
     file.name.endsWith('.obj') ? { ...file, content: `${file.content as string}v 9 9 9\n` } : file,
   );
   const attach = changed.find(({ name }) => name.endsWith('.attach'))!;
   const rows = (attach.content as string).trimEnd().split('\n');
   const longer = { ...attach, content: [...rows, rows[0]].join('\n') };
-  await drop(page, [...changed.filter((file) => file !== attach), longer]);
-  expect(await page.evaluate(() => window.sinew.characters[0]!.vertexCount)).toBe(61);
-  expect(await page.evaluate(() => window.sinew.pose())).toEqual(pose);
-  expect(await page.getByRole('slider', { name: 'Azimuth' }).getAttribute('aria-valuenow')).toBe(
+  await drop(page(), [...changed.filter((file) => file !== attach), longer]);
+  expect(await page().evaluate(() => window.sinew.characters[0]!.vertexCount)).toBe(61);
+  expect(await page().evaluate(() => window.sinew.pose())).toEqual(pose);
+  expect(await page().getByRole('slider', { name: 'Azimuth' }).getAttribute('aria-valuenow')).toBe(
     azimuth,
   );
 });
 
-test('what takes a while shows how far it is, and can be stopped', async ({ page }) => {
+test('what takes a while shows how far it is, and can be stopped', async () => {
   // The server is slow to hand out the dog; the page shows so, and lets go of it.
-  await page.route('**/dog.obj.gz', async (route) => {
-    await new Promise((resolve) => setTimeout(resolve, 1500));
-    await route.continue().catch(() => undefined);
+  let handOut = (): void => undefined;
+  const slowly = new Promise<void>((resolve) => (handOut = resolve));
+  await page().route('**/dog.obj.gz', async (route) => {
+    await slowly;
+    await route.continue().catch(() => undefined); // the page no longer waits for it
   });
-  await openApp(page, 'model=tube');
-  await page.getByRole('button', { name: 'Dog' }).click();
-  await expect(page.locator('.progress')).toContainText('Loading Dog');
-  await page.getByRole('button', { name: 'Cancel' }).click();
-  await expect(page.locator('.progress')).toBeHidden();
-  await page.waitForTimeout(1800);
-  await expect(page.locator('.status strong')).toHaveText('tube');
+  const before = await status().textContent();
+  await page().getByRole('button', { name: 'Dog' }).click();
+  await expect(page().locator('.progress')).toContainText('Loading Dog');
+  await page().getByRole('button', { name: 'Cancel' }).click();
+  await expect(page().locator('.progress')).toBeHidden();
+  handOut();
+  await page().waitForTimeout(300);
+  await expect(status()).toHaveText(before!);
 });
 
-test('a newer drop ends the one under way', async ({ page }) => {
-  await openApp(page, 'model=tube');
+test('a newer drop ends the one under way', async () => {
   const large = madeCharacter(400, 4).map((file) =>
     file.name.endsWith('.obj')
       ? { ...file, content: `${file.content as string}${'# filler\n'.repeat(200_000)}` }
       : { ...file },
   );
-  await page.evaluate(() => ((window as { opened?: string[] }).opened = []));
-  const first = drop(page, large).catch(() => undefined);
-  await drop(page, madeCharacter(5, 2));
+  await page().evaluate(() => window.sinew.open('tube'));
+  const first = drop(page(), large).catch(() => undefined);
+  await drop(page(), madeCharacter(5, 2));
   await first;
-  await page.waitForTimeout(1000);
-  expect(await page.evaluate(() => window.sinew.characters[0]!.joints.length)).toBe(5);
+  await page().waitForTimeout(500);
+  expect(await page().evaluate(() => window.sinew.characters[0]!.joints.length)).toBe(5);
 });
 
 // The entries of a drop were once asked with `instanceof` for classes that browsers do not name.
-test('a folder is dropped with all that is in it, junk aside', async ({ page }, info) => {
-  const folder = info.outputPath('Mödels');
+test('a folder is dropped with all that is in it, junk aside', async () => {
+  const folder = test.info().outputPath('Mödels');
   mkdirSync(path.join(folder, 'inner'), { recursive: true });
   for (const { name, content } of madeCharacter(5, 2)) {
-    writeFileSync(path.join(folder, 'inner', name), content);
+    writeFileSync(path.join(folder, 'inner', name.replace('made', 'inside')), content);
     writeFileSync(path.join(folder, 'inner', `._${name}`), 'resource fork');
   }
-  await openApp(page, 'model=tube');
-  const client = await page.context().newCDPSession(page);
+  const client = await page().context().newCDPSession(page());
   const data = { items: [], files: [folder], dragOperationsMask: 1 };
   for (const type of ['dragEnter', 'dragOver', 'drop'] as const) {
     await client.send('Input.dispatchDragEvent', { type, x: 400, y: 200, data });
   }
-  await expect(page.locator('.status strong')).toHaveText('made');
-  expect(await page.evaluate(() => window.sinew.problems)).toEqual([]);
+  await expect(status()).toHaveText('inside');
+  expect(await page().evaluate(() => window.sinew.problems)).toEqual([]);
 });
 
-test('a reader that can’t be loaded ends in a message, and the page stays as it was', async ({
-  page,
-}) => {
+test('a reader that can’t be loaded ends in a message, and the page stays as it was', async () => {
   // As after a deploy that took the script away.
-  await page.addInitScript(() => {
+  const before = await status().textContent();
+  await page().evaluate(() => {
     window.Worker = class extends EventTarget {
       postMessage(): void {
         setTimeout(() => this.dispatchEvent(new Event('error')));
@@ -124,16 +125,19 @@ test('a reader that can’t be loaded ends in a message, and the page stays as i
       }
     } as unknown as typeof Worker;
   });
-  await openApp(page, 'model=tube');
   const [skel, obj, attach] = madeCharacter(5, 2);
   const long = { ...obj!, content: `${'# a comment\n'.repeat(2 ** 17)}${obj!.content as string}` };
-  await page.locator('html').evaluate(
-    (_, files) => {
-      const made = files.map(({ name, content }) => new File([content], name));
-      return window.sinew.open(made);
-    },
-    [skel!, long, attach!].map(({ name, content }) => ({ name, content: content as string })),
+  await page()
+    .locator('html')
+    .evaluate(
+      (_, files) => {
+        const made = files.map(({ name, content }) => new File([content], name));
+        return window.sinew.open(made);
+      },
+      [skel!, long, attach!].map(({ name, content }) => ({ name, content: content as string })),
+    );
+  await expect(page().locator('.status .notice')).toHaveText(
+    /could not be loaded; reload the page/,
   );
-  await expect(page.locator('.status .notice')).toHaveText(/could not be loaded; reload the page/);
-  await expect(page.locator('.status strong')).toHaveText('tube');
+  await expect(status()).toHaveText(before!);
 });

@@ -2,46 +2,50 @@ import { readFileSync } from 'node:fs';
 import { expect, type Download, type Page } from '@playwright/test';
 import { PNG } from 'pngjs';
 import { bytesOf, capture, choose, controlRow, openApp, openView } from './support/app.ts';
-import { test } from './support/test.ts';
+import { sharedPage, test } from './support/test.ts';
 
 // A small view: its pixels are compared one by one.
 test.use({ viewport: { width: 860, height: 480 } });
 
 // The view's pixels come to the test by another way than the file's: the browser's own picture of
 // the page, cut to the canvas. Every byte must be the same.
-for (const { name, open } of [
-  { name: 'the view alone', open: openView },
-  { name: 'the view between its panels', open: openApp },
-]) {
-  test(`a picture saved with "j" has exactly the pixels of ${name}`, async ({ page }) => {
-    await open(page);
-    // Something that no first visit shows, so that a picture of another moment would differ.
-    for (const key of ['s', 's', 'ArrowLeft', 'ArrowUp']) await page.keyboard.press(key);
-    const [download] = await Promise.all([page.waitForEvent('download'), page.keyboard.press('j')]);
-    expect(download.suggestedFilename()).toBe('human.png');
-    expectPixels(await decode(download), await shownPixels(page));
+test.describe('the view alone', () => {
+  const page = sharedPage((page) => openView(page));
+
+  test('is saved with "j" to the pixel', () => expectSaved(page()));
+
+  test('is captured by scripts to the pixel, as PNG and as JPEG', async () => {
+    const png = PNG.sync.read(await capture(page()));
+    expect(png).toMatchObject({ width: 640, height: 480 });
+    expectPixels(png, await shownPixels(page()));
+    await expectJpeg(page(), await capture(page(), 'jpeg'), png);
   });
+});
+
+test.describe('the view between its panels', () => {
+  const page = sharedPage((page) => openApp(page));
+
+  test('is saved with "j" to the pixel', () => expectSaved(page()));
+
+  test('is saved by the button in the format chosen', async () => {
+    await page().locator('.lil-title').getByText('Picture', { exact: true }).click();
+    const save = controlRow(page(), 'Save (j)').locator('button');
+    const png = await decode(await downloadBy(page(), () => save.click()));
+    expectPixels(png, await shownPixels(page()));
+    await choose(page(), 'Format', 'JPEG');
+    const jpeg = await downloadBy(page(), () => save.click());
+    expect(jpeg.suggestedFilename()).toBe('human.jpg');
+    await expectJpeg(page(), readFileSync(await jpeg.path()), png);
+  });
+});
+
+async function expectSaved(page: Page): Promise<void> {
+  // Something that no first visit shows, so that a picture of another moment would differ.
+  for (const key of ['s', 's', 'ArrowLeft', 'ArrowUp']) await page.keyboard.press(key);
+  const saved = await downloadBy(page, () => page.keyboard.press('j'));
+  expect(saved.suggestedFilename()).toBe('human.png');
+  expectPixels(await decode(saved), await shownPixels(page));
 }
-
-test('the button saves in the format chosen', async ({ page }) => {
-  await openApp(page);
-  await page.locator('.lil-title').getByText('Picture', { exact: true }).click();
-  const save = controlRow(page, 'Save (j)').locator('button');
-  const png = await decode(await downloadBy(page, () => save.click()));
-  expectPixels(png, await shownPixels(page));
-  await choose(page, 'Format', 'JPEG');
-  const jpeg = await downloadBy(page, () => save.click());
-  expect(jpeg.suggestedFilename()).toBe('human.jpg');
-  await expectJpeg(page, readFileSync(await jpeg.path()), png);
-});
-
-test('scripts capture the same, as PNG and as JPEG', async ({ page }) => {
-  await openView(page);
-  const png = PNG.sync.read(await capture(page));
-  expect(png).toMatchObject({ width: 640, height: 480 });
-  expectPixels(png, await shownPixels(page));
-  await expectJpeg(page, await capture(page, 'jpeg'), png);
-});
 
 async function downloadBy(page: Page, act: () => Promise<void>): Promise<Download> {
   const [download] = await Promise.all([page.waitForEvent('download'), act()]);

@@ -72,9 +72,7 @@ test('only what changed is sent', async ({ page }) => {
   await test.step('a pose sends the palette and the solids alone', async () => {
     await page.keyboard.press('a');
     const { joints, vertexCount } = await page.evaluate(() => {
-      const [{ joints, vertexCount }] = window.sinew.characters as [
-        { joints: string[]; vertexCount: number },
-      ];
+      const { joints, vertexCount } = window.sinew.characters[0]!;
       return { joints, vertexCount };
     });
     const { geometry } = await sentBy(page, () => page.evaluate(() => window.sinew.seek(0.4)));

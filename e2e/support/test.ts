@@ -9,11 +9,12 @@ declare global {
 
 /**
  * Playwright's `test` with a promise kept in every spec: nothing is thrown or logged as an error, no
- * dialog opens, and nothing is asked of any other origin, or sent to the page's own.
+ * dialog opens, nothing is asked of any other origin, or sent to the page's own, and the content
+ * security policy of the built page has nothing to refuse.
  */
 export const test = base.extend({
   page: async ({ page, baseURL }, use) => {
-    const broken = brokenPromises(page, baseURL);
+    const broken = await brokenPromises(page, baseURL);
     await use(page);
     expect(broken, 'errors, dialogs and requests that the page must not make').toEqual([]);
   },
@@ -27,7 +28,7 @@ export function sharedPage(prepare: (page: Page) => Promise<void>): () => Page {
   test.beforeAll(async ({ browser, baseURL }) => {
     // A context by hand: tools that look into the page refuse the one that newPage makes.
     page = await (await browser.newContext()).newPage();
-    broken = brokenPromises(page, baseURL);
+    broken = await brokenPromises(page, baseURL);
     await prepare(page);
   });
   test.afterEach(() => expect(broken).toEqual([]));
@@ -39,7 +40,7 @@ export function sharedPage(prepare: (page: Page) => Promise<void>): () => Page {
 }
 
 /** What the page did that it must not; the list grows as the page goes on. */
-function brokenPromises(page: Page, baseURL: string | undefined): readonly string[] {
+async function brokenPromises(page: Page, baseURL: string | undefined): Promise<readonly string[]> {
   const broken: string[] = [];
   const origin = new URL(baseURL!).origin;
   page.on('pageerror', (error) => broken.push(`thrown: ${error.stack ?? error.message}`));
@@ -55,5 +56,18 @@ function brokenPromises(page: Page, baseURL: string | undefined): readonly strin
     if (!new RegExp(`^(?:${origin}/|blob:|data:|about:)`).test(url)) broken.push(`asked: ${url}`);
     if (request.method() !== 'GET' || request.postData() !== null) broken.push(`sent to: ${url}`);
   });
+  await watchPolicy(page);
   return broken;
+}
+
+/** From now on what the page's content security policy refuses is an uncaught error of the page. */
+export async function watchPolicy(page: Page): Promise<void> {
+  await page.addInitScript(() => {
+    addEventListener(
+      'securitypolicyviolation',
+      ({ effectiveDirective, blockedURI, sourceFile }) => {
+        reportError(new Error(`refused by ${effectiveDirective}: ${blockedURI} of ${sourceFile}`));
+      },
+    );
+  });
 }

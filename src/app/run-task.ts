@@ -1,4 +1,5 @@
 import { Failure } from '../core/failure.ts';
+import workerUrl from '../workers/task.worker.ts?worker&url';
 import type {
   TaskName,
   TaskProgress,
@@ -15,15 +16,34 @@ interface TaskOptions {
   readonly transfer: Transferable[];
 }
 
+declare global {
+  interface Window {
+    /** The part of Trusted Types that is used here, which not every browser has. */
+    readonly trustedTypes?: {
+      createPolicy(
+        name: string,
+        rules: { createScriptURL(): string },
+      ): { createScriptURL(text: string): string }; // an object, which `Worker` takes for a text
+    };
+  }
+}
+
+/**
+ * The page's content policy starts no worker from plain text. The one trusted policy that it allows gives
+ * this one address, whatever it is asked for.
+ */
+const trustedUrl =
+  window.trustedTypes
+    ?.createPolicy('skin-worker', { createScriptURL: () => workerUrl })
+    .createScriptURL('') ?? workerUrl;
+
 /** Runs a task on another thread, which ends with it. */
 export function runTask<Name extends TaskName>(
   name: Name,
   input: TaskTypes[Name]['input'],
   { signal, onProgress, transfer }: TaskOptions,
 ): Promise<TaskTypes[Name]['output'] | undefined> {
-  const worker = new Worker(new URL('../workers/task.worker.ts', import.meta.url), {
-    type: 'module',
-  });
+  const worker = new Worker(trustedUrl, { type: 'module' });
   return new Promise<TaskTypes[Name]['output'] | undefined>((resolve, reject) => {
     signal.addEventListener('abort', () => resolve(undefined), { once: true });
     worker.addEventListener('message', ({ data }: MessageEvent<TaskReply>) => {

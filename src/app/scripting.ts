@@ -16,7 +16,7 @@ import type { Camera } from '../view/camera.ts';
 import { decodeImage } from '../view/decode-image.ts';
 import { capturePicture, encodePicture, type PictureFormat } from '../view/picture.ts';
 import { verifyShown } from '../view/verify.ts';
-import { fetchFile } from './catalogue.ts';
+import { fetchFile } from './fetch-file.ts';
 
 /** The id or the name of an actor; the first of that name. */
 export type ActorName = number | string;

@@ -1,0 +1,114 @@
+import { expect, type CDPSession, type Page } from '@playwright/test';
+import { type Holdings, holdingsOf } from '../holdings.ts';
+
+/** More steps of undo than these would take longer than the walk that made them. */
+const mostUndone = 10;
+
+/** Ends what is under way, whatever it was: dialogs, playing clips, openings, decoding. */
+export async function comeToRest(page: Page): Promise<void> {
+  await page.setViewportSize({ width: 760, height: 420 });
+  await page.keyboard.press('Escape');
+  await page.evaluate(async () => {
+    document.querySelector('dialog')?.close();
+    (document.activeElement as HTMLElement | null)?.blur();
+    await window.sinew.settled();
+    const button = (name: string) =>
+      document.querySelector<HTMLButtonElement>(`.timeline button[aria-label^="${name}"]`);
+    for (const { id } of window.sinew.characters) {
+      window.sinew.select(id);
+      await new Promise((resolve) => setTimeout(resolve));
+      // Of an actor without a bound clip it would bind one.
+      if (button('Own pose')?.disabled === false) button('Pause')?.click();
+    }
+  });
+}
+
+/** The page shows what it shows by the same numbers on CPU and GPU, and one actor is selected. */
+export async function expectNumbers(page: Page): Promise<void> {
+  await expect.poll(() => page.locator('.message').count(), 'the context is back').toBe(0);
+  const characters = await page.evaluate(() => window.sinew.characters);
+  expect(characters.filter(({ selected }) => selected).length).toBe(Math.min(1, characters.length));
+  for (const { id } of characters) {
+    expect(await page.evaluate((id) => window.sinew.verify(id), id)).toMatchObject({
+      identical: true,
+    });
+  }
+}
+
+/** Undone and done again, the scene passes through the very same states. */
+export async function expectReplay(page: Page): Promise<void> {
+  const { undone, redone } = await page.evaluate(async (mostUndone) => {
+    const hash = (numbers: Float32Array): number =>
+      new Int32Array(numbers.buffer).reduce((sum, bits) => (Math.imul(sum, 31) + bits) | 0, 0);
+    /** All that is told of the scene, and the places and ways that its controls show. */
+    const tell = (): string =>
+      JSON.stringify(
+        window.sinew.characters.map(({ id, name }) => {
+          window.sinew.select(id);
+          const fields = document.querySelectorAll<HTMLInputElement | HTMLSelectElement>(
+            '.controls input[aria-label^="Place "], .controls select',
+          );
+          return {
+            id,
+            name,
+            pose: window.sinew.pose(undefined, id),
+            morphs: window.sinew.morphs({}, id),
+            vertices: hash(window.sinew.vertices('cpu', id)),
+            fields: [...fields].map(({ value }) => value),
+          };
+        }),
+      );
+    const step = async (name: 'Undo' | 'Redo'): Promise<boolean> => {
+      const buttons = [...document.querySelectorAll<HTMLButtonElement>('.toolbar button')];
+      const button = buttons.find(({ textContent }) => textContent === name)!;
+      if (button.disabled) return false;
+      button.click();
+      await new Promise((resolve) => setTimeout(resolve));
+      return true;
+    };
+    const undone = [tell()];
+    while (undone.length <= mostUndone && (await step('Undo'))) undone.push(tell());
+    const redone = [undone.at(-1)!];
+    while (redone.length < undone.length && (await step('Redo'))) redone.push(tell());
+    return { undone, redone };
+  }, mostUndone);
+  expect(redone.reverse()).toEqual(undone);
+}
+
+export interface Resting extends Holdings {
+  /** Of all documents, those among them that no document has and something still holds. */
+  readonly nodes: number;
+  /** Bytes. */
+  readonly heap: number;
+}
+
+/** What the page holds on to when a small character stands alone in it. */
+export async function restingHoldings(page: Page, devtools: CDPSession): Promise<Resting> {
+  await page.evaluate(async () => {
+    while (window.sinew.characters.length > 1) window.sinew.remove();
+    await window.sinew.open('tube');
+    await window.sinew.capture({ width: 64, height: 48 });
+  });
+  const holdings = await holdingsOf(page);
+  await devtools.send('HeapProfiler.collectGarbage');
+  const { metrics } = await devtools.send('Performance.getMetrics');
+  const metric = (name: string): number => metrics.find((each) => each.name === name)!.value;
+  return { ...holdings, nodes: metric('Nodes'), heap: metric('JSHeapUsedSize') };
+}
+
+/**
+ * The bounds are some twice of what a page holds at most, with every pass and panel used, however long it is
+ * in use; of a character that stayed there would be more after a few openings.
+ *
+ * @param recentDownloads files that were just saved, whose addresses are still there
+ */
+export function expectNoLeak(resting: Resting, recentDownloads: number): void {
+  const { objects, listeners, workers, urls, nodes, heap } = resting;
+  const objectCount = Object.values(objects).reduce((sum, count) => sum + count, 0);
+  expect(objectCount, JSON.stringify(objects)).toBeLessThan(120);
+  expect(listeners, 'listeners on the window, the document and the canvas').toBeLessThan(60);
+  expect(workers, 'workers').toBe(0);
+  expect(urls, 'addresses of objects').toBeLessThanOrEqual(recentDownloads);
+  expect(nodes, 'nodes, in the page and out of it').toBeLessThan(2500);
+  expect(heap, 'bytes of the JavaScript heap').toBeLessThan(64e6);
+}

@@ -1,0 +1,71 @@
+import { Failure } from '../core/failure.ts';
+import { defaultLimits } from '../core/limits.ts';
+import { memoryFile } from '../formats/file-entry.ts';
+import type { FileEntry } from '../formats/format.ts';
+
+/**
+ * A file of the page's own server, unpacked if it is gzipped. Fetched or unpacked it has at most so many
+ * bytes as a dropped file may have; what comes after them is not asked for.
+ */
+export async function fetchFile(
+  url: URL,
+  signal?: AbortSignal,
+  limit = defaultLimits.fileSize,
+): Promise<FileEntry> {
+  // Nothing is opened from elsewhere, nor from addresses of objects in the page's memory.
+  if (!url.href.startsWith(`${location.origin}/`)) {
+    throw new Failure(
+      `${url.href} is not a file of this page's own server; download it and drop it here`,
+    );
+  }
+  const response = await fetchChecked(url, signal);
+  const fetched = await collect(response.body!, url, limit);
+  const path = decodeURIComponent(url.pathname.slice(url.pathname.lastIndexOf('/') + 1));
+  // Some servers unpack .gz files on the way, so the bytes tell, not the name.
+  const isPacked = fetched[0] === 0x1f && fetched[1] === 0x8b;
+  return memoryFile(
+    path.replace(/\.gz$/i, ''),
+    isPacked ? await collect(gunzip(fetched), url, limit) : fetched,
+  );
+}
+
+/** What the page's own server answers, and no other that it points to. */
+export async function fetchChecked(url: URL, signal?: AbortSignal): Promise<Response> {
+  let response: Response;
+  try {
+    response = await fetch(url, { mode: 'same-origin', ...(signal && { signal }) });
+  } catch {
+    throw new Failure(`${url.pathname} could not be fetched`);
+  }
+  if (!response.ok) throw new Failure(`${url.pathname}: the server says ${response.status}`);
+  return response;
+}
+
+function gunzip(bytes: Uint8Array<ArrayBuffer>): ReadableStream<Uint8Array<ArrayBuffer>> {
+  return new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
+}
+
+/** All bytes of a stream, which is given up where there are more than the limit. */
+async function collect(
+  stream: ReadableStream<Uint8Array<ArrayBuffer>>,
+  { pathname }: URL,
+  limit: number,
+): Promise<Uint8Array<ArrayBuffer>> {
+  const reader = stream.getReader();
+  const parts: Uint8Array<ArrayBuffer>[] = [];
+  let size = 0;
+  try {
+    for (let part = await reader.read(); !part.done; part = await reader.read()) {
+      size += part.value.length;
+      if (size > limit) break;
+      parts.push(part.value);
+    }
+  } catch {
+    throw new Failure(`${pathname} broke off, or is damaged`);
+  }
+  if (size > limit) {
+    void reader.cancel();
+    throw new Failure(`${pathname} has more than ${limit} bytes`);
+  }
+  return new Uint8Array(await new Blob(parts).arrayBuffer());
+}

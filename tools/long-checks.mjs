@@ -1,0 +1,80 @@
+/**
+ * The checks of `npm run test:long`, which take longer than `npm test` may. Each is a browser test that
+ * `npm test` runs in its shortest form; its options reach it as variables of its environment.
+ *
+ * @typedef {{ variable: string, usual: string, form: RegExp, what: string }} LongOption
+ * @typedef {{ name: string, what: string, spec: string, options: Record<string, LongOption> }} LongCheck
+ */
+
+/** @type {readonly LongCheck[]} */
+export const longChecks = [
+  {
+    name: 'soak',
+    what: 'random use of the built page, one seed after the other',
+    spec: 'e2e/soak.spec.ts',
+    options: {
+      seed: {
+        variable: 'SOAK_SEEDS',
+        usual: '1,2,3,4,5',
+        form: /^\d+(,\d+)*$/,
+        what: 'whole numbers with commas between them',
+      },
+      minutes: {
+        variable: 'SOAK_MINUTES',
+        usual: '10',
+        form: /^\d+(\.\d+)?$/,
+        what: 'how long each seed takes',
+      },
+    },
+  },
+];
+
+/**
+ * The checks that words of the command line name, with the environment of each; all of them where none is
+ * named. What is not understood is thrown as an error with a message for the user.
+ *
+ * @param {readonly string[]} words such as `soak --seed 3 --minutes=2`
+ * @returns {{ check: LongCheck, environment: Record<string, string> }[]}
+ */
+export function chosenChecks(words) {
+  /** @type {string[]} */
+  const names = [];
+  /** @type {Map<string, string>} */
+  const values = new Map();
+  const split = words.flatMap((word) => /^(--\w+)=(.*)$/.exec(word)?.slice(1) ?? [word]);
+  for (let i = 0; i < split.length; i++) {
+    const word = split[i] ?? '';
+    if (word.startsWith('--')) values.set(word.slice(2), split[++i] ?? '');
+    else names.push(word);
+  }
+  const unknown = names.find((name) => longChecks.every((check) => check.name !== name));
+  if (unknown !== undefined) throw new Error(`"${unknown}" is no long check.\n${usage()}`);
+  const chosen = longChecks.filter(({ name }) => names.length === 0 || names.includes(name));
+  for (const [name, value] of values) {
+    const option = chosen.map(({ options }) => options[name]).find((each) => each !== undefined);
+    if (!option?.form.test(value))
+      throw new Error(`"--${name} ${value}" is not understood.\n${usage()}`);
+  }
+  return chosen.map((check) => ({
+    check,
+    environment: Object.fromEntries(
+      Object.entries(check.options).map(([name, { variable, usual }]) => [
+        variable,
+        values.get(name) ?? usual,
+      ]),
+    ),
+  }));
+}
+
+/** What may be written behind `npm run test:long --`. */
+export function usage() {
+  const lines = longChecks.flatMap(({ name, what, options }) => [
+    `  ${name}: ${what}`,
+    ...Object.entries(options).map(
+      ([option, { usual, what: meaning }]) => `    --${option} ${usual}  (${meaning})`,
+    ),
+  ]);
+  return ['The long checks, with the values that their options have by themselves:', ...lines].join(
+    '\n',
+  );
+}
