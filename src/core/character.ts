@@ -8,7 +8,7 @@ import type { Skin } from './skin.ts';
 
 /** An image as it was read; whoever draws decodes it. */
 export interface CharacterImage {
-  /** Without folders, as the material has it. */
+  /** The plain path of what the material names, as it can stand in an archive. */
   readonly name: string;
   readonly bytes: Uint8Array;
 }

@@ -1,44 +1,71 @@
 import type { Character, CharacterImage } from '../core/character.ts';
+import { type Diagnostic, printable } from '../core/diagnostics.ts';
+import { ambiguousName } from './belonging/ambiguous-name.ts';
+import { findNamed } from './belonging/find-named.ts';
+import { plainPath } from './belonging/plain-path.ts';
 import { textureExtensions } from './extensions.ts';
 import { baseName, extensionOf } from './file-entry.ts';
 import type { FileEntry } from './format.ts';
 
-/**
- * The image that a material names, among files in any folder, case aside; never fetched from where the
- * name points to.
- */
-function findTexture(files: readonly FileEntry[], name: string): FileEntry | undefined {
-  const wanted = baseName(name).toLowerCase();
-  return files.find(({ path }) => isImage(path) && baseName(path).toLowerCase() === wanted);
+interface Dressed {
+  readonly character: Character;
+  readonly used: readonly FileEntry[];
+  readonly diagnostics: readonly Diagnostic[];
 }
 
 /**
- * The character with the images that its materials name, from among the files; those that are not there
- * stand among what is missing, by name.
+ * The character with the images that its materials name, from among the files, never fetched from where
+ * a name points to; those that are not there stand among what is missing, by name.
+ *
+ * @param from the file that has the materials
  */
 export async function attachTextures(
   character: Character,
+  from: FileEntry,
   files: readonly FileEntry[],
-): Promise<{ readonly character: Character; readonly used: readonly FileEntry[] }> {
-  const names = character.materials.flatMap(({ texture }) => texture ?? []);
+): Promise<Dressed> {
+  const candidates = files.filter(({ path }) => isImage(path));
   const used: FileEntry[] = [];
   const images: CharacterImage[] = [];
   const missing: string[] = [];
-  for (const name of new Set(names.map((name) => baseName(name)))) {
-    const file = findTexture(files, name);
-    if (!file) {
-      missing.push(name);
+  const guessed: FileEntry[] = [];
+  const diagnostics: Diagnostic[] = [];
+  const named = new Map(
+    character.materials.flatMap(({ texture }) =>
+      texture === undefined ? [] : [[plainPath(texture), texture] as const],
+    ),
+  );
+  for (const [name, texture] of named) {
+    const found = findNamed(texture, from.path, candidates);
+    if (!found) {
+      missing.push(baseName(texture));
       continue;
     }
-    used.push(file);
-    images.push({ name, bytes: await file.bytes() });
+    used.push(found.file);
+    images.push({ name, bytes: await found.file.bytes() });
+    diagnostics.push(...ambiguousName(from, texture, found));
+    if (found.isGuess) guessed.push(found.file);
   }
   for (const name of character.optionalImages) {
-    const file = findTexture(files, name);
-    if (file) used.push(file);
+    const found = findNamed(name, from.path, candidates);
+    if (found) used.push(found.file);
   }
-  if (names.length === 0) return { character, used };
-  return { character: { ...character, images, missing: [...character.missing, ...missing] }, used };
+  if (guessed.length > 0) diagnostics.push(tellGuesses(from, guessed));
+  const dressed = { ...character, images, missing: [...character.missing, ...new Set(missing)] };
+  return { character: named.size === 0 ? character : dressed, used, diagnostics };
+}
+
+/** Once a character, however many images it has. */
+function tellGuesses(from: FileEntry, guessed: readonly FileEntry[]): Diagnostic {
+  const [first, ...others] = guessed.map(({ path }) => path);
+  return {
+    severity: 'warning',
+    code: 'file/pairing',
+    file: baseName(from.path),
+    expected: 'images where its materials say, or beside it',
+    found: others.length > 0 ? `${first!} and ${others.length} more` : first!,
+    effect: `${printable(first!)}${others.length > 0 ? ' and the others are' : ' is'} used, by name`,
+  };
 }
 
 function isImage(path: string): boolean {

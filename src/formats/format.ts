@@ -39,7 +39,7 @@ export interface Written {
 /** Half of a seam: from a format's files to loose parts. */
 export interface FormatReader {
   /** Puts the files of each character together. */
-  group(files: readonly FileEntry[]): readonly FileGroup[];
+  group(files: readonly FileEntry[]): Promise<readonly FileGroup[]>;
   read(group: FileGroup, limits: Limits): Promise<Parsed<CharacterParts>>;
 }
 

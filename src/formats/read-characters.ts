@@ -8,7 +8,7 @@ import { archiveExtension, characterExtensions, textureExtensions } from './exte
 import { baseName, extensionOf } from './file-entry.ts';
 import type { FileEntry, FileGroup, FormatReader } from './format.ts';
 import { isJunk } from './junk.ts';
-import { formats, isOfFormat } from './registry.ts';
+import { formatOf, formats } from './registry.ts';
 
 export interface ReadCharacter {
   readonly character: Character;
@@ -39,15 +39,16 @@ export async function readCharacters(
   );
   const used = new Set<FileEntry>();
   for (const { id, loadReader } of formats) {
-    const own = files.filter((file) => isOfFormat(id, file));
+    const own = files.filter((file) => formatOf(file) === id);
     if (own.length === 0) continue;
     const reader = await loadReader();
-    for (const group of reader.group(own)) {
+    for (const group of await reader.group(own)) {
       for (const file of group.files) used.add(file);
-      const character = await readGroup(reader, group, limits, diagnostics);
-      if (!character) continue;
-      const dressed = await attachTextures(character, files);
+      const read = await readGroup(reader, group, limits, diagnostics);
+      if (!read) continue;
+      const dressed = await attachTextures(read.character, read.from, files);
       for (const file of dressed.used) used.add(file);
+      diagnostics.push(...dressed.diagnostics);
       characters.push({
         character: dressed.character,
         files: [...group.files, ...dressed.used],
@@ -67,18 +68,21 @@ async function expand(files: readonly FileEntry[]) {
   return expandArchives(files);
 }
 
+/** The character of a group, and the file that has its mesh, whose materials name images. */
 async function readGroup(
   reader: FormatReader,
   group: FileGroup,
   limits: Limits,
   diagnostics: Diagnostic[],
-): Promise<Character | undefined> {
+): Promise<{ readonly character: Character; readonly from: FileEntry } | undefined> {
   const parsed = await reader.read(group, limits);
   diagnostics.push(...group.diagnostics, ...parsed.diagnostics);
   if (!parsed.value) return undefined;
   const built = buildCharacter(parsed.value, limits);
   diagnostics.push(...built.diagnostics);
-  return built.value;
+  const meshFile = parsed.value.mesh?.file;
+  const from = group.files.find(({ path }) => baseName(path) === meshFile) ?? group.files[0]!;
+  return built.value && { character: built.value, from };
 }
 
 /** The same files; asking one for its bytes reports progress, and fewer bytes than it should have. */

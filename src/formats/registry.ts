@@ -1,12 +1,13 @@
 import { assert } from '../core/assert.ts';
 import { loadPart } from '../core/failure.ts';
 import { formatExtensions } from './extensions.ts';
+import { isCse169File } from './cse169/recognize.ts';
 import { cse169Shape } from './cse169/shape.ts';
 import { extensionOf } from './file-entry.ts';
 import type { FileEntry, FormatReader, FormatShape, FormatWriter } from './format.ts';
+import { isMitFile } from './mit/recognize.ts';
 import { mitShape } from './mit/shape.ts';
 import { mmdShape } from './mmd/shape.ts';
-import { skelDialect } from './skel-dialect.ts';
 
 /**
  * A seam: a format is a folder with a shape, a reader and a writer, and an entry here. The latter two are
@@ -16,6 +17,8 @@ export interface FormatEntry {
   readonly id: FormatId;
   readonly label: string;
   readonly shape: FormatShape;
+  /** Whether a file is this format's by its beginning, for endings that others have too. */
+  readonly recognizes?: (file: FileEntry) => boolean;
   readonly loadReader: () => Promise<FormatReader>;
   readonly loadWriter?: () => Promise<FormatWriter>;
 }
@@ -27,6 +30,7 @@ const entries = [
     id: 'mit',
     label: 'MIT 6.837',
     shape: mitShape,
+    recognizes: isMitFile,
     loadReader: async () => (await loadPart(import('./mit/reader.ts'))).mitReader,
     loadWriter: async () => (await loadPart(import('./mit/write-character.ts'))).writeMit,
   },
@@ -34,6 +38,7 @@ const entries = [
     id: 'cse169',
     label: 'UCSD CSE169',
     shape: cse169Shape,
+    recognizes: isCse169File,
     loadReader: async () => (await loadPart(import('./cse169/reader.ts'))).cse169Reader,
     loadWriter: async () => (await loadPart(import('./cse169/write-character.ts'))).writeCse169,
   },
@@ -73,9 +78,12 @@ export async function loadWriter(id: FormatId): Promise<FormatWriter> {
   return load();
 }
 
-/** Whether the file is of the format: by its ending, and where two share one by content. */
-export function isOfFormat(id: FormatId, file: FileEntry): boolean {
+/** The format whose file it is: by its ending, and where several have that, the first that knows it. */
+export function formatOf(file: FileEntry): FormatId | undefined {
   const extension = extensionOf(file.path);
-  if (extension === '.skel') return skelDialect(file) === id;
-  return formatExtensions[id].some((each) => each === extension);
+  const byEnding = formats.filter(({ id }) =>
+    formatExtensions[id].some((each) => each === extension),
+  );
+  if (byEnding.length < 2) return byEnding[0]?.id;
+  return (byEnding.find(({ recognizes }) => recognizes?.(file)) ?? byEnding[0]!).id;
 }

@@ -1,7 +1,7 @@
 import type { Character } from '../core/character.ts';
 import type { Color } from '../core/character-parts.ts';
 import type { Submesh } from '../core/mesh.ts';
-import { baseName } from '../formats/file-entry.ts';
+import { plainPath } from '../formats/belonging/plain-path.ts';
 import { linearChannel } from './theme.ts';
 
 /** A run of triangles and how its material shades it; colors in linear light. */
@@ -41,7 +41,7 @@ export function surfacesOf({ mesh, materials }: Character): readonly Surface[] {
       twoSided: material?.twoSided ?? true,
       specular: ((shininess > 0 && colors?.specular) || black).map(linearOf),
       shininess,
-      texture: texture === undefined ? undefined : baseName(texture),
+      texture: texture === undefined ? undefined : plainPath(texture),
     };
   });
 }

@@ -24,8 +24,7 @@ const fileAt = (path: string, limit?: number) =>
 const messageOf = (path: string, limit?: number): Promise<string> =>
   fileAt(path, limit).then(
     () => 'no error',
-    (error: unknown) =>
-      error instanceof Failure ? error.message : `not told: ${String(error)}`,
+    (error: unknown) => (error instanceof Failure ? error.message : `not told: ${String(error)}`),
   );
 
 /** So many bytes, one by one, and how many of them were asked for. */

@@ -1,10 +1,10 @@
 import type { CharacterParts, SkeletonParts } from '../../core/character-parts.ts';
 import type { Diagnostic, Parsed } from '../../core/diagnostics.ts';
 import type { Limits } from '../../core/limits.ts';
+import { groupParts } from '../belonging/group-parts.ts';
 import { formatExtensions } from '../extensions.ts';
 import { baseName, extensionOf } from '../file-entry.ts';
 import type { FileEntry, FileGroup, FormatReader } from '../format.ts';
-import { groupByStem } from '../group-by-stem.ts';
 import { readObj } from '../obj/read-obj.ts';
 import { type ExpectedColumns, readAttach } from './attach.ts';
 import { readSkel } from './skel.ts';
@@ -13,7 +13,7 @@ const kinds = formatExtensions.mit;
 
 /** MIT 6.837 assignment 2: `Model1.skel`, `Model1.obj`, `Model1.attach`. */
 export const mitReader: FormatReader = {
-  group: (files) => groupByStem(files, kinds),
+  group: (files) => Promise.resolve(groupParts(files, { single: kinds, many: [] })),
   read: readGroup,
 };
 

@@ -1,19 +1,16 @@
 import type { CharacterParts } from '../../core/character-parts.ts';
 import type { Parsed } from '../../core/diagnostics.ts';
 import type { Limits } from '../../core/limits.ts';
-import { baseName, pathStem } from '../file-entry.ts';
-import type { FileEntry, FileGroup, FormatReader } from '../format.ts';
+import { groupParts } from '../belonging/group-parts.ts';
+import { baseName } from '../file-entry.ts';
+import type { FileGroup, FormatReader } from '../format.ts';
 import { readPmd } from './pmd.ts';
 
 /** MikuMikuDance: each `.pmd` is a character of its own; the images that it names come from beside it. */
 export const mmdReader: FormatReader = {
-  group: (files) => files.map(groupOf),
+  group: (files) => Promise.resolve(groupParts(files, { single: ['.pmd'], many: [] })),
   read: readGroup,
 };
-
-function groupOf(file: FileEntry): FileGroup {
-  return { name: baseName(pathStem(file.path)), files: [file], diagnostics: [] };
-}
 
 async function readGroup(
   { name, files }: FileGroup,

@@ -24,7 +24,7 @@ export const defaultArchiveLimits: ArchiveLimits = {
 };
 
 /**
- * The files, with those of zip archives in the place of the archives. Archives within archives are
+ * The files, with those of zip archives in folders of the archives' names. Archives within archives are
  * not opened; files that no reader asks for are listed, not unpacked.
  */
 export async function expandArchives(
@@ -37,7 +37,8 @@ export async function expandArchives(
     if (extensionOf(file.path) !== archiveExtension) expanded.push(file);
     else {
       const log = new DiagnosticLog(baseName(file.path));
-      expanded.push(...expandArchive(await file.bytes(), limits, log));
+      const unpacked = expandArchive(await file.bytes(), limits, log);
+      expanded.push(...unpacked.map((each) => ({ ...each, path: `${file.path}/${each.path}` })));
       diagnostics.push(...log.diagnostics);
     }
   }

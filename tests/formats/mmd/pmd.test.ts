@@ -214,6 +214,7 @@ describe('readPmd', () => {
     expect(files.map(({ path }) => path)).toEqual(['m/a.pmd', 'm/tex/a.BMP', 'toon/Toon4.bmp']);
     expect(character.missing).toEqual([]);
     expect(diagnostics.map(({ file, effect }) => [file, effect])).toEqual([
+      ['a.pmd', 'm/tex/a.BMP is used, by name'],
       ['other.tga', 'the file is not used'],
     ]);
   });

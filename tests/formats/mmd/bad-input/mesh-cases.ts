@@ -37,11 +37,12 @@ const [threeMore, none] = [
   { ...materials[1]!, count: 0 },
 ];
 
-function texture(title: string, name: string, file: string): BadPmd {
+function texture(title: string, name: string, file: string, messages: string[] = []): BadPmd {
   const bytes = changed({ materials: [{ ...materials[0]!, texture: name }, materials[1]!] });
   return {
     ...warned(title, bytes, [], ({ missing }) => expect(missing).toEqual([])),
     beside: { [file]: Uint8Array.of(0) },
+    messages,
   };
 }
 
@@ -208,7 +209,10 @@ export const meshCases: readonly BadPmd[] = [
       ({ materials: [first] }) => expect(first!.colors!.alpha).toBe(used),
     ),
   ),
-  texture('C50 folders above', '..\\..\\x.bmp', 'Y/X.BMP'),
+  texture('C50 folders above', '..\\..\\x.bmp', 'Y/X.BMP', [
+    'warning: a.pmd: expected images where its materials say, or beside it, ' +
+      'found "Y/X.BMP" [file/pairing]',
+  ]),
   texture('C50 a drive', 'C:\\x.png', 'x.png'),
   texture('C50 an address', 'http://x/y.jpg', 'y.jpg'),
   texture('C50 a sphere beside', 'a.bmp*b.sph', 'a.bmp'),

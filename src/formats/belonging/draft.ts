@@ -1,0 +1,108 @@
+import { type Diagnostic, printable } from '../../core/diagnostics.ts';
+import { baseName, extensionOf, pathStem } from '../file-entry.ts';
+import type { FileEntry, FileGroup } from '../format.ts';
+import { foldersOf, nameKey, sharedTail } from './paths.ts';
+
+/** Which endings the parts of a character have. */
+export interface PartKinds {
+  /** Of these a character has one file at most; the first that is there names it. */
+  readonly single: readonly string[];
+  /** Of these it has any number; their names begin with its own as a rule. */
+  readonly many: readonly string[];
+}
+
+/** The files of a character while more are still found. */
+export class Draft {
+  /** Those of single kinds, and their names and folders as they are compared. */
+  readonly parts: FileEntry[];
+  readonly stems: string[];
+  readonly folders: (readonly string[])[];
+  /** The others. */
+  readonly companions: FileEntry[] = [];
+  readonly diagnostics: Diagnostic[] = [];
+  /** The draft that took this one's files over. */
+  private heir: Draft | undefined;
+  private isGuess = false;
+
+  constructor(parts: readonly FileEntry[]) {
+    this.parts = [...parts];
+    this.stems = parts.map(({ path }) => stemOf(path));
+    this.folders = parts.map(({ path }) => foldersOf(path));
+  }
+
+  /** The draft that has this one's files now. */
+  get current(): Draft {
+    return this.heir?.current ?? this;
+  }
+
+  get firstPath(): string {
+    return this.parts[0]!.path;
+  }
+
+  /** Whether both can be one character. */
+  fits(other: Draft): boolean {
+    const kinds = new Set(this.parts.map(({ path }) => extensionOf(path)));
+    return other !== this && !other.parts.some(({ path }) => kinds.has(extensionOf(path)));
+  }
+
+  sharesFolder(other: Draft): boolean {
+    const own = new Set(this.folders.map((folders) => folders.join('/')));
+    return other.folders.some((folders) => own.has(folders.join('/')));
+  }
+
+  /** How many of the innermost folders have the same names. */
+  sharedTail(other: readonly (readonly string[])[]): number {
+    return Math.max(...this.folders.flatMap((own) => other.map((each) => sharedTail(own, each))));
+  }
+
+  take(other: Draft, isGuess: boolean): void {
+    this.parts.push(...other.parts);
+    this.stems.push(...other.stems);
+    this.folders.push(...other.folders);
+    this.companions.push(...other.companions);
+    this.diagnostics.push(...other.diagnostics);
+    this.isGuess ||= isGuess || other.isGuess;
+    other.heir = this;
+  }
+
+  takeCompanion(file: FileEntry, isGuess: boolean): void {
+    this.companions.push(file);
+    this.isGuess ||= isGuess;
+  }
+
+  /** @param order of the files as they came */
+  finish({ single }: PartKinds, order: ReadonlyMap<FileEntry, number>): FileGroup {
+    const files = [...new Set([...this.parts, ...this.companions])];
+    files.sort((a, b) => order.get(a)! - order.get(b)!);
+    const rank = ({ path }: FileEntry): number => single.indexOf(extensionOf(path));
+    const sorted = [...this.parts.toSorted((a, b) => rank(a) - rank(b)), ...this.companions];
+    const name = baseName(pathStem((sorted[0] ?? files[0])!.path));
+    const diagnostics = [...this.diagnostics, ...(this.isGuess ? [joined(sorted)] : [])];
+    return { name, files, diagnostics };
+  }
+}
+
+/** A file's name without its ending, as names are compared. */
+export function stemOf(path: string): string {
+  return nameKey(pathStem(baseName(path)));
+}
+
+const mostShown = 4;
+
+/** Tells the guess once a character, however many files it has. */
+function joined(files: readonly FileEntry[]): Diagnostic {
+  const names = files.map(({ path }) => baseName(path));
+  const isOneFolder = new Set(files.map(({ path }) => foldersOf(path).join('/'))).size === 1;
+  const shown = files
+    .slice(0, mostShown)
+    .map(({ path }) => printable(isOneFolder ? baseName(path) : path));
+  const more = files.length > mostShown ? ` and ${files.length - mostShown} more` : '';
+  return {
+    severity: 'warning',
+    code: 'file/pairing',
+    file: names[0]!,
+    expected: 'files of one name in one folder',
+    found: names.slice(1).join(', '),
+    effect: `${more ? shown.join(', ') + more : shown.join(' and ')} are read as one character`,
+  };
+}

@@ -1,0 +1,80 @@
+import type { FileEntry } from '../format.ts';
+import { baseName } from '../file-entry.ts';
+import { type Draft, stemOf } from './draft.ts';
+import { comparePaths, compareRanks, foldersOf, sharedHead } from './paths.ts';
+
+/** The character that a file goes with, of which a character may have many. */
+interface Owner {
+  readonly owner: Draft;
+  readonly isGuess: boolean;
+}
+
+/**
+ * Finds the character whose name the file's begins with, in the file's folder; else the only one in that
+ * folder; else the same, folder by folder outward. The longest name counts, then the nearest.
+ */
+export function findOwner(file: FileEntry, drafts: readonly Draft[]): Owner | undefined {
+  const own = foldersOf(file.path);
+  const beside = drafts.filter(({ folders }) =>
+    folders.some((each) => each.join('/') === own.join('/')),
+  );
+  const named = begun(file, own, beside);
+  if (named) return { owner: named, isGuess: false };
+  if (beside.length === 1) return { owner: beside[0]!, isGuess: true };
+  const [byName, alone] = [begunOutward(), aloneOutward()];
+  const owner = byName ?? alone;
+  return owner && { owner, isGuess: true };
+
+  function begunOutward(): Draft | undefined {
+    for (let depth = own.length; depth >= 0; depth--) {
+      const found = begun(file, own, within(depth));
+      if (found) return found;
+    }
+    return undefined;
+  }
+
+  function aloneOutward(): Draft | undefined {
+    for (let depth = own.length; depth >= 0; depth--) {
+      const [first, another] = within(depth);
+      if (first) return another ? undefined : first;
+    }
+    return undefined;
+  }
+
+  /** Those with a part in the folder that is so many steps from the root, or below it. */
+  function within(depth: number): Draft[] {
+    return drafts.filter(({ folders }) => folders.some((each) => sharedHead(own, each) >= depth));
+  }
+}
+
+/** The draft with the longest name that the file's begins with; of several the nearest, else the first. */
+function begun(
+  file: FileEntry,
+  own: readonly string[],
+  drafts: readonly Draft[],
+): Draft | undefined {
+  const stem = stemOf(file.path);
+  const candidates = drafts.flatMap((draft) => {
+    const lengths = draft.stems.filter((each) => stem.startsWith(each)).map(({ length }) => length);
+    if (lengths.length === 0) return [];
+    const down = Math.min(...draft.folders.map((each) => each.length - sharedHead(own, each)));
+    return [{ draft, rank: [-Math.max(...lengths), -draft.sharedTail([[...own]]), down] }];
+  });
+  candidates.sort(
+    (a, b) => compareRanks(a.rank, b.rank) || comparePaths(a.draft.firstPath, b.draft.firstPath),
+  );
+  const [best, ...others] = candidates;
+  const rivals = others.filter(({ rank }) => compareRanks(rank, best!.rank) === 0);
+  if (best && rivals.length > 0) {
+    const taken = best.draft.firstPath;
+    best.draft.diagnostics.push({
+      severity: 'warning',
+      code: 'file/pairing',
+      file: baseName(file.path),
+      expected: `one character that is nearest to it, as that of ${taken}`,
+      found: rivals.map(({ draft }) => draft.firstPath).join(', '),
+      effect: `it is read with ${taken}, the first by path`,
+    });
+  }
+  return best?.draft;
+}

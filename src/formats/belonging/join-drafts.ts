@@ -1,0 +1,98 @@
+import type { Diagnostic } from '../../core/diagnostics.ts';
+import { baseName } from '../file-entry.ts';
+import { alikePairs, type Pair } from './alike-pairs.ts';
+import type { Draft } from './draft.ts';
+import { grouped } from './grouped.ts';
+import { compareRanks } from './paths.ts';
+
+/**
+ * Joins drafts whose names are alike, folder by folder from the innermost outward, so that what is nearest
+ * to each other comes together first.
+ *
+ * @param namesLike the names that a name is like
+ */
+export function joinAlike(
+  drafts: readonly Draft[],
+  namesLike: (stem: string) => readonly string[],
+): readonly Draft[] {
+  for (const members of membersByFolder(drafts)) {
+    const pairs = alikePairs(current(members), namesLike);
+    const pairsWith = grouped(
+      pairs.flatMap((pair) => [[pair.a, pair] as const, [pair.b, pair] as const]),
+    );
+    for (const pair of pairs) {
+      const [owner, other] = [pair.a.current, pair.b.current];
+      if (!owner.fits(other)) continue;
+      owner.diagnostics.push(
+        ...ambiguous(pair.a, pair.b, pair, pairsWith.get(pair.a)!),
+        ...ambiguous(pair.b, pair.a, pair, pairsWith.get(pair.b)!),
+      );
+      const isOneName = owner.stems.some((stem) => other.stems.includes(stem));
+      owner.take(other, !(isOneName && owner.sharesFolder(other)));
+    }
+  }
+  return current(drafts);
+}
+
+/** Joins the drafts of a folder, and of those in it, that can all be one character. */
+export function joinLone(drafts: readonly Draft[]): readonly Draft[] {
+  for (const members of membersByFolder(drafts)) {
+    const all = current(members);
+    if (!all.every((a, index) => all.slice(index + 1).every((b) => a.fits(b)))) continue;
+    for (const other of all.slice(1)) all[0]!.take(other, true);
+  }
+  return current(drafts);
+}
+
+/** For each folder, the innermost first, the drafts with a file in it or below. */
+function membersByFolder(drafts: readonly Draft[]): readonly (readonly Draft[])[] {
+  const members = grouped(
+    drafts.flatMap((draft) =>
+      draft.folders.flatMap((folders) =>
+        [...folders.keys(), folders.length].map(
+          (depth) =>
+            [
+              folders
+                .slice(0, depth)
+                .map((each) => `${each}/`)
+                .join(''),
+              draft,
+            ] as const,
+        ),
+      ),
+    ),
+  );
+  const depthOf = (folder: string): number => folder.split('/').length;
+  return [...members].sort(([a], [b]) => depthOf(b) - depthOf(a)).map(([, each]) => each);
+}
+
+/** The drafts that have these ones' files now, each once. */
+function current(drafts: readonly Draft[]): Draft[] {
+  return [...new Set(drafts.map((draft) => draft.current))];
+}
+
+/** Says so where a draft that is joined could go with others just as well as with the one chosen. */
+function ambiguous(
+  kept: Draft,
+  chosen: Draft,
+  { rank }: Pair,
+  pairs: readonly Pair[],
+): Diagnostic[] {
+  const rivals = pairs
+    .filter((pair) => compareRanks(pair.rank, rank) === 0)
+    .map(({ a, b }) => (a === kept ? b : a).current)
+    .filter((rival) => rival !== chosen.current && rival.fits(kept.current))
+    .filter((rival) => !rival.fits(chosen.current));
+  if (rivals.length === 0) return [];
+  const path = chosen.firstPath;
+  return [
+    {
+      severity: 'warning',
+      code: 'file/pairing',
+      file: baseName(kept.firstPath),
+      expected: `one file that is nearest to it, as ${path}`,
+      found: rivals.map(({ firstPath }) => firstPath).join(', '),
+      effect: `it is read with ${path}, the first by path`,
+    },
+  ];
+}
