@@ -1,6 +1,7 @@
 import type { Character } from '../core/character.ts';
 import type { Diagnostic } from '../core/diagnostics.ts';
 import type { Actor, KeptState } from '../document/scene.ts';
+import { nameKey } from '../formats/belonging/paths.ts';
 import { companionExtensions, textureExtensions } from '../formats/extensions.ts';
 import { baseName, extensionOf } from '../formats/file-entry.ts';
 import type { FileEntry } from '../formats/format.ts';
@@ -22,7 +23,7 @@ export function completeFiles(
 ): readonly FileEntry[] {
   if (!open || came.length === 0) return came;
   const [oldNames, newNames] = [open.files.map(nameOf), came.map(nameOf)];
-  const missing = open.character.missing.map((what) => what.toLowerCase());
+  const missing = open.character.missing.map(nameKey);
   const belong = came.every(
     (file) =>
       [...missing, ...companionExtensions].includes(extensionOf(file.path)) ||
@@ -87,5 +88,5 @@ export function plainPictures(files: readonly FileEntry[]): Diagnostic[] | undef
 }
 
 function nameOf({ path }: FileEntry): string {
-  return baseName(path).toLowerCase();
+  return nameKey(baseName(path));
 }

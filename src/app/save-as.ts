@@ -4,6 +4,7 @@ import type { Diagnostic } from '../core/diagnostics.ts';
 import type { Pose } from '../core/pose.ts';
 import { convertCharacter } from '../formats/convert.ts';
 import { type ConvertTarget, loadWriter, shapeOf } from '../formats/registry.ts';
+import { savedFiles } from '../formats/saved-files.ts';
 import { poseToJson } from '../formats/write-pose-json.ts';
 import { download } from './download.ts';
 
@@ -23,15 +24,13 @@ export async function saveAs(
   const { files, losses } = write(converted.character);
   const { skeleton } = converted.character;
   const poseJson = `${JSON.stringify(poseToJson(skeleton, converted.pose), null, 2)}\n`;
-  const archive = zipSync(
-    Object.fromEntries([
-      ...files.map(({ path, bytes }) => [path, bytes] as const),
-      ...(shapeOf(format).textures ? character.images : []).map(
-        ({ name, bytes }) => [name, bytes] as const,
-      ),
-      [`${character.name}.pose.json`, new TextEncoder().encode(poseJson)],
-    ]),
-  );
+  const poseFile = {
+    path: `${character.name}.pose.json`,
+    bytes: new TextEncoder().encode(poseJson),
+  };
+  const images = shapeOf(format).textures ? character.images : [];
+  const saved = savedFiles([...files, poseFile], images);
+  const archive = zipSync(Object.fromEntries(saved.map(({ path, bytes }) => [path, bytes])));
   download(`${character.name}-${format}.zip`, archive, 'application/zip');
   return [...converted.losses, ...losses];
 }

@@ -11,7 +11,9 @@ import { poseToJson } from '../formats/write-pose-json.ts';
 import { readCharacters } from '../formats/read-characters.ts';
 import { readPoseJson } from '../formats/read-pose-json.ts';
 import { type ConvertTarget, convertTargets, loadWriter } from '../formats/registry.ts';
+import { savedFiles } from '../formats/saved-files.ts';
 import type { Command } from './command.ts';
+import { existingPath } from './existing-path.ts';
 import { printDiagnostics, readFiles, unreadable, unwritable, userPath } from './files.ts';
 import { parseWords } from './parse-words.ts';
 import { UsageError } from './usage-error.ts';
@@ -80,7 +82,7 @@ function readPose(
   try {
     const { value, diagnostics } = readPoseJson(
       path,
-      readFileSync(userPath(path), 'utf8'),
+      readFileSync(existingPath(userPath(path)), 'utf8'),
       skeleton,
     );
     found.push(...diagnostics);
@@ -103,8 +105,8 @@ function writtenPose(path: string | undefined, character: Character, pose: Pose)
 function writeAll(folder: string, files: readonly OutputFile[]): boolean {
   try {
     mkdirSync(userPath(folder), { recursive: true });
-    for (const { path, bytes } of files) {
-      const target = join(folder, baseName(path));
+    for (const { path, bytes } of savedFiles(files)) {
+      const target = join(folder, path);
       writeFileSync(userPath(target), bytes);
       console.log(target);
     }

@@ -11,6 +11,7 @@ import { defaultLimits } from '../core/limits.ts';
 import { readableExtensions } from '../formats/extensions.ts';
 import { extensionOf, memoryFile } from '../formats/file-entry.ts';
 import type { FileEntry } from '../formats/format.ts';
+import { existingPath } from './existing-path.ts';
 import { listFiles } from './list-files.ts';
 
 const packedEnding = /\.gz$/i;
@@ -36,10 +37,9 @@ export function readFiles(paths: readonly string[]): {
   const diagnostics: Diagnostic[] = [];
   for (const path of paths) {
     attempt(path, () => {
-      const found = listFiles(userPath(path));
-      const isFolder = found[0] !== userPath(path);
-      for (const each of found) {
-        const shown = isFolder ? relative(userFolder(), each) : path;
+      for (const each of listFiles(existingPath(userPath(path)))) {
+        // However it was named, so that folders can be compared.
+        const shown = relative(userFolder(), each);
         attempt(shown, () => files.push(readEntry(shown)));
       }
     });

@@ -20,6 +20,7 @@ import {
   normalWays,
 } from '../skinning/registry.ts';
 import type { Command } from './command.ts';
+import { existingPath } from './existing-path.ts';
 import { printDiagnostics, readFiles, unreadable, unwritable, userPath } from './files.ts';
 import { parseWords } from './parse-words.ts';
 import { UsageError } from './usage-error.ts';
@@ -96,7 +97,11 @@ function readPose(
   character: Character,
 ): { value?: Pose; diagnostics: readonly Diagnostic[] } {
   try {
-    return readPoseJson(path, readFileSync(userPath(path), 'utf8'), character.skeleton);
+    return readPoseJson(
+      path,
+      readFileSync(existingPath(userPath(path)), 'utf8'),
+      character.skeleton,
+    );
   } catch (error) {
     return { diagnostics: [unreadable(path, error)] };
   }

@@ -1,4 +1,6 @@
 import { zipSync } from 'fflate';
+import { crc32 } from '../../src/formats/crc32.ts';
+import { ByteWriter } from './byte-writer.ts';
 import { bytesOf, type FileContents } from './files.ts';
 
 /** A zip archive of these files, packed. */
@@ -33,4 +35,18 @@ export function patched(
     else view.setUint32(entry + at, value, true);
   }
   return out;
+}
+
+/** An archive without a directory, each of whose files is stored, and followed by its sizes. */
+export function describedZip(contents: FileContents, isSigned: boolean): Uint8Array {
+  const out = new ByteWriter();
+  for (const [name, content] of Object.entries(contents)) {
+    const bytes = bytesOf(content);
+    out.u32(0x04034b50).u16(20, 8, 0, 0, 0).u32(0, 0, 0).u16(name.length, 0);
+    out.field(name.length, name).field(bytes.length, [...bytes]);
+    if (isSigned) out.u32(0x08074b50);
+    out.u32(crc32(bytes), bytes.length, bytes.length);
+  }
+  out.u32(0x02014b50);
+  return out.done();
 }

@@ -1,21 +1,26 @@
-import { decodeText } from '../text/decode-text.ts';
+import { decodeNames, type RawName } from './entry-names.ts';
 
-/** A file of an archive, as the archive's directory has it: none of it is checked but to lie within. */
+/** A file of an archive, as the archive's directory has it; none of it is checked. */
 export interface ZipEntry {
   readonly name: string;
   readonly isEncrypted: boolean;
   readonly method: number;
   readonly checksum: number;
   readonly size: number;
-  /** (packedSize) */
-  readonly packed: Uint8Array;
+  /** Nothing where the place that the directory says lies outside the archive. */
+  readonly packed: Uint8Array | undefined;
 }
 
-const endSignature = 0x06054b50;
-const entrySignature = 0x02014b50;
-const localSignature = 0x04034b50;
+export interface RawEntry extends Omit<ZipEntry, 'name'> {
+  readonly name: RawName;
+}
+
+export const endSignature = 0x06054b50;
+export const entrySignature = 0x02014b50;
+export const localSignature = 0x04034b50;
 const endSize = 22;
 const longestComment = 0xffff;
+const utf8Flag = 0x0800;
 
 /**
  * The files that a zip archive's directory lists (PKWARE APPNOTE 6.3.10, 4.3), or what is wrong with
@@ -26,26 +31,42 @@ export function readDirectory(bytes: Uint8Array): readonly ZipEntry[] | string {
   const end = findEnd(view);
   if (end === undefined) return 'no directory at its end';
   const count = view.getUint16(end + 10, true);
-  let at = view.getUint32(end + 16, true);
-  if (count === 0xffff || at === 0xffffffff) return 'a zip64 archive';
-  const entries: ZipEntry[] = [];
+  const start = view.getUint32(end + 16, true);
+  if (count === 0xffff || start === 0xffffffff) return 'a zip64 archive';
+  // Places are counted from the archive's beginning, before which a program may stand that unpacks it.
+  const shift = Math.max(0, end - view.getUint32(end + 12, true) - start);
+  const entries: RawEntry[] = [];
+  let at = start + shift;
   for (let i = 0; i < count; i++) {
     if (at + 46 > end || view.getUint32(at, true) !== entrySignature) return 'a broken directory';
     const nameEnd = at + 46 + view.getUint16(at + 28, true);
-    const name = decodeText(bytes.subarray(at + 46, nameEnd)).replaceAll('\\', '/');
-    const packed = packedBytes(bytes, view, at);
-    if (!packed) return `"${name}" outside the archive`;
+    const extraEnd = nameEnd + view.getUint16(at + 30, true);
+    const flags = view.getUint16(at + 8, true);
+    const local = view.getUint32(at + 42, true) + shift;
     entries.push({
-      name,
-      isEncrypted: (view.getUint16(at + 8, true) & 1) === 1,
+      name: {
+        bytes: bytes.subarray(at + 46, nameEnd),
+        isUtf8: isUtf8(flags),
+        extra: bytes.subarray(nameEnd, extraEnd),
+      },
+      isEncrypted: (flags & 1) === 1,
       method: view.getUint16(at + 10, true),
       checksum: view.getUint32(at + 16, true),
       size: view.getUint32(at + 24, true),
-      packed,
+      packed: packedBytes(bytes, view, local, view.getUint32(at + 20, true)),
     });
-    at = nameEnd + view.getUint16(at + 30, true) + view.getUint16(at + 32, true);
+    at = extraEnd + view.getUint16(at + 32, true);
   }
-  return entries;
+  return withNames(entries);
+}
+
+export function withNames(entries: readonly RawEntry[]): ZipEntry[] {
+  const names = decodeNames(entries.map(({ name }) => name));
+  return entries.map((entry, index) => ({ ...entry, name: names[index]! }));
+}
+
+export function isUtf8(flags: number): boolean {
+  return (flags & utf8Flag) !== 0;
 }
 
 /** The end record stands last but for a comment. */
@@ -58,10 +79,13 @@ function findEnd(view: DataView): number | undefined {
 }
 
 /** What follows the local header of a directory's entry, which has lengths of its own. */
-function packedBytes(bytes: Uint8Array, view: DataView, entry: number): Uint8Array | undefined {
-  const local = view.getUint32(entry + 42, true);
+function packedBytes(
+  bytes: Uint8Array,
+  view: DataView,
+  local: number,
+  size: number,
+): Uint8Array | undefined {
   if (local + 30 > bytes.length || view.getUint32(local, true) !== localSignature) return undefined;
   const start = local + 30 + view.getUint16(local + 26, true) + view.getUint16(local + 28, true);
-  const size = view.getUint32(entry + 20, true);
   return size <= bytes.length - start ? bytes.subarray(start, start + size) : undefined;
 }

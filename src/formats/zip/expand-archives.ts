@@ -3,8 +3,10 @@ import { archiveExtension, readableExtensions } from '../extensions.ts';
 import { baseName, extensionOf, memoryFile } from '../file-entry.ts';
 import type { FileEntry } from '../format.ts';
 import { isJunk } from '../junk.ts';
-import { unpack } from './unpack.ts';
 import { readDirectory, type ZipEntry } from './directory.ts';
+import { LeftOut } from './left-out.ts';
+import { recoverEntries } from './recover.ts';
+import { unpack } from './unpack.ts';
 
 /** Bounds on what an archive may unfold to; a few kilobytes can claim to be terabytes. */
 export interface ArchiveLimits {
@@ -46,28 +48,74 @@ export async function expandArchives(
 }
 
 function expandArchive(bytes: Uint8Array, limits: ArchiveLimits, log: DiagnosticLog): FileEntry[] {
-  const entries = readDirectory(bytes);
-  if (typeof entries === 'string') return refuse('archive', 'a zip archive', entries);
-  const files = entries.filter(({ name }) => !name.endsWith('/') && !isJunk(name));
-  const excess = excessOf(entries.length, files.filter(isRead), limits);
-  if (excess !== undefined) return refuse('limit', 'an archive of usual size', excess);
+  const entries = entriesOf(bytes, log);
+  if (entries.length > limits.entryCount) {
+    const found = `more than ${limits.entryCount} files`;
+    refuse('limit', 'an archive of usual size', found, log);
+    return [];
+  }
+  const files = lastOfEachName(
+    entries.filter(({ name }) => !name.endsWith('/') && !isJunk(name)),
+    log,
+  );
+  const leftOut = new LeftOut();
   const unpacked: FileEntry[] = [];
+  let totalSize = 0;
   for (const entry of files) {
     if (extensionOf(entry.name) === archiveExtension) reportNested(entry.name, log);
     else if (!isRead(entry)) unpacked.push(memoryFile(entry.name, new Uint8Array(0)));
     else {
-      const content = unpack(entry);
-      if (typeof content === 'string')
-        return refuse('archive', 'files that can be unpacked', content);
-      unpacked.push(memoryFile(entry.name, content));
+      const content = excessOf(entry, totalSize, limits) ?? unpack(entry);
+      if (typeof content === 'string') leftOut.add(entry.name, content);
+      else {
+        totalSize += content.length;
+        unpacked.push(memoryFile(entry.name, content));
+      }
     }
   }
+  leftOut.report(log);
   return unpacked;
+}
 
-  function refuse(kind: 'archive' | 'limit', expected: string, found: string): FileEntry[] {
-    log.error({ code: `file/${kind}`, expected, found, effect: 'the archive is not used' });
-    return [];
+/** By the archive's directory; where that is lost, by what the files themselves say, which is told. */
+function entriesOf(bytes: Uint8Array, log: DiagnosticLog): readonly ZipEntry[] {
+  const entries = readDirectory(bytes);
+  if (typeof entries !== 'string') return entries;
+  const recovered = recoverEntries(bytes);
+  if (recovered.length === 0) refuse('archive', 'a zip archive', entries, log);
+  else {
+    log.errorOfPart({
+      code: 'file/archive',
+      expected: 'a whole zip archive',
+      found: entries,
+      effect: `what is left of it is read: ${recovered.length === 1 ? 'one file' : `${recovered.length} files`}`,
+    });
   }
+  return recovered;
+}
+
+function refuse(
+  kind: 'archive' | 'limit',
+  expected: string,
+  found: string,
+  log: DiagnosticLog,
+): void {
+  log.error({ code: `file/${kind}`, expected, found, effect: 'the archive is not used' });
+}
+
+/** Programs that unpack write one over the other. */
+function lastOfEachName(entries: readonly ZipEntry[], log: DiagnosticLog): ZipEntry[] {
+  const byName = new Map(entries.map((entry) => [entry.name, entry]));
+  const twice = entries.find((entry) => byName.get(entry.name) !== entry);
+  if (twice) {
+    log.warn({
+      code: 'file/duplicate',
+      expected: 'each name once',
+      found: `${entries.length - byName.size} again, as "${twice.name}"`,
+      effect: 'the last of each counts',
+    });
+  }
+  return [...byName.values()];
 }
 
 function isRead({ name }: ZipEntry): boolean {
@@ -75,19 +123,15 @@ function isRead({ name }: ZipEntry): boolean {
   return extension !== archiveExtension && readableExtensions.includes(extension);
 }
 
-/** What there is too much of, by what the directory says; unpacking holds it to that. */
+/** Why a file is too large, by what the directory says; unpacking holds it to that. */
 function excessOf(
-  entryCount: number,
-  files: readonly ZipEntry[],
+  { size, packed }: ZipEntry,
+  totalSize: number,
   limits: ArchiveLimits,
 ): string | undefined {
-  if (entryCount > limits.entryCount) return `more than ${limits.entryCount} files`;
-  const totalSize = files.reduce((sum, { size }) => sum + size, 0);
-  if (totalSize > limits.totalSize) return `more than ${limits.totalSize} bytes in all`;
-  const bomb = files.find(
-    ({ size, packed }) => size > limits.freeSize && size > limits.ratio * packed.length,
-  );
-  return bomb && `"${bomb.name}", ${bomb.size} bytes from ${bomb.packed.length}`;
+  if (totalSize + size > limits.totalSize) return `past ${limits.totalSize} bytes in all`;
+  const isBomb = packed && size > limits.freeSize && size > limits.ratio * packed.length;
+  return isBomb ? `too large, ${size} bytes from ${packed.length}` : undefined;
 }
 
 function reportNested(name: string, log: DiagnosticLog): void {

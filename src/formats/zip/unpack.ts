@@ -10,12 +10,12 @@ const pieceSize = 16 * 1024;
 
 /** The file's bytes, never more than its entry says; or what is wrong with it. */
 export function unpack(entry: ZipEntry): Uint8Array | string {
-  const { name, isEncrypted, method, packed, size, checksum } = entry;
-  if (isEncrypted) return `"${name}" under a password`;
-  if (method !== stored && method !== deflated) return `"${name}" packed by method ${method}`;
+  const { isEncrypted, method, packed, size, checksum } = entry;
+  if (isEncrypted) return 'under a password';
+  if (method !== stored && method !== deflated) return `packed by method ${method}`;
+  if (!packed) return 'not all in the archive';
   const bytes = method === stored ? packed : inflate(packed, size);
-  if (bytes?.length !== size || crc32(bytes) !== checksum) return `"${name}" broken`;
-  return bytes;
+  return bytes?.length === size && crc32(bytes) === checksum ? bytes : 'broken';
 }
 
 /** Nothing where it is not deflated, ends early, or unfolds to more than `size`. */

@@ -174,7 +174,6 @@ describe('characters whose files lie in several folders', () => {
     const ending = [0x2e, 0x62, 0x6d, 0x70]; // .bmp, behind ガ in Shift-JIS
     const { shapes } = await read({
       [`${'ガ'.normalize('NFD')}/a.pmd`]: pmdWith([0x78, 0x5c, 0x83, 0x4b, ...ending]),
-      ),
       [`${'ガ'.normalize('NFD')}/x/${'ガ'.normalize('NFD')}.bmp`]: image(1),
       [`${'が'.normalize('NFD')}.skel`]: skel,
       [`${'が'.normalize('NFC')}.obj`]: obj,

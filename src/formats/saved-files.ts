@@ -1,0 +1,17 @@
+import type { CharacterImage } from '../core/character.ts';
+import { plainName, withPlainPaths } from './belonging/plain-path.ts';
+import type { OutputFile } from './format.ts';
+
+/**
+ * Files as they are saved, side by side, and images at the paths that the materials name. The names come from
+ * files that anyone may have written, so that each becomes a plain path, and none is there twice.
+ */
+export function savedFiles(
+  written: readonly OutputFile[],
+  images: readonly CharacterImage[] = [],
+): OutputFile[] {
+  return withPlainPaths([
+    ...written.map(({ path, bytes }) => ({ path: plainName(path), bytes })),
+    ...images.map(({ name, bytes }) => ({ path: name, bytes })),
+  ]);
+}
