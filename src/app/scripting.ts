@@ -13,7 +13,6 @@ import { fileEntry } from '../ui/file-entry.ts';
 import type { KernelId } from '../skinning/method.ts';
 import { deformationOf } from '../skinning/registry.ts';
 import type { Camera } from '../view/camera.ts';
-import { decodeImage } from '../view/decode-image.ts';
 import { capturePicture, encodePicture, type PictureFormat } from '../view/picture.ts';
 import { verifyShown } from '../view/verify.ts';
 import { fetchFile } from './fetch-file.ts';
@@ -177,7 +176,7 @@ export function createScripting(editor: Editor, ready: Promise<void>): Scripting
   async function settled(): Promise<void> {
     await editor.whenOpened();
     await evaluations.settled();
-    await texturesShown(store);
+    await viewer.texturesShown();
   }
 
   /** The actor of a name, or the selected one; throws where there is none of the name. */
@@ -195,13 +194,6 @@ export function createScripting(editor: Editor, ready: Promise<void>): Scripting
       await editor.openBundled(source, add);
     } else await editor.openFiles(await entriesOf(source), add);
   }
-}
-
-/** Once the pictures of all surfaces are decoded and in the view. */
-async function texturesShown({ scene }: Editor['store']): Promise<void> {
-  const images = scene.value.actors.flatMap(({ character }) => character.images);
-  await Promise.all(images.map(decodeImage));
-  await new Promise((resolve) => requestAnimationFrame(resolve));
 }
 
 function entriesOf(

@@ -143,9 +143,12 @@ const met: TriangleMeeting = { distance: 0, second: 0, third: 0 };
 
 /** Sorted once for a mesh, however many poses of it are picked. */
 function orderOf(mesh: Mesh): Uint32Array {
-  let order = orders.get(mesh);
-  if (!order) orders.set(mesh, (order = neighborOrder(mesh, leafSize)));
+  const known = orders.get(mesh)?.deref();
+  if (known) return known;
+  const order = neighborOrder(mesh, leafSize);
+  orders.set(mesh, new WeakRef(order));
   return order;
 }
 
-const orders = new WeakMap<Mesh, Uint32Array>();
+/** Held by trees alone: the history may hold meshes that nobody picks any more. */
+const orders = new WeakMap<Mesh, WeakRef<Uint32Array>>();

@@ -1,30 +1,23 @@
 import type { CharacterImage } from '../core/character.ts';
-import { Failure, loadPart } from '../core/failure.ts';
 import { extensionOf } from '../formats/file-entry.ts';
+import { DecodedImages, type Picture } from './decoded-images.ts';
 
-/** The picture, its first row at the bottom, or why it can't be shown. Kept. */
-export function decodeImage(image: CharacterImage): Promise<ImageBitmap | ImageData | string> {
-  let decoded = decodedImages.get(image);
-  if (!decoded) decodedImages.set(image, (decoded = decode(image)));
-  return decoded;
-}
-
-async function decode({ name, bytes }: CharacterImage): Promise<ImageBitmap | ImageData | string> {
+async function decode({ name, bytes }: CharacterImage): Promise<Picture | string> {
+  if (extensionOf(name) === '.tga') {
+    const { decodeTga } = await import('../formats/image/tga.ts');
+    const image = decodeTga(bytes);
+    return typeof image === 'string' ? image : new ImageData(image.pixels, image.width);
+  }
   try {
-    if (extensionOf(name) === '.tga') {
-      const { decodeTga } = await loadPart(import('../formats/image/tga.ts'));
-      const image = decodeTga(bytes);
-      return typeof image === 'string' ? image : new ImageData(image.pixels, image.width);
-    }
     return await createImageBitmap(new Blob([bytes as BlobPart]), {
       imageOrientation: 'flipY',
       premultiplyAlpha: 'none',
       colorSpaceConversion: 'none',
     });
-  } catch (error) {
-    if (error instanceof Failure) return error.message;
+  } catch {
     return 'a picture that this browser can’t read';
   }
 }
 
-const decodedImages = new WeakMap<CharacterImage, ReturnType<typeof decode>>();
+/** Those of the page: as much as sixteen pictures of 1,024 × 1,024 pixels. */
+export const decodedImages = new DecodedImages(decode, 64 * 1024 * 1024);

@@ -55,6 +55,11 @@ export class Renderer {
     return evaluations.flatMap((evaluation) => this.views.get(evaluation) ?? []);
   }
 
+  /** Settles once the pictures of all surfaces are decoded, as last synced. */
+  texturesLoaded(): Promise<unknown> {
+    return Promise.all([...this.views.values()].map(({ textures }) => textures.loaded));
+  }
+
   /** Why the character can't be drawn, or null. */
   refusalOf(state: Actor): string | null {
     return this.refusals.get(skinInUse(state)) ?? null;

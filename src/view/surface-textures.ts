@@ -3,30 +3,30 @@ import { type Gpu, GpuLimitError } from '../gl/gpu.ts';
 import { ImageTexture } from '../gl/image-texture.ts';
 import type { Lease } from '../gl/pool.ts';
 import type { GpuPools } from './gpu-pools.ts';
-import { decodeImage } from './decode-image.ts';
+import { decodedImages } from './decode-image.ts';
+import type { Picture } from './decoded-images.ts';
 
 /** Tells that a picture came, or why it can't be shown. */
 export type OnImage = (image: CharacterImage, fault: string | null) => void;
 
 /**
  * The textures of a character's materials, shared with its copies; each is there once its picture is
- * decoded, at once where a copy shows it already.
+ * decoded, at once where a copy shows it already or the picture is kept.
  */
 export class SurfaceTextures {
   private readonly gpu: Gpu;
   private readonly pool: GpuPools['images'];
   private readonly onImage: OnImage;
   private readonly textures = new Map<string, Lease<ImageTexture>>();
+  /** Settles once all pictures are decoded, and in textures where they can be. */
+  readonly loaded: Promise<unknown>;
   private disposed = false;
 
   constructor(gpu: Gpu, { images: pool }: GpuPools, { images }: Character, onImage: OnImage) {
     this.gpu = gpu;
     this.pool = pool;
     this.onImage = onImage;
-    for (const image of images) {
-      if (pool.has(image)) this.textures.set(image.name, pool.lease(image, never));
-      else this.load(image).catch(reportError);
-    }
+    this.loaded = Promise.all(images.map((image) => this.show(image)?.catch(reportError)));
   }
 
   /** @param name as the character's images have it */
@@ -39,21 +39,36 @@ export class SurfaceTextures {
     for (const texture of this.textures.values()) texture.release();
   }
 
+  /** At once where that can be; else gives the promise of it. */
+  private show(image: CharacterImage): Promise<void> | null {
+    const picture = decodedImages.find(image);
+    if (this.pool.has(image)) this.add(image, never);
+    else if (picture) this.create(image, picture);
+    else return this.load(image);
+    return null;
+  }
+
   private async load(image: CharacterImage): Promise<void> {
-    const picture = await decodeImage(image);
+    const picture = await decodedImages.load(image);
     if (this.disposed) return;
-    if (typeof picture === 'string') {
-      this.onImage(image, picture);
-      return;
-    }
+    if (typeof picture === 'string') this.onImage(image, picture);
+    else if (this.create(image, picture)) this.onImage(image, null);
+  }
+
+  /** Whether the GPU takes it. */
+  private create(image: CharacterImage, picture: Picture): boolean {
     try {
-      const texture = this.pool.lease(image, () => new ImageTexture(this.gpu, picture));
-      this.textures.set(image.name, texture);
-      this.onImage(image, null);
+      this.add(image, () => new ImageTexture(this.gpu, picture));
+      return true;
     } catch (error) {
       if (!(error instanceof GpuLimitError)) throw error;
       this.onImage(image, error.message);
+      return false;
     }
+  }
+
+  private add(image: CharacterImage, create: () => ImageTexture): void {
+    this.textures.set(image.name, this.pool.lease(image, create));
   }
 }
 

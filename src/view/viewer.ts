@@ -142,6 +142,14 @@ export class Viewer {
     return { positions: positions.slice(), normals: normals.slice() };
   }
 
+  /** Settles once the pictures of all surfaces are decoded and in the view. */
+  async texturesShown(): Promise<void> {
+    // What was changed just now has its views only when it is drawn.
+    if (this.frameRequest !== 0) this.show();
+    await this.renderer?.texturesLoaded();
+    await new Promise((resolve) => requestAnimationFrame(resolve));
+  }
+
   /** Counts of live GL objects by kind. */
   get liveObjects(): Readonly<Record<string, number>> {
     return this.renderer?.gpu.liveObjects ?? {};
