@@ -27,11 +27,11 @@ function countSent(): void {
     const [, content] = parameters;
     if (ArrayBuffer.isView(content)) window.sent.geometry += content.byteLength;
     bufferData.apply(this, parameters as Parameters<typeof bufferData>);
-  } as typeof bufferData;
+  };
   gl.bufferSubData = function (this: WebGL2RenderingContext, ...parameters: unknown[]) {
     window.sent.geometry += (parameters[2] as ArrayBufferView).byteLength;
     bufferSubData.apply(this, parameters as Parameters<typeof bufferSubData>);
-  } as typeof bufferSubData;
+  };
   gl.drawElementsInstanced = function (...parameters) {
     window.sent.solids++;
     drawElementsInstanced.apply(this, parameters);

@@ -1,20 +1,22 @@
 import type { CharacterImage } from '../core/character.ts';
+import { Failure, loadPart } from '../core/failure.ts';
 import { extensionOf } from '../formats/file-entry.ts';
 import { DecodedImages, type Picture } from './decoded-images.ts';
 
 async function decode({ name, bytes }: CharacterImage): Promise<Picture | string> {
-  if (extensionOf(name) === '.tga') {
-    const { decodeTga } = await import('../formats/image/tga.ts');
-    const image = decodeTga(bytes);
-    return typeof image === 'string' ? image : new ImageData(image.pixels, image.width);
-  }
   try {
+    if (extensionOf(name) === '.tga') {
+      const { decodeTga } = await loadPart(import('../formats/image/tga.ts'));
+      const image = decodeTga(bytes);
+      return typeof image === 'string' ? image : new ImageData(image.pixels, image.width);
+    }
     return await createImageBitmap(new Blob([bytes as BlobPart]), {
       imageOrientation: 'flipY',
       premultiplyAlpha: 'none',
       colorSpaceConversion: 'none',
     });
-  } catch {
+  } catch (error) {
+    if (error instanceof Failure) return error.message;
     return 'a picture that this browser can’t read';
   }
 }

@@ -26,7 +26,8 @@ export class SurfaceTextures {
     this.gpu = gpu;
     this.pool = pool;
     this.onImage = onImage;
-    this.loaded = Promise.all(images.map((image) => this.show(image)?.catch(reportError)));
+    const loads = images.flatMap((image) => this.show(image) ?? []);
+    this.loaded = Promise.all(loads.map((load) => load.catch(reportError)));
   }
 
   /** @param name as the character's images have it */
