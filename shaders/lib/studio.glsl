@@ -1,5 +1,5 @@
 // The studio's light on a matte surface: a warm key, a cool fill, a rim from behind, and a soft dome
-// above a lit floor. Directions point to the light, scene space, unit length; colours are linear.
+// above a lit floor. Directions point to the light, scene space, unit length; colors are linear.
 #include "lib/key-shadow.glsl"
 
 uniform vec3 keyDirection;

@@ -1,6 +1,6 @@
 // Lines as wide as one likes, many in one draw: bones as segments along +y, and grids of lines that are
 // wrapped around it to cylinders (x turns once from 0 to 1). A line is four vertices, two at each end,
-// which move apart in the picture. Each instance has its own 3 × 4 matrix and its colour.
+// which move apart in the picture. Each instance has its own 3 × 4 matrix and its color.
 in vec3 position;
 in vec3 otherEnd;
 in vec4 instanceRow0;

@@ -19,7 +19,7 @@ uniform float opacity;
 out vec4 color;
 
 void main() {
-  // The face's own normal, from neighbouring pixels: the assignment's look without a second mesh.
+  // The face's own normal, from neighboring pixels: the assignment's look without a second mesh.
   vec3 face = normalize(cross(dFdx(scenePosition), dFdy(scenePosition)));
   // Of open surfaces the inner side shows, its normals turned. Where a closed one curves away, slivers
   // of its far side show too; their normals lie nearly across the view and must stay.

@@ -1,5 +1,5 @@
 // Small solids, many in one draw: joints, bones, axes. Each instance has its own 3 × 4 matrix whose
-// columns are orthogonal, and its colour.
+// columns are orthogonal, and its color.
 in vec3 position;
 in vec3 normal;
 in vec4 instanceRow0;

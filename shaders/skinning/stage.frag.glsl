@@ -1,2 +1,2 @@
-// Nothing is rasterised; WebGL asks for a fragment shader all the same.
+// Nothing is rasterized; WebGL asks for a fragment shader all the same.
 void main() {}

@@ -19,7 +19,7 @@ export interface Skin {
   readonly start: Uint32Array;
   /** (start[pointCount]) palette entry of each influence. */
   readonly entries: Uint16Array;
-  /** (start[pointCount]) as the file has them: the courses' formula does not renormalise. */
+  /** (start[pointCount]) as the file has them: the courses' formula does not renormalize. */
   readonly weights: Float32Array;
   /** How the programs of the file's own format turn normals. */
   readonly normals: NormalsId;

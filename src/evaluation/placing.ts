@@ -3,7 +3,7 @@ import type { Character } from '../core/character.ts';
 import { type Transform, unmoved } from '../document/scene.ts';
 import { displayTransform } from './display-transform.ts';
 
-/** Between neighbours, scene units, in which a character is one tall. */
+/** Between neighbors, scene units, in which a character is one tall. */
 const gap = 0.2;
 
 /**

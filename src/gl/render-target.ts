@@ -1,7 +1,7 @@
 import { type Gpu, GpuLimitError } from './gpu.ts';
 
 /**
- * A picture of our own: colour and depth with 4 samples a pixel, resolved to one, which is shown and
+ * A picture of our own: color and depth with 4 samples a pixel, resolved to one, which is shown and
  * read back. What is captured is thus exactly what was seen.
  */
 export class RenderTarget {

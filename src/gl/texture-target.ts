@@ -1,7 +1,7 @@
 import type { Gpu } from './gpu.ts';
 import { Texture } from './texture.ts';
 
-/** A colour texture that can be drawn into: shadows and their blur. */
+/** A color texture that can be drawn into: shadows and their blur. */
 export class TextureTarget {
   readonly texture: Texture;
   private readonly gl: WebGL2RenderingContext;
@@ -15,8 +15,8 @@ export class TextureTarget {
     this.handle = gl.createFramebuffer();
     this.untrack = gpu.track('framebuffer');
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.handle);
-    const { COLOR_ATTACHMENT0: colour, TEXTURE_2D: kind } = gl;
-    gl.framebufferTexture2D(gl.FRAMEBUFFER, colour, kind, this.texture.handle, 0);
+    const { COLOR_ATTACHMENT0: color, TEXTURE_2D: kind } = gl;
+    gl.framebufferTexture2D(gl.FRAMEBUFFER, color, kind, this.texture.handle, 0);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
   }
 

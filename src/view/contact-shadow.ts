@@ -15,7 +15,7 @@ const broadBlur = 0.07;
  * body above, both blurred.
  */
 export class ContactShadow {
-  /** Centre x, z and half the side of the floor's square that the texture covers, scene space. */
+  /** Center x, z and half the side of the floor's square that the texture covers, scene space. */
   square: readonly [number, number, number] = [0, 0, 1];
   private readonly gl: WebGL2RenderingContext;
   private readonly programs: Programs;

@@ -4,10 +4,10 @@ import type { Program } from '../gl/program.ts';
 import { type Attribute, VertexArray } from '../gl/vertex-array.ts';
 import type { SolidShape } from './solid-shapes.ts';
 
-/** Floats of an instance: a 3 × 4 matrix by rows, then a colour. */
+/** Floats of an instance: a 3 × 4 matrix by rows, then a color. */
 export const instanceSize = 15;
 
-/** One shape drawn many times in one call, each instance with its matrix and colour. */
+/** One shape drawn many times in one call, each instance with its matrix and color. */
 export class InstancedSolid {
   private readonly gpu: Gpu;
   private readonly program: Program;

@@ -23,7 +23,7 @@ export function capturePicture(
 }
 
 /**
- * GL gives the bottom row first, and colours blended with nothing: they are divided by their alpha.
+ * GL gives the bottom row first, and colors blended with nothing: they are divided by their alpha.
  */
 function pictureFromGl(bottomUp: Uint8Array, width: number, height: number): Picture {
   const pixels = new Uint8ClampedArray(width * height * 4);

@@ -1,6 +1,6 @@
 export type ThemeName = 'light' | 'dark';
 
-/** Colours of the scene in linear light. */
+/** Colors of the scene in linear light. */
 export interface Theme {
   readonly backdropTop: readonly number[];
   readonly backdropBottom: readonly number[];

@@ -5,7 +5,7 @@ import { cylinder } from '../solid-shapes.ts';
 
 /**
  * Axes of the file's space and, with the skeleton, of every joint: X red, Y green, Z blue; where bones are
- * lines, the frame t, n, b of each bone in these colours.
+ * lines, the frame t, n, b of each bone in these colors.
  */
 export const axesPass: Pass = {
   id: 'axes',

@@ -12,7 +12,7 @@ const white = [1, 1, 1];
 const clay = { albedo: palette.clay, specular: [0, 0, 0], textured: false };
 
 /**
- * The posed skin, smooth or faceted, with the colours and textures of its materials, or as clay. It is
+ * The posed skin, smooth or faceted, with the colors and textures of its materials, or as clay. It is
  * blended in the order of the file, and what comes later wins where two are as near. A translucent one
  * is drawn to depth first, so that of all its layers only the nearest is blended over what is behind.
  */
