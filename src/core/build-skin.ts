@@ -2,7 +2,7 @@ import { mat4 } from 'gl-matrix';
 import type { SkinParts } from './character-parts.ts';
 import type { DiagnosticLog } from './diagnostics.ts';
 import { jointMatrices } from './forward-kinematics.ts';
-import { reportRows, type SkinRows } from './report-rows.ts';
+import { linePlace, reportRows, type SkinRows } from './report-rows.ts';
 import { firstRoot, type Skeleton } from './skeleton.ts';
 import { noJoint, type Skin } from './skin.ts';
 
@@ -22,7 +22,7 @@ export function buildSkin(
 ): Skin | undefined {
   if (!jointsExist(parts, skeleton, log)) return undefined;
   const rows = packRows(parts, skeleton);
-  reportRows(rows, log);
+  reportRows(rows, parts.lines, log);
   return {
     ...rows.skin,
     paletteJoint: Uint16Array.from({ length: skeleton.jointCount }, (_, joint) => joint),
@@ -50,6 +50,7 @@ function jointsExist(parts: SkinParts, { jointCount }: Skeleton, log: Diagnostic
   const point = parts.start.findIndex((start) => start > at) - 1;
   log.error({
     code: 'character/index',
+    ...linePlace(parts.lines, point),
     expected: `joints from 0 to ${jointCount - 1}`,
     found: `joint ${parts.joints[at]!} at vertex ${point + 1}`,
     effect: 'the mesh is shown without its weights',

@@ -86,6 +86,8 @@ export interface SkinParts {
   readonly file: string;
   /** (pointCount + 1) */
   readonly start: Uint32Array;
+  /** (pointCount) one-based line of each row in the file, for messages; absent where it has none. */
+  readonly lines?: Uint32Array;
   /** (start[pointCount]) file index of the joint. */
   readonly joints: Uint16Array;
   /** (start[pointCount]) as the file has them. */

@@ -1,4 +1,4 @@
-import type { DiagnosticLog } from './diagnostics.ts';
+import type { DiagnosticLog, Place } from './diagnostics.ts';
 import type { Skin } from './skin.ts';
 
 /** Packed weights, and the points whose rows are worth a word. */
@@ -9,12 +9,21 @@ export interface SkinRows {
   readonly unevenRows: readonly { readonly point: number; readonly sum: number }[];
 }
 
-/** Says what is odd about the weights; none of it keeps them from being used. */
-export function reportRows(rows: SkinRows, log: DiagnosticLog): void {
+/**
+ * Says what is odd about the weights; none of it keeps them from being used.
+ *
+ * @param lines (pointCount) of the rows in their file
+ */
+export function reportRows(
+  rows: SkinRows,
+  lines: Uint32Array | undefined,
+  log: DiagnosticLog,
+): void {
   const { zeroRows, negativeRows, unevenRows } = rows;
   if (zeroRows.length > 0) {
     log.warn({
       code: 'character/weight-zero',
+      ...linePlace(lines, zeroRows[0]!),
       expected: 'at least one weight for every vertex',
       found: `none for ${listed(zeroRows)}`,
       effect: 'they follow the root rigidly',
@@ -23,6 +32,7 @@ export function reportRows(rows: SkinRows, log: DiagnosticLog): void {
   if (negativeRows.length > 0) {
     log.warn({
       code: 'character/weight-negative',
+      ...linePlace(lines, negativeRows[0]!),
       expected: 'weights of at least 0',
       found: `negative ones for ${listed(negativeRows)}`,
       effect: 'they are kept as they are',
@@ -35,6 +45,7 @@ export function reportRows(rows: SkinRows, log: DiagnosticLog): void {
     const range = [...new Set([least, most].map(({ sum }) => Number(sum.toPrecision(6))))];
     log.warn({
       code: 'character/weight-sum',
+      ...linePlace(lines, worst.point),
       expected: 'weights that sum to 1 for every vertex',
       found: `${range.join(' to ')} for ${unevenRows.length}`,
       effect:
@@ -42,6 +53,12 @@ export function reportRows(rows: SkinRows, log: DiagnosticLog): void {
         '"normalise weights" divides them by their sum',
     });
   }
+}
+
+/** Where the row of a point stands, as far as its file has lines. */
+export function linePlace(lines: Uint32Array | undefined, point: number): Place {
+  const line = lines?.[point];
+  return line === undefined ? {} : { line };
 }
 
 /** How many, and the first few, one-based as OBJ counts them; short, since messages are cut. */

@@ -46,7 +46,9 @@ describeWithShared('KAITO of the Virtual Mannequin', [data, `${reference}/KAITO.
       'KAITO.pmd': sharedBytes(data),
       'textures/EYEKT.BMP': new Uint8Array(1),
     });
-    expect(diagnostics).toEqual([]);
+    expect(diagnostics.map(({ effect }) => effect)).toEqual([
+      'textures/EYEKT.BMP is used, by name',
+    ]);
     character = characters[0]!.character;
     expect(characters[0]!.files.map(({ path }) => path)).toContain('textures/EYEKT.BMP');
     expected = sharedJson(`${reference}/KAITO.json`) as Kaito;

@@ -71,7 +71,7 @@ export const legAnim = `animation {
   channel { extrapolate constant linear keys 1 { 0 0.5 flat flat } }
   channel { extrapolate cycle cycle_offset keys 3 { -1 0 linear smooth 0 0.5 smooth smooth 1 0.25 smooth linear } }
   channel 2{ extrapolate bounce bounce keys 2 { 0 0 13.7 -0.22 1.5 1 flat flat } }
-  channel 3{ extrapolate linear constant keys 0 { } }
+  channel 3{ extrapolate linear constant keys 1 { 1 0 flat flat } }
 ${'  channel { extrapolate constant constant keys 1 { 0 0.25 flat flat } }\n'.repeat(8)}}
 `;
 

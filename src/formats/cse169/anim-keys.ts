@@ -10,6 +10,7 @@ const largestValue = 1e12;
 export function readKeys(scanner: Scanner): KeyParts[] {
   const count = scanner.count('keys', 8, mostKeys);
   if (!scanner.sound()) return [];
+  if (count === 0) tellNone(scanner);
   const opened = scanner.openIfAny();
   const keys: KeyParts[] = [];
   for (let index = 0; index < count; index++) {
@@ -19,6 +20,12 @@ export function readKeys(scanner: Scanner): KeyParts[] {
     keys.push(key);
   }
   return closeRows(scanner, 'keys', count, opened) ? rising(keys, scanner) : [];
+}
+
+/** Says so where a channel has no key. */
+export function tellNone(scanner: Scanner): void {
+  const effect = 'the channel is 0 at all times, as are further ones without';
+  scanner.warnOnce('no keys', 'empty', 'at least one key', 'none', effect);
 }
 
 function readKey(scanner: Scanner): KeyParts | undefined {

@@ -2,7 +2,7 @@ import type { ChannelParts, ClipParts, Extrapolation } from '../../core/characte
 import { DiagnosticLog, type Parsed } from '../../core/diagnostics.ts';
 import { defaultLimits, type Limits } from '../../core/limits.ts';
 import { baseName, pathStem } from '../file-entry.ts';
-import { readKeys } from './anim-keys.ts';
+import { readKeys, tellNone } from './anim-keys.ts';
 import { largest, scan, type Scanner } from './scanner.ts';
 
 const about = { area: 'anim', effect: 'the clip is not used' } as const;
@@ -75,7 +75,7 @@ function readChannel(scanner: Scanner, draft: Draft): void {
   if (!(reader.next() && reader.looksNumeric)) reader.back(mark);
   if (!scanner.open()) return;
   let rules: [Extrapolation, Extrapolation] = ['constant', 'constant'];
-  let keys: ChannelParts['keys'] = [];
+  let keys: ChannelParts['keys'] | undefined;
   while (scanner.sound()) {
     const word = scanner.keyword(isOfChannel);
     if (reader.isClose) break;
@@ -84,7 +84,8 @@ function readChannel(scanner: Scanner, draft: Draft): void {
     else if (reader.isWord) scanner.skipUnknown(isOfChannel);
     else scanner.fail('token', '"}" for the channel');
   }
-  draft.channels.push({ target: null, before: rules[0], after: rules[1], keys });
+  if (!keys && scanner.sound()) tellNone(scanner);
+  draft.channels.push({ target: null, before: rules[0], after: rules[1], keys: keys ?? [] });
 }
 
 function readRule(scanner: Scanner): Extrapolation {

@@ -4,6 +4,7 @@ import type { Bindings } from './bindings.ts';
 import type { Section } from './sections.ts';
 import { cse169Shape } from './shape.ts';
 import type { SkinWeights } from './skin-weights.ts';
+import type { Triangles } from './triangles.ts';
 
 export const effect = 'the mesh is not used';
 
@@ -13,7 +14,7 @@ export interface Sections {
   normals?: Section;
   texcoords?: Section;
   skinweights?: SkinWeights;
-  triangles?: Uint32Array;
+  triangles?: Triangles;
   bindings?: Bindings;
 }
 
@@ -32,18 +33,18 @@ export function assembleSkin(
 ): SkinFile | undefined {
   const { positions, triangles, normals, texcoords } = sections;
   checkPresent(log, 'positions', positions?.count);
-  checkPresent(log, 'triangles', triangles?.length);
+  checkPresent(log, 'triangles', triangles?.lines.length);
   if (!positions || !triangles || log.failed) return undefined;
   const pointCount = positions.count;
   checkTriangles(log, triangles, pointCount);
   checkNormals(log, normals, pointCount);
   const uvs = uvsThatFit(log, texcoords, pointCount);
   const skin = weightsOf(file, log, sections, pointCount);
-  const corners = Int32Array.from(triangles);
+  const corners = Int32Array.from(triangles.corners);
   const mesh: MeshParts = {
     file,
     positions: positions.values,
-    cornerPoints: triangles,
+    cornerPoints: triangles.corners,
     ...(normals ? { normals: normals.values, cornerNormals: corners } : {}),
     ...(uvs ? { uvs: uvs.values, cornerUvs: corners } : {}),
     materials,
@@ -86,6 +87,7 @@ function weightsOf(
     const point = start.findIndex((first) => first > at) - 1;
     log.error({
       code: 'skin/index',
+      line: skinweights.lines[point]!,
       expected: `joints from 0 to ${bindings.count - 1}, for which there are bindings`,
       found: `${joints[at]!}, vertex ${point}`,
       effect,
@@ -95,13 +97,18 @@ function weightsOf(
   return { file, ...skinweights, jointFromBind, bindFromJoint, normals: cse169Shape.normals };
 }
 
-function checkTriangles(log: DiagnosticLog, triangles: Uint32Array, pointCount: number): void {
-  const at = triangles.findIndex((point) => point >= pointCount);
+function checkTriangles(
+  log: DiagnosticLog,
+  { corners, lines }: Triangles,
+  pointCount: number,
+): void {
+  const at = corners.findIndex((point) => point >= pointCount);
   if (at === -1) return;
   log.error({
     code: 'skin/index',
+    line: lines[Math.floor(at / 3)]!,
     expected: `vertices from 0 to ${pointCount - 1}`,
-    found: `${triangles[at]!}, triangle ${Math.floor(at / 3)}`,
+    found: `${corners[at]!}`,
     effect,
   });
 }
@@ -118,14 +125,20 @@ function checkNormals(log: DiagnosticLog, normals: Section | undefined, pointCou
     log.error({ code: 'skin/count', expected, found, effect });
     return;
   }
-  let withoutLength = 0;
+  const withoutLength: number[] = [];
   for (let i = 0; i < normals.values.length; i += 3) {
     const [x, y, z] = normals.values.subarray(i, i + 3);
-    if (!(Math.hypot(x!, y!, z!) > 1e-12)) withoutLength++;
+    if (!(Math.hypot(x!, y!, z!) > 1e-12)) withoutLength.push(i / 3);
   }
-  if (withoutLength === 0) return;
-  const found = `${withoutLength} without`;
-  log.warn({ code: 'skin/normal', expected: 'normals with a length', found, effect: computed });
+  const [first] = withoutLength;
+  if (first === undefined) return;
+  log.warn({
+    code: 'skin/normal',
+    line: normals.lines[first]!,
+    expected: 'normals with a length',
+    found: `${withoutLength.length} without`,
+    effect: computed,
+  });
 }
 
 function uvsThatFit(

@@ -11,7 +11,7 @@ export function readMaterial(scanner: Scanner): MaterialParts | undefined {
     reader.next();
     if (!reader.isWord) scanner.fail('token', 'a name');
     else {
-      name = reader.text();
+      name = reader.unquoted();
       scanner.open();
     }
   }
@@ -21,7 +21,7 @@ export function readMaterial(scanner: Scanner): MaterialParts | undefined {
     if (reader.isClose) return { name, ...(texture === undefined ? {} : { texture }) };
     if (word === 'texture') {
       reader.next();
-      if (reader.isWord) texture = reader.text();
+      if (reader.isWord) texture = reader.unquoted();
       else scanner.fail('token', 'the name of an image');
     } else if (reader.isWord) scanner.skipUnknown(isKeyword);
     else scanner.fail('token', '"}" for the material');

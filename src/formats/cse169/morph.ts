@@ -10,6 +10,8 @@ const about = { area: 'morph', effect: 'the morph is not used' } as const;
 /** Where vertices are, or point to, at weight 1: absolute, as the file has them. */
 interface Targets {
   readonly points: Uint32Array;
+  /** (n) one-based line of each row. */
+  readonly lines: Uint32Array;
   /** (n × 3) float64, so that differences are rounded once. */
   readonly values: Float64Array;
 }
@@ -22,7 +24,8 @@ export interface MorphFile {
 
 const keywords = new Set(['positions', 'normals']);
 const isKeyword = (word: string): boolean => keywords.has(word);
-const none: Targets = { points: new Uint32Array(0), values: new Float64Array(0) };
+const noLines = new Uint32Array(0);
+const none: Targets = { points: noLines, lines: noLines, values: new Float64Array(0) };
 
 /** Reads a `.morph` of CSE169: `positions K { index x y z … }` and `normals K { … }`, zero-based. */
 export function readMorph(
@@ -53,22 +56,24 @@ function readTargets(scanner: Scanner, name: string, mostPoints: number): Target
   if (!scanner.sound()) return undefined;
   const opened = scanner.openIfAny();
   // The last of several rows for one vertex counts.
-  const rows = new Map<number, readonly number[]>();
+  const rows = new Map<number, { line: number; target: readonly number[] }>();
   for (let row = 0; row < count; row++) {
     if (endsEarly(scanner, name, count, row)) return undefined;
     const point = scanner.index('a vertex', mostPoints - 1);
     if (!scanner.sound()) return undefined;
+    const { line } = scanner.reader;
     if (rows.has(point)) {
       const expected = `one row of ${name} for vertex ${point}`;
       scanner.warnOnce(name, 'duplicate', expected, 'another', 'the last one counts');
     }
-    rows.set(point, scanner.triple(name));
+    rows.set(point, { line, target: scanner.triple(name) });
     if (!scanner.sound()) return undefined;
   }
   if (!closeRows(scanner, name, count, opened)) return undefined;
   return {
     points: Uint32Array.from(rows.keys()),
-    values: Float64Array.from([...rows.values()].flat()),
+    lines: Uint32Array.from(rows.values(), ({ line }) => line),
+    values: Float64Array.from([...rows.values()].flatMap(({ target }) => target)),
   };
 }
 
@@ -86,11 +91,16 @@ export function morphOffsets(
 ): Parsed<MorphParts> {
   const log = new DiagnosticLog(file);
   const pointCount = positions.length / 3;
-  for (const { points } of [targets, normalTargets]) {
-    const outside = points.find((point) => point >= pointCount);
-    if (outside === undefined) continue;
-    const expected = `vertices from 0 to ${pointCount - 1}, which the skin has`;
-    log.error({ code: 'morph/index', expected, found: `${outside}`, effect: about.effect });
+  for (const { points, lines } of [targets, normalTargets]) {
+    const outside = points.findIndex((point) => point >= pointCount);
+    if (outside === -1) continue;
+    log.error({
+      code: 'morph/index',
+      line: lines[outside]!,
+      expected: `vertices from 0 to ${pointCount - 1}, which the skin has`,
+      found: `${points[outside]!}`,
+      effect: about.effect,
+    });
     break;
   }
   return log.finish({
@@ -109,11 +119,11 @@ function differences({ points, values }: Targets, base: Float32Array): Float32Ar
   });
 }
 
-function unitTargets({ points, values }: Targets): Targets {
+function unitTargets({ points, lines, values }: Targets): Targets {
   const unit = values.slice();
   for (let i = 0; i < unit.length; i += 3) {
     const length = Math.hypot(unit[i]!, unit[i + 1]!, unit[i + 2]!);
     if (length > 1e-12) for (let k = 0; k < 3; k++) unit[i + k] = unit[i + k]! / length;
   }
-  return { points, values: unit };
+  return { points, lines, values: unit };
 }

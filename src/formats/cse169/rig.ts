@@ -62,7 +62,7 @@ function readMorphs(scanner: Scanner): string[] {
 
 function readName(scanner: Scanner, what: string): string {
   scanner.reader.next();
-  if (scanner.reader.isWord) return scanner.reader.text();
+  if (scanner.reader.isWord) return scanner.reader.unquoted();
   scanner.fail('token', what);
   return '';
 }

@@ -1,4 +1,4 @@
-import { growFloat32 } from '../text/growable.ts';
+import { growFloat32, growUint32 } from '../text/growable.ts';
 import type { Scanner } from './scanner.ts';
 
 /** Numbers in rows of equal size, as `NAME N { … }` has them. */
@@ -6,6 +6,8 @@ export interface Section {
   /** (count × size) */
   readonly values: Float32Array;
   readonly count: number;
+  /** (count) one-based line of each row's first number. */
+  readonly lines: Uint32Array;
 }
 
 /**
@@ -22,12 +24,15 @@ export function readRows(
   if (!scanner.sound()) return undefined;
   const opened = scanner.openIfAny();
   const values = growFloat32();
+  const lines = growUint32();
   for (let i = 0; i < count * size; i++) {
     if (endsWithin(scanner, name, size, count, i)) return undefined;
+    if (i % size === 0) lines.push(scanner.reader.line);
     values.push(scanner.thisNumber(name));
     if (!scanner.sound()) return undefined;
   }
-  return closeRows(scanner, name, count, opened) ? { values: values.finish(), count } : undefined;
+  if (!closeRows(scanner, name, count, opened)) return undefined;
+  return { values: values.finish(), count, lines: lines.finish() };
 }
 
 /** Whether a closing brace stands where the next row should; that is an error. */

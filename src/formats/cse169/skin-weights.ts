@@ -5,6 +5,8 @@ import { closeRows, endsEarly } from './sections.ts';
 export interface SkinWeights {
   /** (pointCount + 1) */
   readonly start: Uint32Array;
+  /** (pointCount) one-based line of each row. */
+  readonly lines: Uint32Array;
   readonly joints: Uint16Array;
   readonly weights: Float32Array;
 }
@@ -24,6 +26,7 @@ export function readSkinWeights(
   const start = growUint32();
   const joints = growUint16();
   const weights = growFloat32();
+  const lines = growUint32();
   start.push(0);
   for (let point = 0; point < count; point++) {
     if (endsEarly(scanner, 'skinweights', count, point)) return undefined;
@@ -32,10 +35,16 @@ export function readSkinWeights(
     start.push(weights.length);
   }
   if (!closeRows(scanner, 'skinweights', count, opened)) return undefined;
-  return { start: start.finish(), joints: joints.finish(), weights: weights.finish() };
+  return {
+    start: start.finish(),
+    lines: lines.finish(),
+    joints: joints.finish(),
+    weights: weights.finish(),
+  };
 
   function readRow(point: number): void {
     const influenceCount = scanner.count(`influences of vertex ${point}`, 4, mostJoints);
+    lines.push(scanner.reader.line);
     const row = new Map<number, number>();
     for (let i = 0; i < influenceCount && scanner.sound(); i++) {
       const joint = scanner.index(`a joint of vertex ${point}`, mostJoints - 1);

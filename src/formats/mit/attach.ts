@@ -60,6 +60,7 @@ class RowReader {
   private readonly start = growUint32();
   private readonly joints = growUint16();
   private readonly weights = growFloat32();
+  private readonly lines = growUint32();
   private readonly reader: LineReader;
   private readonly log: DiagnosticLog;
 
@@ -74,8 +75,13 @@ class RowReader {
   }
 
   finish(): Omit<SkinParts, 'file'> {
-    const { start, joints, weights } = this;
-    return { start: start.finish(), joints: joints.finish(), weights: weights.finish() };
+    const { start, lines, joints, weights } = this;
+    return {
+      start: start.finish(),
+      lines: lines.finish(),
+      joints: joints.finish(),
+      weights: weights.finish(),
+    };
   }
 
   /** False, with an error, where one more row would be too many. */
@@ -96,6 +102,7 @@ class RowReader {
       this.weights.push(weight);
     }
     this.start.push(this.weights.length);
+    this.lines.push(this.reader.line);
     return true;
   }
 

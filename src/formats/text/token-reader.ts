@@ -2,6 +2,7 @@ import { decodeText } from './decode-text.ts';
 import { carriageReturn, endOfLineEnd, isBlank, lineFeed } from './line-ends.ts';
 import { readInteger, readNumber } from './read-number.ts';
 
+const quotationMark = 0x22;
 const hash = 0x23;
 const star = 0x2a;
 const slash = 0x2f;
@@ -50,6 +51,22 @@ export class TokenReader {
     } else if (at < bytes.length) at++;
     this.tokenEnd = at;
     return at > this.tokenStart;
+  }
+
+  /** Lengthens a token that begins with a quotation mark to the mark that ends it on the same line. */
+  private endQuotation(): boolean {
+    const { bytes } = this;
+    if (bytes[this.tokenStart] !== quotationMark) return false;
+    let at = this.tokenStart + 1;
+    while (at < bytes.length && bytes[at] !== quotationMark && !isLineEnd(bytes[at]!)) at++;
+    if (bytes[at] !== quotationMark) return false;
+    this.tokenEnd = at + 1;
+    return true;
+  }
+
+  /** The token as text; where it begins with a quotation mark, what stands up to the next one. */
+  unquoted(): string {
+    return this.endQuotation() ? this.text().slice(1, -1) : this.text();
   }
 
   get atEnd(): boolean {

@@ -32,6 +32,20 @@ describe('readAnim', () => {
     expect(read(legAnim.replaceAll('\n', end)).value).toEqual(read(legAnim).value);
   });
 
+  it.each(['keys 0 { }', 'extrapolate cycle cycle'])(
+    'tells of channels without keys, once: %j',
+    (none) => {
+      const { value, messages } = read(
+        `animation {\n${channel} channel {\n${none}\n} channel { } }`,
+      );
+      expect(value!.channels.map(({ keys }) => keys.length)).toEqual([1, 0, 0]);
+      expect(messages).toHaveLength(1);
+      expect(messages[0]).toMatch(
+        /^warning: a\.anim:[34]:\d+: expected at least one key, found "none" \[anim\/empty\]; the channel is 0/,
+      );
+    },
+  );
+
   it('plays all keys where there is no range, and is constant where there is no rule', () => {
     const { value } = read('animation { channel { keys 2 { -1 0 flat flat 3 0 flat flat } } }');
     expect(value).toMatchObject({ start: -1, end: 3 });

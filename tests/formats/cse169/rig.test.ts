@@ -16,6 +16,21 @@ describe('readRig', () => {
     expect(read('rig{skin a.skin}').value).toEqual({ name: '', skin: 'a.skin', morphs: [] });
   });
 
+  it('takes names out of their quotation marks, with blanks and braces', () => {
+    const text =
+      'rig "a leg" { skeleton "my {leg}.skel" skin "leg.skin" morphs 2 { "b c.morph" d } }';
+    expect(read(text)).toEqual({
+      value: {
+        name: 'a leg',
+        skeleton: 'my {leg}.skel',
+        skin: 'leg.skin',
+        morphs: ['b c.morph', 'd'],
+      },
+      diagnostics: [],
+    });
+    expect(read('rig a { skin "b\n}').value).toEqual({ name: 'a', skin: '"b', morphs: [] });
+  });
+
   it.each([
     ['skin a', '1:1: expected "rig", found "skin" [rig/token]'],
     ['rig a { skin', '1:13: expected a file, found "the end of the file" [rig/end]'],

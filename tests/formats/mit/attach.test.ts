@@ -17,6 +17,7 @@ describe('readAttach', () => {
     expect(value).toEqual({
       file: 'a.attach',
       start: Uint32Array.of(0, 2, 3, 3),
+      lines: Uint32Array.of(1, 2, 3),
       joints: Uint16Array.of(2, 3, 1),
       weights: Float32Array.of(0.25, 0.75, 1),
     });

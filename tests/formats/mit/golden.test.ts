@@ -95,11 +95,11 @@ describe('the golden files with all their oddities', () => {
         '[skel/root]; joint 0 still has no column of weights, as the format has it',
       'warning: oddities.obj:2:1: expected vertices, texture coordinates, normals and faces, ' +
         'found "mtllib ../oddities.mtl" [obj/ignored]; materials are not read; the surface is plain',
-      'warning: oddities.attach: expected at least one weight for every vertex, ' +
+      'warning: oddities.attach:6: expected at least one weight for every vertex, ' +
         'found "none for 1: vertex 6" [character/weight-zero]; they follow the root rigidly',
-      'warning: oddities.attach: expected weights of at least 0, found "negative ones for ' +
+      'warning: oddities.attach:5: expected weights of at least 0, found "negative ones for ' +
         '1: vertex 5" [character/weight-negative]; they are kept as they are',
-      'warning: oddities.attach: expected weights that sum to 1 for every vertex, found "0.98 for 1" ' +
+      'warning: oddities.attach:8: expected weights that sum to 1 for every vertex, found "0.98 for 1" ' +
         '[character/weight-sum]; they are used as they are, vertex 8 being the farthest off; ' +
         '"normalise weights" divides them by their sum',
     ]);

@@ -114,7 +114,7 @@ export const skinSections: readonly BadInput[] = [
     'B47 a normal without length',
     skinText({ normals: 'normals 3 { 0 0 0 0 0 1 0 0 1 }' }),
     [
-      ': expected normals with a length, found "1 without" [skin/normal]; they are computed from the triangles',
+      ':2: expected normals with a length, found "1 without" [skin/normal]; they are computed from the triangles',
     ],
     ({ mesh }) => expect([...mesh.normals.subarray(0, 3)]).toEqual([0, 0, 1]),
   ),
@@ -142,7 +142,7 @@ export const skinSections: readonly BadInput[] = [
   noSkin(
     'B58 a vertex past the end',
     triangles('1 { 0 1 3 }'),
-    ': expected vertices from 0 to 2, found "3, triangle 0" [skin/index]',
+    ':4: expected vertices from 0 to 2, found "3" [skin/index]',
   ),
   noSkin(
     'B58 a negative vertex',

@@ -17,7 +17,7 @@ export const skinWeights: readonly BadInput[] = [
     ': expected 3 rows of skinweights, one for each position, found "2" [skin/count]',
   ),
   readSkinOf('B51 a vertex without influences', weights('1 0 1 0 1 0 1'), [
-    ': expected at least one weight for every vertex, found "none for 1: vertex 2" [character/weight-zero]; they follow the root rigidly',
+    ':3: expected at least one weight for every vertex, found "none for 1: vertex 2" [character/weight-zero]; they follow the root rigidly',
   ]),
   noSkin(
     'B52 -1 influences',
@@ -32,7 +32,7 @@ export const skinWeights: readonly BadInput[] = [
   noSkin(
     'B53 a joint without binding',
     weights('1 0 1 1 0 1 1 23 1'),
-    ': expected joints from 0 to 0, for which there are bindings, found "23, vertex 2" [skin/index]',
+    ':3: expected joints from 0 to 0, for which there are bindings, found "23, vertex 2" [skin/index]',
   ),
   noSkin(
     'B53 a joint past any',
@@ -56,7 +56,7 @@ export const skinWeights: readonly BadInput[] = [
     'B56 weights that do not sum to one',
     weights('1 0 0.5 1 0 1 1 0 1.25'),
     [
-      ': expected weights that sum to 1 for every vertex, found "0.5 to 1.25 for 2" [character/weight-sum]; ' +
+      ':3: expected weights that sum to 1 for every vertex, found "0.5 to 1.25 for 2" [character/weight-sum]; ' +
         'they are used as they are, vertex 1 being the farthest off; "normalise weights" divides them by their sum',
     ],
     ({ skin }) => expect([...skin.weights]).toEqual([0.5, 1, 1.25]),
@@ -65,8 +65,8 @@ export const skinWeights: readonly BadInput[] = [
     'B57 a negative weight',
     weights('1 0 -1 1 0 1 1 0 1'),
     [
-      ': expected weights of at least 0, found "negative ones for 1: vertex 1" [character/weight-negative]; they are kept as they are',
-      ': expected weights that sum to 1 for every vertex, found "-1 for 1" [character/weight-sum]; ' +
+      ':3: expected weights of at least 0, found "negative ones for 1: vertex 1" [character/weight-negative]; they are kept as they are',
+      ':3: expected weights that sum to 1 for every vertex, found "-1 for 1" [character/weight-sum]; ' +
         'they are used as they are, vertex 1 being the farthest off; "normalise weights" divides them by their sum',
     ],
     ({ skin }) => expect(skin.weights[0]).toBe(-1),

@@ -16,7 +16,7 @@ function warned(
   return {
     title,
     files: withAttach(text),
-    messages: [`warning: a.attach: ${message}`],
+    messages: [`warning: a.attach${message}`],
     left: all,
     check,
   };
@@ -64,7 +64,7 @@ export const attachCases: readonly BadInput[] = [
   warned(
     'A60 negative weight',
     '1.5 -0.5\n1 0\n1 0\n1 0\n',
-    'expected weights of at least 0, found "negative ones for 1: vertex 1" ' +
+    ':1: expected weights of at least 0, found "negative ones for 1: vertex 1" ' +
       '[character/weight-negative]',
     (character) =>
       expect(rowOf(character, 0)).toEqual([
@@ -80,7 +80,7 @@ export const attachCases: readonly BadInput[] = [
   warned(
     'A61 row of zeros',
     '1 0\n0 0\n1 0\n0 1e-7\n',
-    'expected at least one weight for every vertex, found "none for 2: vertex 2, 4" ' +
+    ':2: expected at least one weight for every vertex, found "none for 2: vertex 2, 4" ' +
       '[character/weight-zero]',
     (character) =>
       expect([1, 3].map((point) => rowOf(character, point))).toEqual([[[0, 1]], [[0, 1]]]),
@@ -88,7 +88,7 @@ export const attachCases: readonly BadInput[] = [
   warned(
     'A62 sums of 0.98 and 2',
     '0.98 0\n1 1\n1 0\n1 0\n',
-    `${sums} "0.98 to 2 for 2" [character/weight-sum]`,
+    `:2: ${sums} "0.98 to 2 for 2" [character/weight-sum]`,
     (character) =>
       expect([0, 1].map((point) => rowOf(character, point))).toEqual([
         [[1, Math.fround(0.98)]],
@@ -139,7 +139,7 @@ export const attachCases: readonly BadInput[] = [
       'b.attach': whole['a.attach']!,
     },
     messages: [
-      'warning: a.skel: expected files of one name, found "a.obj, b.attach" [file/pairing]',
+      'warning: a.skel: expected files of one name in one folder, found "a.obj, b.attach" [file/pairing]',
     ],
     left: all,
   },
@@ -151,7 +151,7 @@ export const attachCases: readonly BadInput[] = [
       'b.obj': whole['a.obj']!,
     },
     messages: [
-      'warning: a.skel: expected files of one name, found "b.obj, c.attach" [file/pairing]',
+      'warning: a.skel: expected files of one name in one folder, found "b.obj, c.attach" [file/pairing]',
     ],
     left: all,
   },

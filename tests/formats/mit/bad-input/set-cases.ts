@@ -99,7 +99,9 @@ export const setCases: readonly BadInput[] = [
   {
     title: 'A67 names that part, one of each kind',
     files: { 'man.obj': obj!, 'rig.skel': skel! },
-    messages: ['warning: rig.skel: expected files of one name, found "man.obj" [file/pairing]'],
+    messages: [
+      'warning: rig.skel: expected files of one name in one folder, found "man.obj" [file/pairing]',
+    ],
     left: unbound,
   },
   {
