@@ -6,24 +6,26 @@ import { sharedPage, test } from './support/test.ts';
 // What a checker can see of WCAG 2.2 AA: names, roles, contrast, order of headings.
 const page = sharedPage((page) => openApp(page, 'model=tube'));
 
-async function violations(page: Page): Promise<string[]> {
+async function violations(page: Page, rules?: readonly string[]): Promise<string[]> {
   const tags = ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-practice'];
-  const { violations, passes } = await new AxeBuilder({ page }).withTags(tags).analyze();
-  expect(passes.length, 'rules that applied').toBeGreaterThan(10);
+  const builder = new AxeBuilder({ page });
+  const chosen = rules ? builder.withRules([...rules]) : builder.withTags(tags);
+  const { violations, passes } = await chosen.analyze();
+  expect(passes.length, 'rules that applied').toBeGreaterThan(rules ? 0 : 10);
   return violations.flatMap(({ id, nodes }) =>
     nodes.map(({ html, failureSummary = '' }) => `${id}: ${html}\n${failureSummary}`),
   );
 }
 
-for (const colorScheme of ['light', 'dark'] as const) {
-  test(`the page, a joint open and a problem listed, in ${colorScheme} colours`, async () => {
-    await page().emulateMedia({ colorScheme });
-    await openJoint(page(), 'joint 01', 'X');
-    await drop(page(), [{ name: 'bad.skel', content: '0 0 zero -1\n' }]);
-    await expect(page().locator('.problems')).toBeVisible();
-    expect(await violations(page())).toEqual([]);
-  });
-}
+test('the page, a joint open and a problem listed, in light and in dark colours', async () => {
+  await openJoint(page(), 'joint 01', 'X');
+  await drop(page(), [{ name: 'bad.skel', content: '0 0 zero -1\n' }]);
+  await expect(page().locator('.problems')).toBeVisible();
+  expect(await violations(page())).toEqual([]);
+  // Nothing but its colours is other in the dark.
+  await page().emulateMedia({ colorScheme: 'dark' });
+  expect(await violations(page(), ['color-contrast'])).toEqual([]);
+});
 
 test('the view is operated, says what it shows, and undo is told', async () => {
   const view = page().getByRole('application');

@@ -103,21 +103,25 @@ test('a click on another character selects it and its joint', async () => {
   await expect(page().locator('[role=treeitem][aria-selected=true]')).toHaveCount(1);
 });
 
-test('twenty copies share mesh, skin and textures', async ({ page }) => {
-  await openApp(page, 'model=insect');
-  const counts = () => page.evaluate(() => window.sinew.liveObjects);
-  await page.evaluate(() => window.sinew.capture());
+test('twenty copies share mesh, skin and textures', async () => {
+  await page().setViewportSize({ width: 760, height: 420 }); // drawn sooner
+  await page().evaluate(async () => {
+    while (window.sinew.characters.length > 1) window.sinew.remove();
+    await window.sinew.open('insect');
+    await window.sinew.capture();
+  });
+  const counts = () => page().evaluate(() => window.sinew.liveObjects);
   const one = await counts();
-  await page.evaluate(async () => {
+  await page().evaluate(async () => {
     for (let i = 0; i < 19; i++) await window.sinew.add('insect');
     await window.sinew.capture();
   });
-  expect(await page.evaluate(() => window.sinew.characters.length)).toBe(20);
+  expect(await page().evaluate(() => window.sinew.characters.length)).toBe(20);
   const twenty = await counts();
   expect(twenty['texture']).toBe(one['texture']);
   // Posed positions, posed normals and the palette are each copy's own.
   expect(twenty['buffer']).toBeLessThanOrEqual(one['buffer']! + 19 * 3);
-  await page.evaluate(async () => {
+  await page().evaluate(async () => {
     for (let i = 0; i < 19; i++) window.sinew.remove();
     await window.sinew.capture();
   });

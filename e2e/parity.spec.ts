@@ -5,25 +5,32 @@ import { catalogue } from './support/catalogue.ts';
 import { madeCharacter } from './support/made-character.ts';
 import { wildPose } from './support/poses.ts';
 import { skinRuns, watchSkinStage } from './support/skin-stage.ts';
-import { test } from './support/test.ts';
+import { sharedPage, test } from './support/test.ts';
 
 // The shader and the strict kernel in TypeScript do the same operations in the same order: under
 // SwiftShader every bit of every position and normal is the same.
 const same = { identical: true, position: 0, vertex: 0, normal: 0 };
 
+const page = sharedPage(async (page) => {
+  await watchSkinStage(page);
+  await openSmallView(page, 'model=tube');
+});
+
 for (const { id, files } of catalogue) {
-  test(`${id}: GPU and CPU agree bit for bit, from the uniform array`, async ({ page }) => {
-    await watchSkinStage(page);
-    await openSmallView(page, `model=${id}`);
+  test(`${id}: GPU and CPU agree bit for bit, from the uniform array`, async () => {
+    await page().evaluate((id) => {
+      window.skinRuns = [];
+      return window.sinew.open(id);
+    }, id);
     expect(files.length, 'files of a character').toBeGreaterThanOrEqual(3);
     for (const [index, { id: kernel, label }] of kernels.entries()) {
-      await chooseKernel(page, kernel);
-      expect(await verify(page), `${label}, as it was`).toMatchObject(same);
-      const jointCount = await page.evaluate(() => window.sinew.characters[0]!.joints.length);
-      await setPose(page, wildPose(jointCount, 1 + index));
-      expect(await verify(page), `${label}, in a wild pose`).toMatchObject(same);
+      await chooseKernel(page(), kernel);
+      expect(await verify(page()), `${label}, as it was`).toMatchObject(same);
+      const jointCount = await page().evaluate(() => window.sinew.characters[0]!.joints.length);
+      await setPose(page(), wildPose(jointCount, 1 + index));
+      expect(await verify(page()), `${label}, in a wild pose`).toMatchObject(same);
     }
-    const runs = await skinRuns(page);
+    const runs = await skinRuns(page());
     // As opened, then each method at its poses.
     expect(runs.length).toBeGreaterThanOrEqual(2 * kernels.length);
     for (const { blocks, textures } of runs) {
@@ -32,21 +39,6 @@ for (const { id, files } of catalogue) {
     }
   });
 }
-
-test('the textures that stand in for attributes and uniform array agree as well', async ({
-  page,
-}) => {
-  await watchSkinStage(page);
-  await openSmallView(page, 'textures=palette,influences');
-  for (const { id, label } of kernels) {
-    await chooseKernel(page, id);
-    expect(await verify(page), label).toMatchObject(same);
-  }
-  for (const { blocks, textures } of await skinRuns(page)) {
-    expect(blocks).toEqual([]);
-    expect(textures.toSorted()).toEqual(['influenceTexture', 'paletteTexture']);
-  }
-});
 
 // What does not fit takes the other ways: larger blocks, then textures. They agree as well, and show
 // that the check above can tell them apart.
@@ -58,21 +50,31 @@ const layouts = [
   { joints: 40, influences: 17, blocks: [16_384], textures: ['influenceTexture'] },
   { joints: 2000, influences: 30, blocks: [], textures: ['influenceTexture', 'paletteTexture'] },
 ];
-test('every layout of palette and influences agrees bit for bit', async ({ page }) => {
-  await watchSkinStage(page);
-  await openSmallView(page, 'model=tube');
+test('every layout of palette and influences agrees bit for bit', async () => {
   for (const { joints, influences, blocks, textures } of layouts) {
-    await drop(page, madeCharacter(joints, influences));
-    await setPose(page, wildPose(joints, 3));
+    await drop(page(), madeCharacter(joints, influences));
+    await setPose(page(), wildPose(joints, 3));
     const layout = `${joints} joints, ${influences} influences`;
-    const found = await verify(page);
+    const found = await verify(page());
     expect(found, layout).toMatchObject(same);
-    const run = (await skinRuns(page)).at(-1)!;
+    const run = (await skinRuns(page())).at(-1)!;
     expect(run.vertexCount).toBe(60);
     expect(
       run.blocks.map(({ size }) => size),
       layout,
     ).toEqual(blocks);
     expect(run.textures.toSorted(), layout).toEqual(textures);
+  }
+});
+
+test('the textures that stand in for attributes and uniform array agree as well', async () => {
+  await openSmallView(page(), 'textures=palette,influences');
+  for (const { id, label } of kernels) {
+    await chooseKernel(page(), id);
+    expect(await verify(page()), label).toMatchObject(same);
+  }
+  for (const { blocks, textures } of await skinRuns(page())) {
+    expect(blocks).toEqual([]);
+    expect(textures.toSorted()).toEqual(['influenceTexture', 'paletteTexture']);
   }
 });

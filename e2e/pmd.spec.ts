@@ -16,7 +16,7 @@ import { expectPicture } from './support/pictures.ts';
 import { sharedPage, test } from './support/test.ts';
 
 test.describe('materials', () => {
-  const page = sharedPage((page) => openView(page));
+  const page = sharedPage((page) => openView(page, 'model=tube'));
 
   test('have their colours, highlights, transparency and images', async () => {
     await drop(page(), madePmd());

@@ -3,7 +3,7 @@ import path from 'node:path';
 import { expect, type Page } from '@playwright/test';
 import { resolveShader, type ShaderFiles } from '../src/gl/shader-library.ts';
 import { kernels } from '../src/skinning/registry.ts';
-import { test } from './support/test.ts';
+import { sharedPage, test } from './support/test.ts';
 
 interface Sources {
   readonly name: string;
@@ -32,24 +32,26 @@ const passes = Array.from(passNames, (pass) => ({
   fragment: resolveShader(files, `passes/${pass}.frag.glsl`),
 }));
 
-test('every pass links', async ({ page }) => {
+const page = sharedPage(() => Promise.resolve());
+
+test('every pass links', async () => {
   expect(passes.map(({ name }) => name)).toContain('mesh');
-  expect(await problemsOf(page, passes)).toEqual([]);
+  expect(await problemsOf(page(), passes)).toEqual([]);
 });
 
 for (const method of await Promise.all(kernels.map(({ load }) => load()))) {
-  test(`the skin stage links in every variant: ${method.id}`, async ({ page }) => {
+  test(`the skin stage links in every variant: ${method.id}`, async () => {
     const stages = influencePairs.flatMap((pairs) =>
       paletteRows.map((rows) => stage(method.chunk, method.vec4sPerEntry, pairs, rows)),
     );
     expect(stages).toHaveLength(15);
-    expect(await problemsOf(page, stages)).toEqual([]);
+    expect(await problemsOf(page(), stages)).toEqual([]);
   });
 }
 
-test('shaders that do not compile or link are told', async ({ page }) => {
+test('shaders that do not compile or link are told', async () => {
   const [sound] = passes;
-  const [problem, ...others] = await problemsOf(page, [
+  const [problem, ...others] = await problemsOf(page(), [
     {
       ...sound!,
       name: 'no vertex stage',

@@ -8,7 +8,7 @@ needModel1();
 // Elbows have no child in the course's skeleton: where there is no bone to a next joint, the skin tells.
 test('Model1’s forearm is picked by its skin and dragged', async ({ page }) => {
   await page.setViewportSize({ width: 900, height: 500 });
-  await openApp(page, 'workspace=6.837');
+  await openApp(page, 'model=tube&workspace=6.837');
   await drop(page, model1Files());
   await expect(page.locator('.notice')).toHaveText('Model1 opened');
   await page.getByRole('button', { name: 'Bone mode' }).click();

@@ -10,7 +10,7 @@ needKaito();
 // KAITO of the Virtual Mannequin on the page, against vertices that were computed apart from Sinew.
 test.describe('KAITO, dropped on the page', () => {
   const page = sharedPage(async (page) => {
-    await openView(page);
+    await openView(page, 'model=tube');
     await drop(page, kaito());
   });
 

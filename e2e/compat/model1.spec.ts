@@ -12,7 +12,7 @@ const cpuBound = 1e-6;
 
 test.describe('Model1, dropped on the page', () => {
   const page = sharedPage(async (page) => {
-    await openView(page);
+    await openView(page, 'model=tube');
     const [skel, obj, attach] = model1Files();
     // Neither the order of the files nor the case of their endings tells what they are.
     await drop(page, [
