@@ -64,7 +64,7 @@ async function collect(
     throw new Failure(`${pathname} broke off, or is damaged`);
   }
   if (size > limit) {
-    void reader.cancel();
+    reader.cancel().catch(() => undefined); // what is given up may end as it will
     throw new Failure(`${pathname} has more than ${limit} bytes`);
   }
   return new Uint8Array(await new Blob(parts).arrayBuffer());

@@ -32,10 +32,15 @@ declare global {
  * The page's content policy starts no worker from plain text. The one trusted policy that it allows gives
  * this one address, whatever it is asked for.
  */
-const trustedUrl =
-  window.trustedTypes
-    ?.createPolicy('skin-worker', { createScriptURL: () => workerUrl })
-    .createScriptURL('') ?? workerUrl;
+function trustedUrl(): string {
+  trusted ??=
+    window.trustedTypes
+      ?.createPolicy('skin-worker', { createScriptURL: () => workerUrl })
+      .createScriptURL('') ?? workerUrl;
+  return trusted;
+}
+
+let trusted: string | undefined;
 
 /** Runs a task on another thread, which ends with it. */
 export function runTask<Name extends TaskName>(
@@ -43,7 +48,7 @@ export function runTask<Name extends TaskName>(
   input: TaskTypes[Name]['input'],
   { signal, onProgress, transfer }: TaskOptions,
 ): Promise<TaskTypes[Name]['output'] | undefined> {
-  const worker = new Worker(trustedUrl, { type: 'module' });
+  const worker = new Worker(trustedUrl(), { type: 'module' });
   return new Promise<TaskTypes[Name]['output'] | undefined>((resolve, reject) => {
     signal.addEventListener('abort', () => resolve(undefined), { once: true });
     worker.addEventListener('message', ({ data }: MessageEvent<TaskReply>) => {

@@ -54,8 +54,8 @@ describe('surfaces', () => {
     expect(specular).toEqual([0, 1, 0]);
   });
 
-  it('name the image without its folders', () => {
-    expect(surfaceOf({ texture: 'tex\\Skin.bmp' }).texture).toBe('Skin.bmp');
+  it('name the image by its plain path', () => {
+    expect(surfaceOf({ texture: 'tex\\Skin.bmp' }).texture).toBe('tex/Skin.bmp');
     expect(surfaceOf({}).texture).toBeUndefined();
   });
 });
