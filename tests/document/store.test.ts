@@ -70,7 +70,9 @@ function bits({ actors }: Scene): string {
     ({ id, character, transform, q, morphWeights, clip, method, normalizeWeights }) => [
       id,
       characters.indexOf(character),
-      ...[q, morphWeights, placeOf(transform)].map(({ buffer }) => Buffer.from(buffer).toString('hex')),
+      ...[q, morphWeights, placeOf(transform)].map(({ buffer }) =>
+        Buffer.from(buffer).toString('hex'),
+      ),
       clip,
       method,
       normalizeWeights,
