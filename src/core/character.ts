@@ -10,6 +10,8 @@ import type { Skin } from './skin.ts';
 export interface CharacterImage {
   /** The plain path of what the material names, as it can stand in an archive. */
   readonly name: string;
+  /** What materials say for it, as their file has it. */
+  readonly textures: readonly string[];
   readonly bytes: Uint8Array;
 }
 

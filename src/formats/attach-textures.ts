@@ -2,6 +2,7 @@ import type { Character, CharacterImage } from '../core/character.ts';
 import { type Diagnostic, printable } from '../core/diagnostics.ts';
 import { ambiguousName } from './belonging/ambiguous-name.ts';
 import { findNamed } from './belonging/find-named.ts';
+import { grouped } from './belonging/grouped.ts';
 import { plainPath } from './belonging/plain-path.ts';
 import { textureExtensions } from './extensions.ts';
 import { baseName, extensionOf } from './file-entry.ts';
@@ -30,19 +31,17 @@ export async function attachTextures(
   const missing: string[] = [];
   const guessed: FileEntry[] = [];
   const diagnostics: Diagnostic[] = [];
-  const named = new Map(
-    character.materials.flatMap(({ texture }) =>
-      texture === undefined ? [] : [[plainPath(texture), texture] as const],
-    ),
-  );
-  for (const [name, texture] of named) {
+  const all = new Set(character.materials.flatMap(({ texture }) => texture ?? []));
+  const named = grouped(Array.from(all, (texture) => [plainPath(texture), texture] as const));
+  for (const [name, textures] of named) {
+    const texture = textures[0]!;
     const found = findNamed(texture, from.path, candidates);
     if (!found) {
       missing.push(baseName(texture));
       continue;
     }
     used.push(found.file);
-    images.push({ name, bytes: await found.file.bytes() });
+    images.push({ name, textures, bytes: await found.file.bytes() });
     diagnostics.push(...ambiguousName(from, texture, found));
     if (found.isGuess) guessed.push(found.file);
   }

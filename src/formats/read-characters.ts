@@ -2,7 +2,6 @@ import { buildCharacter } from '../core/build-character.ts';
 import type { Character } from '../core/character.ts';
 import type { Diagnostic } from '../core/diagnostics.ts';
 import { loadPart } from '../core/failure.ts';
-import { attachTextures } from './attach-textures.ts';
 import { defaultLimits, type Limits } from '../core/limits.ts';
 import { archiveExtension, characterExtensions, textureExtensions } from './extensions.ts';
 import { baseName, extensionOf } from './file-entry.ts';
@@ -46,7 +45,7 @@ export async function readCharacters(
       for (const file of group.files) used.add(file);
       const read = await readGroup(reader, group, limits, diagnostics);
       if (!read) continue;
-      const dressed = await attachTextures(read.character, read.from, files);
+      const dressed = await withImages(read, files);
       for (const file of dressed.used) used.add(file);
       diagnostics.push(...dressed.diagnostics);
       characters.push({
@@ -68,13 +67,28 @@ async function expand(files: readonly FileEntry[]) {
   return expandArchives(files);
 }
 
-/** The character of a group, and the file that has its mesh, whose materials name images. */
+interface ReadGroup {
+  readonly character: Character;
+  /** The file that has its mesh, whose materials name images. */
+  readonly from: FileEntry;
+}
+
+/** Most characters name none, so that the first picture does not wait for this. */
+async function withImages({ character, from }: ReadGroup, files: readonly FileEntry[]) {
+  const named = character.materials.some(({ texture }) => texture !== undefined);
+  if (!named && character.optionalImages.length === 0) {
+    return { character, used: [], diagnostics: [] };
+  }
+  const { attachTextures } = await loadPart(import('./attach-textures.ts'));
+  return attachTextures(character, from, files);
+}
+
 async function readGroup(
   reader: FormatReader,
   group: FileGroup,
   limits: Limits,
   diagnostics: Diagnostic[],
-): Promise<{ readonly character: Character; readonly from: FileEntry } | undefined> {
+): Promise<ReadGroup | undefined> {
   const parsed = await reader.read(group, limits);
   diagnostics.push(...group.diagnostics, ...parsed.diagnostics);
   if (!parsed.value) return undefined;

@@ -1,7 +1,6 @@
 import type { Character } from '../core/character.ts';
 import type { Color } from '../core/character-parts.ts';
 import type { Submesh } from '../core/mesh.ts';
-import { plainPath } from '../formats/belonging/plain-path.ts';
 import { linearChannel } from './theme.ts';
 
 /** A run of triangles and how its material shades it; colors in linear light. */
@@ -29,7 +28,7 @@ const black: Color = [0, 0, 0];
  * shows in full light, at most 1: the studio's lights do the rest. Without an exponent there is no
  * highlight, which else would cover everything.
  */
-export function surfacesOf({ mesh, materials }: Character): readonly Surface[] {
+export function surfacesOf({ mesh, materials, images }: Character): readonly Surface[] {
   return mesh.submeshes.map((submesh) => {
     const material = materials.find(({ name }) => name === submesh.material);
     const { colors, texture } = material ?? {};
@@ -41,7 +40,7 @@ export function surfacesOf({ mesh, materials }: Character): readonly Surface[] {
       twoSided: material?.twoSided ?? true,
       specular: ((shininess > 0 && colors?.specular) || black).map(linearOf),
       shininess,
-      texture: texture === undefined ? undefined : plainPath(texture),
+      texture: images.find(({ textures }) => textures.some((each) => each === texture))?.name,
     };
   });
 }

@@ -47,7 +47,7 @@ describe('the history', () => {
   it('counts all that a replaced character keeps alive: morphs, images and the weights in use too', () => {
     const kilobytes = (count: number) => new Uint8Array(count * 1024);
     const morph = { ...character.morphs[0]!, offsets: new Float32Array(4 * 256) };
-    const image = { name: 'a.png', bytes: kilobytes(8) };
+    const image = { textures: [], name: 'a.png', bytes: kilobytes(8) };
     const heavy = { ...character, morphs: [morph], images: [image] };
     const actors = [createActor(1, heavy, 'linear-blend', { normalizeWeights: true })];
     const entry = { label: 'open', before: { actors }, after: { actors: [] } };

@@ -45,7 +45,7 @@ it.each([
 it('two files are never at one path', () => {
   const bytes = new Uint8Array(0);
   const paths = ['a:b', 'a?b', 'A*B'].map((name) => ({ path: `${name}.morph`, bytes }));
-  const images = [{ name: 'a_b.morph', bytes }];
+  const images = [{ name: 'a_b.morph', textures: [], bytes }];
   expect(savedFiles(paths, images).map(({ path }) => path)).toEqual([
     'a_b.morph',
     'a_b (2).morph',

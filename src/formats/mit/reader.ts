@@ -1,7 +1,7 @@
 import type { CharacterParts, SkeletonParts } from '../../core/character-parts.ts';
 import type { Diagnostic, Parsed } from '../../core/diagnostics.ts';
 import type { Limits } from '../../core/limits.ts';
-import { groupParts } from '../belonging/group-parts.ts';
+import { groupFiles } from '../belonging/group-files.ts';
 import { formatExtensions } from '../extensions.ts';
 import { baseName, extensionOf } from '../file-entry.ts';
 import type { FileEntry, FileGroup, FormatReader } from '../format.ts';
@@ -13,7 +13,7 @@ const kinds = formatExtensions.mit;
 
 /** MIT 6.837 assignment 2: `Model1.skel`, `Model1.obj`, `Model1.attach`. */
 export const mitReader: FormatReader = {
-  group: (files) => Promise.resolve(groupParts(files, { single: kinds, many: [] })),
+  group: (files) => groupFiles(files, { single: kinds, many: [] }),
   read: readGroup,
 };
 

@@ -1,14 +1,14 @@
 import type { CharacterParts } from '../../core/character-parts.ts';
 import type { Parsed } from '../../core/diagnostics.ts';
 import type { Limits } from '../../core/limits.ts';
-import { groupParts } from '../belonging/group-parts.ts';
+import { groupFiles } from '../belonging/group-files.ts';
 import { baseName } from '../file-entry.ts';
 import type { FileGroup, FormatReader } from '../format.ts';
 import { readPmd } from './pmd.ts';
 
 /** MikuMikuDance: each `.pmd` is a character of its own; the images that it names come from beside it. */
 export const mmdReader: FormatReader = {
-  group: (files) => Promise.resolve(groupParts(files, { single: ['.pmd'], many: [] })),
+  group: (files) => groupFiles(files, { single: ['.pmd'], many: [] }),
   read: readGroup,
 };
 

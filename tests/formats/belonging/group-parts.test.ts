@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { groupFiles } from '../../../src/formats/belonging/group-files.ts';
 import { groupParts } from '../../../src/formats/belonging/group-parts.ts';
 import { memoryFile } from '../../../src/formats/file-entry.ts';
 
@@ -13,6 +14,14 @@ function group(kinds: typeof cse169, ...paths: string[]) {
     notes: each.diagnostics.map(({ code, found, effect }) => `${code}: ${found}: ${effect}`),
   }));
 }
+
+it.each([[['a.skel']], [['x/a.skel', 'x/a.obj']], [['a.obj', 'b.obj']], [['a.skel', 'x/a.obj']]])(
+  'is left out only where it changes nothing: %j',
+  async (paths) => {
+    const files = paths.map((path) => memoryFile(path, new Uint8Array(0)));
+    expect(await groupFiles(files, mit)).toEqual(groupParts(files, mit));
+  },
+);
 
 /** The files of each character, and whether something was said about it. */
 function outcome(...paths: string[]): string[] {

@@ -1,0 +1,23 @@
+import { loadPart } from '../../core/failure.ts';
+import { baseName, extensionOf, pathStem } from '../file-entry.ts';
+import type { FileEntry, FileGroup } from '../format.ts';
+import type { PartKinds } from './draft.ts';
+
+/**
+ * Puts the files of each character together by their names and folders. One character in one folder, which
+ * most users have, and which the first picture has, needs none of the rule.
+ */
+export async function groupFiles(
+  files: readonly FileEntry[],
+  kinds: PartKinds,
+): Promise<readonly FileGroup[]> {
+  const [stems, endings] = [
+    new Set(files.map(({ path }) => pathStem(path))),
+    new Set(files.map(({ path }) => extensionOf(path))),
+  ];
+  if (stems.size === 1 && endings.size === files.length) {
+    return [{ name: baseName([...stems][0]!), files, diagnostics: [] }];
+  }
+  const { groupParts } = await loadPart(import('./group-parts.ts'));
+  return groupParts(files, kinds);
+}
