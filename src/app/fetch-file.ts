@@ -64,7 +64,7 @@ async function collect(
     throw new Failure(`${pathname} broke off, or is damaged`);
   }
   if (size > limit) {
-    void reader.cancel();
+    reader.cancel().catch(() => undefined); // the failure below is what is told
     throw new Failure(`${pathname} has more than ${limit} bytes`);
   }
   return new Uint8Array(await new Blob(parts).arrayBuffer());
