@@ -16,24 +16,22 @@ interface TaskOptions {
   readonly transfer: Transferable[];
 }
 
-declare global {
-  interface Window {
-    /** The part of Trusted Types that is used here, which not every browser has. */
-    readonly trustedTypes?: {
-      createPolicy(
-        name: string,
-        rules: { createScriptURL(): string },
-      ): { createScriptURL(text: string): string }; // an object, which `Worker` takes for a text
-    };
-  }
+/** The part of Trusted Types that is used here, which not every browser has. */
+interface TrustedTypes {
+  createPolicy(
+    name: string,
+    rules: { createScriptURL(): string },
+  ): { createScriptURL(text: string): string }; // an object, which `Worker` takes for a text
 }
+
+const { trustedTypes } = globalThis as { readonly trustedTypes?: TrustedTypes };
 
 /**
  * The page's content policy starts no worker from plain text. The one trusted policy that it allows gives
  * this one address, whatever it is asked for.
  */
 const trustedUrl =
-  window.trustedTypes
+  trustedTypes
     ?.createPolicy('skin-worker', { createScriptURL: () => workerUrl })
     .createScriptURL('') ?? workerUrl;
 
