@@ -39,6 +39,7 @@ export async function openApp(page: Page, query = ''): Promise<void> {
  * That takes a tenth of the time of loading it anew.
  */
 export async function startOver(page: Page, workspace = 'studio'): Promise<void> {
+  await page.locator('.toolbar').waitFor({ state: 'attached' });
   await page.evaluate(async (wanted) => {
     const toolbar = document.querySelector('.toolbar')!;
     const later = (): Promise<unknown> => new Promise((resolve) => setTimeout(resolve));

@@ -16,31 +16,24 @@ interface TaskOptions {
   readonly transfer: Transferable[];
 }
 
-declare global {
-  interface Window {
-    /** The part of Trusted Types that is used here, which not every browser has. */
-    readonly trustedTypes?: {
-      createPolicy(
-        name: string,
-        rules: { createScriptURL(): string },
-      ): { createScriptURL(text: string): string }; // an object, which `Worker` takes for a text
-    };
-  }
+/** The part of Trusted Types that is used here, which not every browser has. */
+interface TrustedTypes {
+  createPolicy(
+    name: string,
+    rules: { createScriptURL(): string },
+  ): { createScriptURL(text: string): string }; // an object, which `Worker` takes for a text
 }
+
+const { trustedTypes } = globalThis as { readonly trustedTypes?: TrustedTypes };
 
 /**
  * The page's content policy starts no worker from plain text. The one trusted policy that it allows gives
  * this one address, whatever it is asked for.
  */
-function trustedUrl(): string {
-  trusted ??=
-    window.trustedTypes
-      ?.createPolicy('skin-worker', { createScriptURL: () => workerUrl })
-      .createScriptURL('') ?? workerUrl;
-  return trusted;
-}
-
-let trusted: string | undefined;
+const trustedUrl =
+  trustedTypes
+    ?.createPolicy('skin-worker', { createScriptURL: () => workerUrl })
+    .createScriptURL('') ?? workerUrl;
 
 /** Runs a task on another thread, which ends with it. */
 export function runTask<Name extends TaskName>(
@@ -48,7 +41,7 @@ export function runTask<Name extends TaskName>(
   input: TaskTypes[Name]['input'],
   { signal, onProgress, transfer }: TaskOptions,
 ): Promise<TaskTypes[Name]['output'] | undefined> {
-  const worker = new Worker(trustedUrl(), { type: 'module' });
+  const worker = new Worker(trustedUrl, { type: 'module' });
   return new Promise<TaskTypes[Name]['output'] | undefined>((resolve, reject) => {
     signal.addEventListener('abort', () => resolve(undefined), { once: true });
     worker.addEventListener('message', ({ data }: MessageEvent<TaskReply>) => {
