@@ -29,7 +29,7 @@ test('the page, a joint open and a problem listed, in light and in dark colours'
 
 test('the view is operated, says what it shows, and undo is told', async () => {
   const view = page().getByRole('application');
-  await expect(view).toHaveAccessibleName('3D view: tube');
+  await expect(view).toHaveAccessibleName('3D view: tube, joint 01');
   await expect(view).toHaveAccessibleDescription(/Arrow keys orbit/);
   await page().getByRole('treeitem', { name: 'joint 02' }).click();
   await expect(view).toHaveAccessibleName('3D view: tube, joint 02');
