@@ -61,7 +61,8 @@ export const sections: readonly Section[] = [
   {
     id: 'timeline',
     place: 'foot',
-    when: ({ transport }) => transport.clip !== undefined,
+    // Selecting one without clips leaves the view as high as it is.
+    when: ({ store }) => store.scene.value.actors.some(({ clips }) => clips.length > 0),
     load: async () => (await loadPart(import('./panels/timeline.tsx'))).Timeline,
   },
   {

@@ -1,4 +1,7 @@
+import type { Editor } from '../editor.ts';
 import type { Command } from './command.ts';
+
+const hasClip = ({ transport }: Editor): boolean => transport.clip !== undefined;
 
 /** The bound clip, or the one that Play binds. */
 export const clipCommands = [
@@ -8,6 +11,7 @@ export const clipCommands = [
     keys: [{ key: 'p' }],
     isOn: ({ session }) => session.playing.value,
     describe: ({ session }) => (session.playing.value ? 'Pause' : 'Play'),
+    isEnabled: hasClip,
     run: ({ transport }) => transport.togglePlay(),
   },
   {
@@ -15,6 +19,7 @@ export const clipCommands = [
     label: 'Play, pause',
     keys: [{ key: ' ' }],
     context: 'timeline',
+    isEnabled: hasClip,
     run: ({ transport }) => transport.togglePlay(),
   },
   {
@@ -22,6 +27,7 @@ export const clipCommands = [
     label: 'To the start',
     keys: [{ key: 'Home' }],
     context: 'timeline',
+    isEnabled: hasClip,
     run: ({ transport }) => transport.seek(transport.clip?.start ?? 0),
   },
   {
@@ -29,6 +35,7 @@ export const clipCommands = [
     label: 'To the end',
     keys: [{ key: 'End' }],
     context: 'timeline',
+    isEnabled: hasClip,
     run: ({ transport }) => transport.seek(transport.clip?.end ?? 0),
   },
   {
@@ -36,6 +43,7 @@ export const clipCommands = [
     label: 'Step back',
     keys: [{ key: 'ArrowLeft' }],
     context: 'timeline',
+    isEnabled: hasClip,
     run: ({ transport }) => transport.step(-1),
   },
   {
@@ -43,6 +51,7 @@ export const clipCommands = [
     label: 'Step on',
     keys: [{ key: 'ArrowRight' }],
     context: 'timeline',
+    isEnabled: hasClip,
     run: ({ transport }) => transport.step(1),
   },
   {

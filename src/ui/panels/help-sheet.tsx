@@ -19,7 +19,13 @@ export function HelpSheet({ editor }: { readonly editor: PageState }) {
   ];
   return (
     <dialog ref={dialog} aria-labelledby="help-title" onClose={() => (helpOpen.value = false)}>
-      <h2 id="help-title">Keys and pointer</h2>
+      {/* First, so that the focus, and with it what is in sight, is at the top. */}
+      <header>
+        <h2 id="help-title">Keys and pointer</h2>
+        <button type="button" onClick={() => (helpOpen.value = false)}>
+          Close
+        </button>
+      </header>
       <table>
         <tbody>
           {sections.map(({ label: title, rows }, section) => (
@@ -51,9 +57,6 @@ export function HelpSheet({ editor }: { readonly editor: PageState }) {
         />
         Single letters act
       </label>
-      <button type="button" onClick={() => (helpOpen.value = false)}>
-        Close
-      </button>
     </dialog>
   );
 }

@@ -29,7 +29,9 @@ export function StatusLine({ editor }: { readonly editor: Editor }) {
           {problems} {problems === 1 ? 'problem' : 'problems'}
         </span>
       )}
-      <output class="notice">{notice.value}</output>
+      <output class="notice" title={notice.value}>
+        {notice.value}
+      </output>
       <CommandButton editor={editor} command="bone-mode" class="bone-mode" />
     </footer>
   );

@@ -1,3 +1,4 @@
+import { printable } from '../../core/diagnostics.ts';
 import { selectedActor } from '../../document/selected-actor.ts';
 import type { PlayMode } from '../../posing/playhead.ts';
 import type { Editor } from '../editor.ts';
@@ -13,14 +14,17 @@ const modes: Readonly<Record<PlayMode, string>> = {
   'go on': 'Go on',
 };
 
-/** Below the view, where the character has clips: plays them and shows their curves. */
+/**
+ * Below the view, where a character has clips: plays them and shows their curves. It is as high while one
+ * without clips is selected, so that the view stays as it is.
+ */
 export function Timeline({ editor }: { readonly editor: Editor }) {
   const { store, session, transport } = editor;
   const state = selectedActor(store, session);
   const { clipTime, playing, playSpeed, playMode } = session;
   const { clip, clipIndex } = transport;
-  if (!state || !clip) return null;
-  const { start, end } = clip;
+  if (!state) return null;
+  const { start, end } = clip ?? { start: 0, end: 0 };
   const time = clipTime.value;
   const onKey = (event: KeyboardEvent): void => {
     const { target, key } = event;
@@ -34,7 +38,9 @@ export function Timeline({ editor }: { readonly editor: Editor }) {
     <section class="timeline" aria-label="Timeline" onKeyDown={onKey}>
       <div class="transport">
         <select
+          class="clip"
           aria-label="Clip"
+          disabled={!clip}
           value={clipIndex}
           onChange={({ currentTarget }) => transport.choose(Number(currentTarget.value))}
         >
@@ -57,6 +63,7 @@ export function Timeline({ editor }: { readonly editor: Editor }) {
         <input
           type="range"
           aria-label="Time"
+          disabled={!clip}
           aria-valuetext={`${time.toFixed(2)} seconds`}
           min={start}
           max={end}
@@ -90,7 +97,14 @@ export function Timeline({ editor }: { readonly editor: Editor }) {
           ))}
         </select>
       </div>
-      <ClipCurves editor={editor} clip={clip} skeleton={state.character.skeleton} time={time} />
+      {clip ? (
+        <ClipCurves editor={editor} clip={clip} skeleton={state.character.skeleton} time={time} />
+      ) : (
+        <figure class="curves">
+          <svg aria-hidden="true" />
+          <figcaption>{printable(state.character.name, 80)} has no clips</figcaption>
+        </figure>
+      )}
     </section>
   );
 }
