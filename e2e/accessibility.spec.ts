@@ -19,7 +19,7 @@ async function violations(page: Page, rules?: readonly string[]): Promise<string
 
 test('the view is operated, says what it shows, and undo is told', async () => {
   const view = page().getByRole('application');
-  await expect(view).toHaveAccessibleName('3D view: tube, joint 01');
+  await expect(view).toHaveAccessibleName('3D view: tube');
   await expect(view).toHaveAccessibleDescription(/Arrow keys orbit/);
   await page().getByRole('treeitem', { name: 'joint 02' }).click();
   await expect(view).toHaveAccessibleName('3D view: tube, joint 02');

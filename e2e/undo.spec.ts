@@ -4,6 +4,7 @@ import {
   choose,
   controlRow,
   drop,
+  expectFittingCanvas,
   getPose,
   openApp,
   openJoint,
@@ -89,6 +90,7 @@ test('undo of an opening frames the character that comes back', async () => {
   await expect.poll(name).toBe('insect');
   const opened = await cameraOf(page());
   await undo().click();
+  await expectFittingCanvas(page());
   const undone = await cameraOf(page());
   expect(undone.distance).not.toBe(opened.distance);
   await page().locator('canvas').focus();

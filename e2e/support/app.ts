@@ -45,6 +45,8 @@ export async function startOver(page: Page, workspace = 'studio'): Promise<void>
     const later = (): Promise<unknown> => new Promise((resolve) => setTimeout(resolve));
     const [undo] = toolbar.querySelectorAll('button');
     for (; !undo!.disabled; await later()) undo!.click();
+    // Which clip plays is no step of undo.
+    document.querySelector<HTMLElement>('[aria-label^="Own pose"]')?.click();
     // Only a change of workspace sets what is drawn, and how.
     const menu = toolbar.querySelector('select')!;
     const others = [...menu.options].map(({ value }) => value).filter((id) => id !== wanted);

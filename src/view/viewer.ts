@@ -1,5 +1,6 @@
 import { effect, signal } from '@preact/signals-core';
 import { assert } from '../core/assert.ts';
+import type { Bounds } from '../core/bounds.ts';
 import type { Actor } from '../document/scene.ts';
 import { selectedActor } from '../document/selected-actor.ts';
 import type { Session, SkinDevice } from '../document/session.ts';
@@ -55,6 +56,8 @@ export class Viewer {
   private readonly onFrame: () => void;
   private renderer: Renderer | null = null;
   private frameRequest = 0;
+  /** The camera as it was fitted to a box, to fit it again when the view's size changes. */
+  private framed: { readonly camera: Camera; readonly box: Bounds } | null = null;
 
   /** @param onFrame called after each picture that was shown */
   constructor(
@@ -98,14 +101,15 @@ export class Viewer {
     this.canvas.width = width;
     this.canvas.height = height;
     this.size.value = { width, height };
+    // What was in the picture stays in it, unless somebody has moved the camera since.
+    if (this.framed?.camera === this.camera.value) this.frame(this.framed.box);
     // The canvas is empty now; waiting for the next frame would show it so.
     this.show();
   }
 
   /** Turns the camera's distance and target so that all characters are in the picture. */
   frameAll(): void {
-    const box = sceneBounds(this.evaluations.all());
-    this.camera.value = frameBox(this.camera.value, box, this.aspect);
+    this.frame(sceneBounds(this.evaluations.all()));
   }
 
   /**
@@ -153,6 +157,12 @@ export class Viewer {
   /** Counts of live GL objects by kind. */
   get liveObjects(): Readonly<Record<string, number>> {
     return this.renderer?.gpu.liveObjects ?? {};
+  }
+
+  private frame(box: Bounds): void {
+    const camera = frameBox(this.camera.value, box, this.aspect);
+    this.framed = { camera, box };
+    this.camera.value = camera;
   }
 
   private keepRenderer(gl: WebGL2RenderingContext, layout: LayoutChoice): void {

@@ -2,7 +2,11 @@ import { expect, it } from 'vitest';
 import type { CharacterImage } from '../../src/core/character.ts';
 import { DecodedImages, type Picture } from '../../src/view/decoded-images.ts';
 
-const imageOf = (name: string): CharacterImage => ({ name, bytes: new Uint8Array(0) });
+const imageOf = (name: string): CharacterImage => ({
+  name,
+  textures: [],
+  bytes: new Uint8Array(0),
+});
 
 /** Pictures of a thousand bytes each; decoding is counted. */
 function setUp(byteLimit: number) {
