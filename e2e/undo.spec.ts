@@ -86,8 +86,8 @@ test('one’s own character chosen again stays as it is posed, and its sliders s
 });
 
 test('undo of an opening frames the character that comes back', async () => {
-  await page().getByRole('button', { name: 'Insect' }).click();
-  await expect.poll(name).toBe('insect');
+  await page().getByRole('button', { name: 'Hand', exact: true }).click();
+  await expect.poll(name).toBe('hand');
   const opened = await cameraOf(page());
   await undo().click();
   await expectFittingCanvas(page());

@@ -1,6 +1,6 @@
 import { Failure } from '../core/failure.ts';
-import type { FileEntry } from '../formats/format.ts';
 import type { BundledCharacter } from '../ui/editor.ts';
+import type { LooseFile } from '../workers/read-characters-task.ts';
 import { fetchChecked, fetchFile } from './fetch-file.ts';
 
 /** A line of public/data/catalogue.json; paths are relative to it. */
@@ -25,7 +25,7 @@ export async function fetchCatalogue(): Promise<readonly CatalogueEntry[]> {
 export function fetchBundled(
   { files, pose }: CatalogueEntry,
   signal: AbortSignal,
-): Promise<FileEntry[]> {
+): Promise<LooseFile[]> {
   const paths = pose === undefined ? files : [...files, pose];
   return Promise.all(paths.map((path) => fetchFile(new URL(path, dataUrl), signal)));
 }

@@ -54,17 +54,27 @@ export function createOpening(
 
     async openFiles(files, add = false) {
       const outcome = await whileOpening('Reading', async (signal) => {
-        const { openOwnFiles } = await loadPart(import('./open-own-files.ts'));
+        const [{ openOwnFiles }, entries] = await Promise.all([
+          loadPart(import('./open-own-files.ts')),
+          files,
+        ]);
         const openBundled = async (id: string): Promise<void> => {
           const entry = entryOf(id);
           if (entry) await loadBundled(entry, signal, false);
         };
-        return openOwnFiles(opener, files, { signal, onProgress: meter.report, openBundled, add });
+        return openOwnFiles(opener, entries, {
+          signal,
+          onProgress: meter.report,
+          openBundled,
+          add,
+        });
       });
       if (!outcome) return;
-      const { found, opened, reopened, posed, before } = outcome;
+      const { found, opened, reopened, posed } = outcome;
       if (opened) {
-        const earlier = own.value.filter(({ character }) => character !== before);
+        // Files that were opened before, and come again, stand in the list once.
+        const came = new Set(found.flatMap(pathsOf));
+        const earlier = own.value.filter((read) => !pathsOf(read).every((path) => came.has(path)));
         own.value = [...earlier.slice(-mostEarlier), ...found];
         const more = found.length > 1 ? ` and ${found.length - 1} more` : '';
         showOpened(`${opened.name}${more}`, reopened ? 'updated; pose and camera kept' : word(add));
@@ -166,6 +176,10 @@ export function createOpening(
     if (!what.startsWith('updated')) opening.frameOpened();
     notice.value = `${name} ${what}`;
   }
+}
+
+function pathsOf({ files }: ReadCharacter): string[] {
+  return files.map(({ path }) => path);
 }
 
 function word(add: boolean): string {

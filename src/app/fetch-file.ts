@@ -1,7 +1,6 @@
 import { Failure } from '../core/failure.ts';
 import { defaultLimits } from '../core/limits.ts';
-import { memoryFile } from '../formats/file-entry.ts';
-import type { FileEntry } from '../formats/format.ts';
+import type { LooseFile } from '../workers/read-characters-task.ts';
 
 /**
  * A file of the page's own server, unpacked if it is gzipped. Fetched or unpacked it has at most so many
@@ -11,7 +10,7 @@ export async function fetchFile(
   url: URL,
   signal?: AbortSignal,
   limit = defaultLimits.fileSize,
-): Promise<FileEntry> {
+): Promise<LooseFile> {
   // Nothing is opened from elsewhere, nor from addresses of objects in the page's memory.
   if (!url.href.startsWith(`${location.origin}/`)) {
     throw new Failure(
@@ -23,10 +22,10 @@ export async function fetchFile(
   const path = decodeURIComponent(url.pathname.slice(url.pathname.lastIndexOf('/') + 1));
   // Some servers unpack .gz files on the way, so the bytes tell, not the name.
   const isPacked = fetched[0] === 0x1f && fetched[1] === 0x8b;
-  return memoryFile(
-    path.replace(/\.gz$/i, ''),
-    isPacked ? await collect(gunzip(fetched), url, limit) : fetched,
-  );
+  return {
+    path: path.replace(/\.gz$/i, ''),
+    bytes: isPacked ? await collect(gunzip(fetched), url, limit) : fetched,
+  };
 }
 
 /** What the page's own server answers, and no other that it points to. */

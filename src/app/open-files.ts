@@ -13,9 +13,9 @@ import type { FileEntry } from '../formats/format.ts';
 import type { ReadCharacter, ReadProgress } from '../formats/read-characters.ts';
 import { defaultDeformation, kernelOf } from '../skinning/registry.ts';
 import type { MethodId } from '../skinning/method.ts';
+import type { LooseFile } from '../workers/read-characters-task.ts';
 import type { OpenedFiles } from './renewal.ts';
 import { readFiles } from './read-files.ts';
-import { sortFiles } from './sort-files.ts';
 
 /** Where characters come from, and whether they join the others or take the place of the selected one. */
 export interface OpenWay {
@@ -34,8 +34,6 @@ export interface OpenOutcome {
   /** The same files once more: pose and camera stay. */
   readonly reopened: boolean;
   readonly posed: boolean;
-  /** The character that the files completed or renewed, which what was found stands for now. */
-  readonly before?: Character | undefined;
 }
 
 /**
@@ -57,13 +55,13 @@ export class FileOpener {
 
   /** Opens a bundled character, with its pose. */
   async openBundled(
-    files: readonly FileEntry[],
+    files: readonly LooseFile[],
     signal: AbortSignal,
     onProgress: ReadProgress,
     way: OpenWay,
   ): Promise<OpenOutcome | undefined> {
-    const { poses, parts } = await sortFiles(files);
-    const [pose] = poses;
+    const pose = files.find(({ path }) => path.endsWith('.json'));
+    const parts = files.filter((file) => file !== pose);
     // The reader of poses comes while the worker reads the character.
     const [{ characters, diagnostics }, readPose] = await Promise.all([
       readFiles(parts, signal, onProgress),

@@ -6,6 +6,7 @@ import { decodePose } from '../formats/pose-json.ts';
 import type { ReadProgress } from '../formats/read-characters.ts';
 import { readPoseJson } from '../formats/read-pose-json.ts';
 import type { FileOpener, OpenOutcome } from './open-files.ts';
+import { loadBytes } from './read-bytes.ts';
 import { readFiles } from './read-files.ts';
 import { completeFiles, keptState, missingParts, plainPictures, renews } from './renewal.ts';
 import { readPictureNote, type ReadNote } from './read-picture-note.ts';
@@ -39,12 +40,14 @@ export async function openOwnFiles(
   const open = add ? undefined : opener.openedFiles;
   const completed = completeFiles(parts, open);
   const unread = plainPictures(completed);
+  const { loaded, diagnostics: unloaded } = await loadBytes(unread ? [] : completed);
+  if (isOver()) return undefined;
   const { characters, diagnostics } = unread
     ? { characters: [], diagnostics: unread }
-    : await readFiles(completed, signal, onProgress);
+    : await readFiles(loaded, signal, onProgress);
   await opener.prepare(characters);
   if (isOver()) return undefined;
-  const problems = [...unreadable, ...diagnostics];
+  const problems = [...unreadable, ...unloaded, ...diagnostics];
   const [first] = characters;
   const remembered = notes.at(-1)?.bundled;
   if (!first && remembered !== undefined) {
@@ -69,7 +72,6 @@ export async function openOwnFiles(
     opened: first?.character ?? null,
     reopened: renewed !== undefined,
     posed: q !== undefined,
-    before: completed === parts ? undefined : open?.character,
   };
 }
 

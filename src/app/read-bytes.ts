@@ -1,7 +1,26 @@
 import type { Diagnostic } from '../core/diagnostics.ts';
 import { defaultLimits } from '../core/limits.ts';
+import { readableExtensions } from '../formats/extensions.ts';
+import { extensionOf } from '../formats/file-entry.ts';
 import type { FileEntry } from '../formats/format.ts';
 import { readFault } from '../ui/file-entry.ts';
+import type { LooseFile } from '../workers/read-characters-task.ts';
+
+/** The bytes of all files that are worth reading; what can't be read is told, not thrown. */
+export async function loadBytes(
+  files: readonly FileEntry[],
+): Promise<{ loaded: LooseFile[]; diagnostics: Diagnostic[] }> {
+  const loaded: LooseFile[] = [];
+  const diagnostics: Diagnostic[] = [];
+  for (const file of files) {
+    const { path, fault } = file;
+    const isRead = fault !== undefined || readableExtensions.includes(extensionOf(path));
+    // What nothing reads is in the list of what is not used.
+    const bytes = isRead ? await readBytes(file, diagnostics) : new Uint8Array(0);
+    if (bytes) loaded.push({ path, bytes });
+  }
+  return { loaded, diagnostics };
+}
 
 /** The bytes of a file; nothing where it is too large or can't be read, which is added to the problems. */
 export async function readBytes(

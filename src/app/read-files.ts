@@ -1,45 +1,21 @@
-import type { Diagnostic } from '../core/diagnostics.ts';
 import { loadPart } from '../core/failure.ts';
-import { extensionOf, memoryFile } from '../formats/file-entry.ts';
+import { memoryFile } from '../formats/file-entry.ts';
 import type { FileEntry } from '../formats/format.ts';
-import { readableExtensions } from '../formats/extensions.ts';
 import type { ReadOutcome, ReadProgress } from '../formats/read-characters.ts';
 import type { LooseFile } from '../workers/read-characters-task.ts';
-import { readBytes } from './read-bytes.ts';
 import { runTask } from './run-task.ts';
 
 /** More than this is read on another thread, so that the page stays alive. */
 const workerSize = 1024 * 1024;
 
 /** Reads characters here or in a worker; once the signal is aborted the outcome is of no use. */
-export async function readFiles(
-  files: readonly FileEntry[],
+export function readFiles(
+  files: readonly LooseFile[],
   signal: AbortSignal,
   onProgress: ReadProgress,
 ): Promise<ReadOutcome> {
-  const { loaded, diagnostics } = await loadBytes(files);
-  if (signal.aborted) return { characters: [], diagnostics };
-  const size = loaded.reduce((sum, { bytes }) => sum + bytes.length, 0);
-  const outcome = await (size > workerSize
-    ? readInWorker(loaded, signal, onProgress)
-    : readHere(loaded, onProgress));
-  return { ...outcome, diagnostics: [...diagnostics, ...outcome.diagnostics] };
-}
-
-/** The bytes of all that is worth reading; what can't be read is told, not thrown. */
-async function loadBytes(
-  files: readonly FileEntry[],
-): Promise<{ loaded: LooseFile[]; diagnostics: Diagnostic[] }> {
-  const loaded: LooseFile[] = [];
-  const diagnostics: Diagnostic[] = [];
-  for (const file of files) {
-    const { path, fault } = file;
-    const isRead = fault !== undefined || readableExtensions.includes(extensionOf(path));
-    // What nothing reads is in the list of what is not used.
-    const bytes = isRead ? await readBytes(file, diagnostics) : new Uint8Array(0);
-    if (bytes) loaded.push({ path, bytes });
-  }
-  return { loaded, diagnostics };
+  const size = files.reduce((sum, { bytes }) => sum + bytes.length, 0);
+  return size > workerSize ? readInWorker(files, signal, onProgress) : readHere(files, onProgress);
 }
 
 /** The readers are loaded at first use: the first picture's are in the worker. */

@@ -4,6 +4,7 @@ import type { Actor } from '../document/scene.ts';
 import { selectedActor } from '../document/selected-actor.ts';
 import type { SkinDevice } from '../document/session.ts';
 import type { Verification } from '../document/verification.ts';
+import { memoryFile } from '../formats/file-entry.ts';
 import type { FileEntry } from '../formats/format.ts';
 import { poseFromJson, type PoseJson } from '../formats/pose-json.ts';
 import { poseToJson } from '../formats/write-pose-json.ts';
@@ -201,8 +202,10 @@ function entriesOf(
 ): Promise<FileEntry[]> {
   const items = typeof source === 'string' ? [source] : Array.from<File | string>(source);
   return Promise.all(
-    items.map((item) =>
-      typeof item === 'string' ? fetchFile(new URL(item, document.baseURI)) : fileEntry(item),
-    ),
+    items.map(async (item) => {
+      if (typeof item !== 'string') return fileEntry(item);
+      const { path, bytes } = await fetchFile(new URL(item, document.baseURI));
+      return memoryFile(path, bytes);
+    }),
   );
 }

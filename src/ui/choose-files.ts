@@ -20,10 +20,7 @@ export function chooseFiles(
   else input.webkitdirectory = true;
   input.addEventListener('change', () => {
     const entries = Promise.all(Array.from(input.files ?? [], (file) => fileEntry(file)));
-    attempt(
-      editor,
-      entries.then((files) => editor.openFiles(files, add)),
-    );
+    attempt(editor, editor.openFiles(entries, add));
   });
   input.click();
 }

@@ -1,6 +1,6 @@
+import { loadPart } from '../core/failure.ts';
 import type { FileEntry } from '../formats/format.ts';
 import { attempt } from './attempt.ts';
-import { droppedFiles } from './dropped-files.ts';
 import type { Opening } from './editor.ts';
 
 /** The whole window takes dropped files; an outline says so while some are held over it. */
@@ -23,12 +23,20 @@ export function listenToDrops(opening: Pick<Opening, 'openFiles' | 'notice'>): v
     event.preventDefault();
     depth = 0;
     setOver(false);
-    if (!event.dataTransfer) return;
-    attempt(opening, open(droppedFiles(event.dataTransfer)));
+    const { dataTransfer } = event;
+    if (!dataTransfer) return;
+    // Both lists are emptied when the event is over, so they are read before anything waits.
+    const files = Array.from(dataTransfer.files);
+    const entries = Array.from(dataTransfer.items, (item) => item.webkitGetAsEntry());
+    const hasFiles = files.length > 0 || entries.some((entry) => entry !== null);
+    if (hasFiles) attempt(opening, opening.openFiles(list(files, entries)));
   });
+}
 
-  async function open(dropped: Promise<readonly FileEntry[]>): Promise<void> {
-    const files = await dropped;
-    if (files.length > 0) await opening.openFiles(files);
-  }
+async function list(
+  files: readonly File[],
+  entries: readonly (FileSystemEntry | null)[],
+): Promise<readonly FileEntry[]> {
+  const { droppedFiles } = await loadPart(import('./dropped-files.ts'));
+  return droppedFiles(files, entries);
 }

@@ -6,13 +6,14 @@ import { fileEntry, unreadableEntry } from './file-entry.ts';
 const largestCount = 10_000;
 
 /**
- * The files of a drop, those in folders too; what can't be read is among them, and says so. Must be
- * called while the drop event is handled.
+ * The files of a drop, those in folders too; what can't be read is among them, and says so.
+ *
+ * @param entries of the same drop, which tell folders
  */
-export function droppedFiles(data: DataTransfer): Promise<FileEntry[]> {
-  // Both lists are emptied when the event is over, so they are read before anything waits.
-  const files = Array.from(data.files);
-  const entries = Array.from(data.items, (item) => item.webkitGetAsEntry());
+export function droppedFiles(
+  files: readonly File[],
+  entries: readonly (FileSystemEntry | null)[],
+): Promise<FileEntry[]> {
   const hasFolder = entries.some((entry) => entry?.isDirectory);
   if (!hasFolder) return Promise.all(files.map((file) => fileEntry(file)));
   return walk(entries.filter((entry) => entry !== null));

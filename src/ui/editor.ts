@@ -49,6 +49,9 @@ export interface Looking {
   readonly viewer: Viewer;
 }
 
+/** A list that is there, or is being made. */
+type Listed<T> = readonly T[] | Promise<readonly T[]>;
+
 /** Where characters come from. */
 export interface Gallery {
   readonly bundled: ReadonlySignal<readonly BundledCharacter[]>;
@@ -58,8 +61,12 @@ export interface Gallery {
   readonly openedId: ReadonlySignal<string | null>;
   /** Shown for work that takes more than a moment. */
   readonly progress: ReadonlySignal<Progress | null>;
-  /** @param add beside the others; else in the place of the selected one */
-  readonly openFiles: (files: readonly FileEntry[], add?: boolean) => Promise<void>;
+  /**
+   * Takes over from what is being opened at once, also while the files themselves are still being listed.
+   *
+   * @param add beside the others; else in the place of the selected one
+   */
+  openFiles(files: Listed<FileEntry>, add?: boolean): Promise<void>;
   openBundled(id: string, add?: boolean): Promise<void>;
   openOwn(character: ReadCharacter, add?: boolean): void;
   cancelOpening(): void;

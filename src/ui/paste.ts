@@ -1,7 +1,8 @@
+import { loadPart } from '../core/failure.ts';
 import { memoryFile } from '../formats/file-entry.ts';
+import type { FileEntry } from '../formats/format.ts';
 import { attempt } from './attempt.ts';
 import type { Opening } from './editor.ts';
-import { fileEntry } from './file-entry.ts';
 
 /** Pasted files, or a pose as text, open as if they were dropped. */
 export function listenToPaste(opening: Pick<Opening, 'openFiles' | 'notice'>): void {
@@ -10,11 +11,15 @@ export function listenToPaste(opening: Pick<Opening, 'openFiles' | 'notice'>): v
     const files = Array.from(event.clipboardData?.files ?? []);
     const text = event.clipboardData?.getData('text/plain').trim() ?? '';
     if (files.length > 0) {
-      const entries = Promise.all(files.map((file) => fileEntry(file)));
-      attempt(opening, entries.then(opening.openFiles));
+      attempt(opening, opening.openFiles(list(files)));
     } else if (text.startsWith('{')) {
       const bytes = new TextEncoder().encode(text);
       attempt(opening, opening.openFiles([memoryFile('pasted pose.json', bytes)]));
     }
   });
+}
+
+async function list(files: readonly File[]): Promise<readonly FileEntry[]> {
+  const { fileEntry } = await loadPart(import('./file-entry.ts'));
+  return Promise.all(files.map((file) => fileEntry(file)));
 }
