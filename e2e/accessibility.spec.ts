@@ -31,12 +31,12 @@ test('the view is operated, says what it shows, and undo is told', async () => {
   expect(await violations(page())).toEqual([]);
 });
 
-test('the page, a joint open and a problem listed, in light and in dark colours', async () => {
+test('the page, a joint open and a problem listed, in light and in dark colors', async () => {
   await openJoint(page(), 'joint 01', 'X');
   await drop(page(), [{ name: 'bad.skel', content: '0 0 zero -1\n' }]);
   await expect(page().locator('.problems')).toBeVisible();
   expect(await violations(page())).toEqual([]);
-  // Nothing but its colours is other in the dark.
+  // Nothing but its colors is other in the dark.
   await page().emulateMedia({ colorScheme: 'dark' });
   expect(await violations(page(), ['color-contrast'])).toEqual([]);
 });

@@ -102,7 +102,7 @@ test('in bone mode it turns the bone, which stays under the pointer; back is bac
   expect(await getPose(page()), 'the way back is the pose of the start').toEqual(pose);
   await page().mouse.move(to.x, to.y);
   await page().keyboard.press('Escape');
-  expect(await getPose(page()), 'cancelled').toEqual(pose);
+  expect(await getPose(page()), 'canceled').toEqual(pose);
   await page().mouse.move(to.x + 20, to.y);
   expect(await getPose(page()), 'and stays so until the button is let go').toEqual(pose);
   await page().mouse.up();

@@ -18,7 +18,7 @@ import { sharedPage, test } from './support/test.ts';
 test.describe('materials', () => {
   const page = sharedPage((page) => openView(page, 'model=tube'));
 
-  test('have their colours, highlights, transparency and images', async () => {
+  test('have their colors, highlights, transparency and images', async () => {
     await drop(page(), madePmd());
     expect(await page().evaluate(() => window.sinew.problems)).toEqual([]);
     await page().keyboard.press('Home');
@@ -39,7 +39,7 @@ test.describe('materials', () => {
     expect((await capture(page())).equals(dressed)).toBe(true);
   });
 
-  test('without their image are shown in their colours, and the image may come later', async () => {
+  test('without their image are shown in their colors, and the image may come later', async () => {
     const dressed = await capture(page());
     const [pmd, image] = madePmd();
     // Another character between, so that nothing is left of the image.

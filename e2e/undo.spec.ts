@@ -132,9 +132,9 @@ test('the method and the use of weights', async () => {
   await choose(page(), 'Method', kernelById('rigid').label);
   await expect(page().locator('.status')).toContainText(kernelById('rigid').label);
   expect(await vertices(page(), 'gpu')).not.toEqual(shape);
-  await controlRow(page(), 'Normalise weights').getByRole('checkbox').check();
+  await controlRow(page(), 'Normalize weights').getByRole('checkbox').check();
   await undo().click();
-  await expect(controlRow(page(), 'Normalise weights').getByRole('checkbox')).not.toBeChecked();
+  await expect(controlRow(page(), 'Normalize weights').getByRole('checkbox')).not.toBeChecked();
   await undo().click();
   await expect(page().locator('.status')).not.toContainText(kernelById('rigid').label);
   expect(await vertices(page(), 'gpu')).toEqual(shape);

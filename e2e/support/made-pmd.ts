@@ -116,7 +116,7 @@ function ball([x, y, z]: Three, radius: number, bone: number, steps = 16): Omit<
 }
 
 /** Quarters: red, green above; blue, yellow below. */
-const colours = [
+const colors = [
   [230, 40, 40],
   [40, 200, 60],
   [50, 80, 230],
@@ -125,7 +125,7 @@ const colours = [
 const size = 16;
 
 function quarter(x: number, y: number): readonly [number, number, number] {
-  return colours[(y < size / 2 ? 0 : 2) + (x < size / 2 ? 0 : 1)]!;
+  return colors[(y < size / 2 ? 0 : 2) + (x < size / 2 ? 0 : 1)]!;
 }
 
 function quartersPng(): Uint8Array {

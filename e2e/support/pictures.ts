@@ -8,7 +8,7 @@ const folder = path.resolve(import.meta.dirname, '../expected');
 /** UPDATE_PICTURES=1 writes what is drawn in the place of what is expected; look at each. */
 const isUpdating = Boolean(process.env['UPDATE_PICTURES']);
 
-/** Of a pixel's colour, and of all pixels: what is drawn in another place. */
+/** Of a pixel's color, and of all pixels: what is drawn in another place. */
 const [colorThreshold, pixelShare] = [0.1, 0.001];
 /** Of a byte: what is lit a little otherwise everywhere. One renderer draws all pictures. */
 const meanThreshold = 0.2;
@@ -18,7 +18,7 @@ const fewestColors = 500;
 /** Compares a picture with `expected/NAME.png`; where they differ both stay in the test's folder. */
 export function expectPicture(name: string, bytes: Buffer): void {
   const actual = PNG.sync.read(bytes);
-  expect(colorCount(actual), 'colours, since the view may be empty').toBeGreaterThan(fewestColors);
+  expect(colorCount(actual), 'colors, since the view may be empty').toBeGreaterThan(fewestColors);
   const file = path.join(folder, `${name}.png`);
   if (isUpdating) {
     mkdirSync(folder, { recursive: true });

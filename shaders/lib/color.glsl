@@ -6,7 +6,7 @@ vec3 encodeSrgb(vec3 linear) {
   return mix(high, low, lessThan(linear, vec3(0.0031308)));
 }
 
-// Neutral up to 0.75, above it the brightest channel eases towards 1 and carries the others along.
+// Neutral up to 0.75, above it the brightest channel eases toward 1 and carries the others along.
 vec3 toneMap(vec3 linear) {
   float peak = max(linear.r, max(linear.g, linear.b));
   if (peak <= 0.75) return linear;

@@ -113,7 +113,7 @@ export function createOpening(
     cancelOpening() {
       current.abort();
       meter.clear();
-      notice.value = 'Cancelled';
+      notice.value = 'Canceled';
     },
 
     async whenOpened() {

@@ -54,7 +54,7 @@ function extendedTip(skeleton: Skeleton, joint: number): vec3 {
 }
 
 /**
- * Tips from the skin: from a leaf joint towards the centroid of the points that mostly follow it
+ * Tips from the skin: from a leaf joint toward the centroid of the points that mostly follow it
  * (weight over a half), nine tenths of the way to the farthest of them in that direction.
  */
 function skinTips(skin: Skin, mesh: Mesh, isLeaf: readonly boolean[]): (vec3 | undefined)[] {

@@ -26,7 +26,7 @@ export function compileChannel(parts: ChannelParts): Channel {
   const slope = (from: number, to: number): number =>
     from === to ? 0 : (values[to]! - values[from]!) / (times[to]! - times[from]!);
   const last = keys.length - 1;
-  // At an end there is one neighbour only; both rules then mean the only span.
+  // At an end there is one neighbor only; both rules then mean the only span.
   const slopeAt = (key: number, tangent: Tangent, linearFrom: number): number => {
     if (tangent === 'flat') return 0;
     if (tangent === 'smooth' && key > 0 && key < last) return slope(key - 1, key + 1);

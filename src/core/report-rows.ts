@@ -50,7 +50,7 @@ export function reportRows(
       found: `${range.join(' to ')} for ${unevenRows.length}`,
       effect:
         `they are used as they are, vertex ${worst.point + 1} being the farthest off; ` +
-        '"normalise weights" divides them by their sum',
+        '"normalize weights" divides them by their sum',
     });
   }
 }

@@ -18,7 +18,7 @@ const mostKnown = 4096;
  * The three angles by which balls are shown, R = Rx · Ry · Rz. They belong to the session: the scene
  * has quaternions, of which angles can't be told without choice, least of all where the second is a
  * right angle and first and third turn about one axis. So a slider's angles are kept beside the
- * quaternion that they wrote, and are there again when it is (an undo, a cancelled drag). Of one that
+ * quaternion that they wrote, and are there again when it is (an undo, a canceled drag). Of one that
  * came from elsewhere the angles are found anew, nearest to those last shown.
  */
 export class BallAngles {

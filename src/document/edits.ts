@@ -86,7 +86,7 @@ export function setNormals(id: ActorId, normals: NormalsId): Edit {
 }
 
 export function setNormalizeWeights(id: ActorId, normalizeWeights: boolean): Edit {
-  const label = normalizeWeights ? 'Normalise weights' : 'Use weights as in the file';
+  const label = normalizeWeights ? 'Normalize weights' : 'Use weights as in the file';
   return editActor(id, label, (actor) => ({ ...actor, normalizeWeights }));
 }
 

@@ -16,7 +16,7 @@ export interface Light {
   /** #rrggbb, as the display has it. */
   readonly color: string;
   readonly intensity: number;
-  /** Degrees about +y, from +z (where characters look) towards +x (their left). */
+  /** Degrees about +y, from +z (where characters look) toward +x (their left). */
   readonly azimuth: number;
   /** Degrees above the floor. */
   readonly elevation: number;

@@ -12,7 +12,7 @@ import {
 
 /** A change that is still under way, a slider or bone drag: one step of undo in the end. */
 export interface Gesture {
-  /** False once committed or cancelled, by whoever. */
+  /** False once committed or canceled, by whoever. */
   readonly isOpen: boolean;
   /** Shows the outcome of the edit on the scene as it was when the gesture began. */
   preview(edit: Edit): void;

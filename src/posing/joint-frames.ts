@@ -12,7 +12,7 @@ export interface DofFrame {
   readonly worldFromDof: mat4;
   /** Unit; without meaning for a ball. */
   readonly axis: vec3;
-  /** A point on a hinge's axis, the centre of a ball. */
+  /** A point on a hinge's axis, the center of a ball. */
   readonly origin: vec3;
 }
 

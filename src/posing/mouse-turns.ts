@@ -16,7 +16,7 @@ export const coursePixelRate = 0.02 / 4;
 export const knobPixelRate = Math.PI / 360;
 
 /** An axis that points at the eye more than this (a sine) is turned by motion to the right. */
-const towardsEye = 0.1;
+const towardEye = 0.1;
 
 /**
  * The angle about a unit axis by which a knob turns when a pointer strokes it: its near side goes
@@ -30,9 +30,9 @@ export function knobAngle(
   motion: readonly [number, number],
   rate: number,
 ): number {
-  const nearSide = vec3.cross(new Float64Array(3), look, axis); // axis × (towards the eye)
+  const nearSide = vec3.cross(new Float64Array(3), look, axis); // axis × (toward the eye)
   const length = vec3.length(nearSide);
-  if (length < towardsEye) return rate * motion[0];
+  if (length < towardEye) return rate * motion[0];
   const along = vec3.dot(nearSide, right) * motion[0] + vec3.dot(nearSide, up) * motion[1];
   return (rate * along) / length;
 }

@@ -39,7 +39,7 @@ export function reachPoint(
     if (next && there && there.miss < now.miss) {
       [q, now] = [next, there];
       damping = Math.max(damping * 0.1, 1e-15 * size);
-    } else damping = Math.max(damping, 1e-6 * size) * 10; // towards steepest descent
+    } else damping = Math.max(damping, 1e-6 * size) * 10; // toward steepest descent
   }
   return { q, miss: now.miss };
 }

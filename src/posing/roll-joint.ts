@@ -51,7 +51,7 @@ export function rollAxis(start: TurnStart, farEnd: readonly [number, number, num
   return vec3.length(end) > 0 ? vec3.normalize(end, end) : null;
 }
 
-/** The farthest roll towards `angle` whose values are within the limits, by halving. */
+/** The farthest roll toward `angle` whose values are within the limits, by halving. */
 function farthest(
   start: TurnStart,
   rolled: (part: number) => Float64Array | null,

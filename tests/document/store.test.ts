@@ -158,7 +158,7 @@ describe('the store', () => {
     expect(store.redoLabel.value).toBe('Turn elbow X');
   });
 
-  it('restores the exact bits when a gesture is cancelled, and records nothing', () => {
+  it('restores the exact bits when a gesture is canceled, and records nothing', () => {
     const store = openStore();
     const before = store.scene.value;
     const gesture = store.begin('Turn');

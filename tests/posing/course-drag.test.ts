@@ -46,14 +46,14 @@ describe("the course program's drag", () => {
   it('takes points that face the eye along with the mouse', () => {
     const rig = dragRig('b', 5);
     const { start, view, pivot, world } = startOver(rig, held, 6);
-    const towards = unit(view.eye.map((value, i) => value - pivot[i]!));
+    const toward = unit(view.eye.map((value, i) => value - pivot[i]!));
     // In the joint's frame: the rotation's transpose.
     const facing = [0, 1, 2].map(
       (c) =>
         0.3 *
         dot(
           world.map((row) => row[c]!),
-          towards,
+          toward,
         ),
     );
     const drag = beginDrag({ ...start, mode: { kind: 'course' } });

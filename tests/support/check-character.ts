@@ -27,7 +27,7 @@ export function expectSound(character: Character): void {
   expect(cornerCount).toBe(mesh.indices.length);
 }
 
-/** Every method poses it without a number that is none, raw or normalised. */
+/** Every method poses it without a number that is none, raw or normalized. */
 export function expectPosable(character: Character): void {
   const pose = restPose(character.skeleton);
   for (const method of loadedKernels) {

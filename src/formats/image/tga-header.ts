@@ -2,7 +2,7 @@
 export interface TgaHeader {
   readonly width: number;
   readonly height: number;
-  readonly kind: 'listed' | 'colour' | 'grey';
+  readonly kind: 'listed' | 'color' | 'gray';
   readonly isPacked: boolean;
   /** Bits and bytes of a pixel as it is stored. */
   readonly pixelBits: number;
@@ -13,12 +13,12 @@ export interface TgaHeader {
   readonly fromRight: boolean;
   /** Byte of the first pixel. */
   readonly pixelStart: number;
-  readonly list: ColourList | null;
+  readonly list: ColorList | null;
 }
 
-/** The colours that pixels are numbers of. */
-export interface ColourList {
-  /** The number of its first colour. */
+/** The colors that pixels are numbers of. */
+export interface ColorList {
+  /** The number of its first color. */
   readonly first: number;
   readonly count: number;
   readonly bits: number;
@@ -26,11 +26,11 @@ export interface ColourList {
 }
 
 const headerSize = 18;
-const kinds = { 1: 'listed', 2: 'colour', 3: 'grey' } as const;
+const kinds = { 1: 'listed', 2: 'color', 3: 'gray' } as const;
 const bitsOf: Readonly<Record<TgaHeader['kind'], readonly number[]>> = {
   listed: [8, 16],
-  colour: [15, 16, 24, 32],
-  grey: [8, 16],
+  color: [15, 16, 24, 32],
+  gray: [8, 16],
 };
 /** A packet of one byte more than a pixel has at most so many pixels. */
 const longestRun = 128;
@@ -44,7 +44,7 @@ export function readTgaHeader(bytes: Uint8Array, pixelLimit: number): TgaHeader 
   const kind = kinds[(type & 7) as 1 | 2 | 3] as TgaHeader['kind'] | undefined;
   const isPacked = (type & 8) !== 0;
   if (!kind || type > 11) return `a TGA of type ${type}`;
-  if (listType > 1) return `a TGA whose list of colours is of type ${listType}`;
+  if (listType > 1) return `a TGA whose list of colors is of type ${listType}`;
   if (!bitsOf[kind].includes(bits)) return `a TGA of type ${type} with ${bits} bits a pixel`;
   const [width, height] = [u16(12), u16(14)];
   const pixelCount = width * height;
@@ -53,8 +53,8 @@ export function readTgaHeader(bytes: Uint8Array, pixelLimit: number): TgaHeader 
 
   const list = { first: u16(3), count: u16(5), bits: bytes[7]!, start: headerSize + idLength };
   const listSize = listType === 1 ? list.count * bytesOf(list.bits) : 0;
-  if (kind === 'listed' && (listSize === 0 || !bitsOf.colour.includes(list.bits))) {
-    return `a list of ${list.count} colours of ${list.bits} bits`;
+  if (kind === 'listed' && (listSize === 0 || !bitsOf.color.includes(list.bits))) {
+    return `a list of ${list.count} colors of ${list.bits} bits`;
   }
   const pixelStart = list.start + listSize;
   const pixelSize = bytesOf(bits);

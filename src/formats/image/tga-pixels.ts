@@ -9,25 +9,25 @@ export type PixelReader = (from: number, out: Uint8ClampedArray, at: number) => 
 /** How the file's pixels are read. */
 export function pixelReader(bytes: Uint8Array, header: TgaHeader): PixelReader {
   const { kind, pixelBits, pixelSize, hasAlphaBit, list } = header;
-  if (kind === 'grey') return readGrey;
-  if (!list) return colourReader(bytes, pixelBits, hasAlphaBit);
+  if (kind === 'gray') return readGray;
+  if (!list) return colorReader(bytes, pixelBits, hasAlphaBit);
   const { first, count, bits, start } = list;
-  const readColour = colourReader(bytes, bits, hasAlphaBit);
+  const readColor = colorReader(bytes, bits, hasAlphaBit);
   return (from, out, at) => {
     const number = bytes[from]! | (pixelSize > 1 ? bytes[from + 1]! << 8 : 0);
     const index = number - first;
-    return index >= 0 && index < count && readColour(start + index * bytesOf(bits), out, at);
+    return index >= 0 && index < count && readColor(start + index * bytesOf(bits), out, at);
   };
 
-  /** 16 bits are grey and alpha. */
-  function readGrey(from: number, out: Uint8ClampedArray, at: number): boolean {
-    const grey = bytes[from]!;
-    return put(out, at, grey, grey, grey, pixelSize > 1 ? bytes[from + 1]! : 255);
+  /** 16 bits are gray and alpha. */
+  function readGray(from: number, out: Uint8ClampedArray, at: number): boolean {
+    const gray = bytes[from]!;
+    return put(out, at, gray, gray, gray, pixelSize > 1 ? bytes[from + 1]! : 255);
   }
 }
 
 /** Blue comes first: five bits each, or a byte each. */
-function colourReader(bytes: Uint8Array, bits: number, hasAlphaBit: boolean): PixelReader {
+function colorReader(bytes: Uint8Array, bits: number, hasAlphaBit: boolean): PixelReader {
   if (bits > 16) {
     return (from, out, at) => {
       const alpha = bits === 32 ? bytes[from + 3]! : 255;

@@ -1,7 +1,7 @@
 import { readTgaHeader, type TgaHeader } from './tga-header.ts';
 import { type PixelReader, pixelReader } from './tga-pixels.ts';
 
-/** Colours of a picture, whoever draws it. */
+/** Colors of a picture, whoever draws it. */
 export interface DecodedImage {
   readonly width: number;
   readonly height: number;
@@ -38,7 +38,7 @@ function copy(header: TgaHeader, read: PixelReader, pixels: Uint8ClampedArray): 
   const { pixelStart, pixelSize, width, height } = header;
   for (let index = 0; index < width * height; index++) {
     const from = pixelStart + index * pixelSize;
-    if (!read(from, pixels, targetOf(header, index))) return colourFault(index);
+    if (!read(from, pixels, targetOf(header, index))) return colorFault(index);
   }
   return null;
 }
@@ -63,7 +63,7 @@ function unpack(
     if (at + size > bytes.length) return `the end of the file after ${index} of ${count} pixels`;
     for (let i = 0; i < length; i++) {
       const from = isRun ? at : at + i * pixelSize;
-      if (!read(from, pixels, targetOf(header, index + i))) return colourFault(index + i);
+      if (!read(from, pixels, targetOf(header, index + i))) return colorFault(index + i);
     }
     at += size;
     index += length;
@@ -79,8 +79,8 @@ function targetOf({ width, height, fromTop, fromRight }: TgaHeader, index: numbe
   return (y * width + (fromRight ? width - 1 - column : column)) * 4;
 }
 
-function colourFault(index: number): string {
-  return `a colour that is not in the picture’s list, pixel ${index}`;
+function colorFault(index: number): string {
+  return `a color that is not in the picture’s list, pixel ${index}`;
 }
 
 /** Writers of 32 bits that know no alpha leave it 0: a picture of nothing is taken as opaque. */

@@ -12,7 +12,7 @@ const effect = 'the mesh is not used';
 const named = new Set(['usemtl', 'mtllib', 'g', 'o']);
 
 /**
- * Reads a Wavefront OBJ as found in the wild: `v` (with w or colour, unused), `vt`, `vn`, faces with
+ * Reads a Wavefront OBJ as found in the wild: `v` (with w or color, unused), `vt`, `vn`, faces with
  * slashes, negative indices (counted back from their own line) and any number of corners,
  * `usemtl`, comments and continued lines. Vertices keep their order and number, used or not: the
  * rows of `.attach` count them. Material libraries are noted, never fetched.

@@ -69,7 +69,7 @@ export class TupleStream {
     });
   }
 
-  /** Reads the rest of the current line; further numbers (w, colours) are left out. */
+  /** Reads the rest of the current line; further numbers (w, colors) are left out. */
   read(reader: LineReader, log: DiagnosticLog): void {
     const { names, fewest = names.length, most, largest } = this.kind;
     if (this.count >= most) {

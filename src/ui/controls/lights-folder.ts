@@ -3,7 +3,7 @@ import { type Light, studioLights } from '../../document/session.ts';
 import type { Looking } from '../editor.ts';
 import { watch } from '../watch.ts';
 
-/** Colour, strength and direction of each light. */
+/** Color, strength and direction of each light. */
 export function addLightsFolder(gui: GUI, { session: { lights } }: Looking): void {
   const folder = gui.addFolder('Lights').close();
   const rows = lights.value.flatMap((light, index) => {
@@ -18,7 +18,7 @@ export function addLightsFolder(gui: GUI, { session: { lights } }: Looking): voi
         },
       });
     return [
-      one.addColor(change('color'), 'color').name('Colour'),
+      one.addColor(change('color'), 'color').name('Color'),
       one.add(change('intensity'), 'intensity', 0, 3).name('Strength').decimals(2),
       one.add(change('azimuth'), 'azimuth', -180, 180).name('Around °').decimals(0),
       one.add(change('elevation'), 'elevation', -89, 89).name('Above °').decimals(0),

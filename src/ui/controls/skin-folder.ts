@@ -64,7 +64,7 @@ export function addSkinFolder(gui: GUI, editor: Editor): void {
     folder.add(bound, 'compared', { Nothing: 'none', ...choicesOf(kernels) }).name('Compare with'),
     folder.add(bound, 'shading', { Smooth: 'smooth', Faceted: 'faceted' }).name('Shading'),
     folder.add(bound, 'device', { GPU: 'gpu', CPU: 'cpu' }).name('Skin on'),
-    folder.add(bound, 'normalize').name('Normalise weights'),
+    folder.add(bound, 'normalize').name('Normalize weights'),
   ];
   addCommandRow(folder, editor, 'verify');
   const result = document.createElement('output');

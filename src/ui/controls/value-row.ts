@@ -53,7 +53,7 @@ export function addValueRow(folder: GUI, options: ValueRowOptions): ValueRow {
       return options.read();
     },
     set value(value: number) {
-      // A drag that was cancelled, or ended by an undo, does nothing more until it is let go.
+      // A drag that was canceled, or ended by an undo, does nothing more until it is let go.
       if (gesture && !gesture.isOpen) return;
       write(value);
     },

@@ -35,7 +35,7 @@ export function addViewFolder(gui: GUI, editor: Editor): void {
     folder.add(signalField(session.skeletonStyle), 'value', styles).name('Skeleton as'),
     folder.add(signalField(session.showAxes), 'value').name('Axes'),
     folder.add(signalField(session.showTextures), 'value').name('Textures'),
-    folder.add(signalField(theme), 'value', themes).name('Colours'),
+    folder.add(signalField(theme), 'value', themes).name('Colors'),
     folder.add(angle('azimuth'), 'value', -180, 180).name('Azimuth °').decimals(1),
     folder.add(angle('elevation'), 'value', -89, 89).name('Elevation °').decimals(1),
     folder.add(distance, 'value', 0.02, 10).name('Distance').decimals(2),

@@ -47,7 +47,7 @@ function turnBone(editor: Looking, from: ToolPlace, target: BoneTarget): ToolDra
     move({ place }) {
       const distance = Math.hypot(place.pixelX - from.pixelX, place.pixelY - from.pixelY);
       moved ||= distance > stillDistance;
-      // Cancelled, or ended by an undo: nothing more until the button is let go.
+      // Canceled, or ended by an undo: nothing more until the button is let go.
       if (!moved || !gesture.isOpen) return;
       if (place.alt !== alt) {
         alt = place.alt;

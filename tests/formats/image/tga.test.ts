@@ -11,7 +11,7 @@ interface TgaContent {
   readonly height?: number;
   readonly flags?: number;
   readonly id?: readonly number[];
-  /** Bits of a colour of the list, the number of its first, and their bytes. */
+  /** Bits of a color of the list, the number of its first, and their bytes. */
   readonly list?: { readonly bits: number; readonly first: number; readonly bytes: number[] };
   readonly data: readonly number[];
 }
@@ -55,23 +55,23 @@ const fromRight = 16;
 
 /** One of every type. */
 const samples: Readonly<Record<string, TgaContent>> = {
-  'colours of a list': {
+  'colors of a list': {
     ...{ type: 1, bits: 8, list: { bits: 24, first: 3, bytes: four }, id: [1, 2, 3] },
     data: [3, 4, 5, 6],
   },
-  'colours of a long list': {
+  'colors of a long list': {
     ...{ type: 1, bits: 16, list: { bits: 32, first: 300, bytes: [0, 0, 255, 9, 0, 255, 0, 255] } },
     data: [44, 1, 45, 1, 45, 1, 44, 1],
   },
   '24 bits': { type: 2, bits: 24, data: four },
   '16 bits': { type: 2, bits: 16, data: [0x00, 0x7c, 0xe0, 0x83, 0x1f, 0, 0xff, 0x7f], flags: 1 },
-  grey: { type: 3, bits: 8, data: [0, 100, 200, 255] },
-  'colours of a list, packed': {
+  gray: { type: 3, bits: 8, data: [0, 100, 200, 255] },
+  'colors of a list, packed': {
     ...{ type: 9, bits: 8, list: { bits: 16, first: 0, bytes: [0x00, 0x7c, 0xff, 0x7f] } },
     data: [0x82, 0, 0x00, 1],
   },
   '32 bits, packed': { type: 10, bits: 32, data: [0x82, 0, 0, 255, 128, 0x00, 255, 0, 0, 7] },
-  'grey, packed': { type: 11, bits: 8, data: [0x00, 9, 0x82, 77] },
+  'gray, packed': { type: 11, bits: 8, data: [0x00, 9, 0x82, 77] },
 };
 
 describe('TGA', () => {
@@ -110,28 +110,28 @@ describe('TGA', () => {
     ]);
   });
 
-  it('has colours of a list, whose first has a number of its own', () => {
-    expect(pixelsOf(samples['colours of a list']!)).toEqual([red, green, blue, white]);
-    expect(pixelsOf(samples['colours of a long list']!)).toEqual([
+  it('has colors of a list, whose first has a number of its own', () => {
+    expect(pixelsOf(samples['colors of a list']!)).toEqual([red, green, blue, white]);
+    expect(pixelsOf(samples['colors of a long list']!)).toEqual([
       [255, 0, 0, 9],
       green,
       green,
       [255, 0, 0, 9],
     ]);
-    expect(pixelsOf(samples['colours of a list, packed']!)).toEqual([red, red, red, white]);
+    expect(pixelsOf(samples['colors of a list, packed']!)).toEqual([red, red, red, white]);
   });
 
-  it('passes over a list that colours do not need', () => {
+  it('passes over a list that colors do not need', () => {
     const list = { bits: 24, first: 0, bytes: [9, 9, 9] };
     expect(pixelsOf({ ...samples['24 bits']!, list })).toEqual([red, green, blue, white]);
   });
 
-  it('has grey, and grey with alpha', () => {
-    expect(pixelsOf(samples['grey']!)[1]).toEqual([100, 100, 100, 255]);
+  it('has gray, and gray with alpha', () => {
+    expect(pixelsOf(samples['gray']!)[1]).toEqual([100, 100, 100, 255]);
     expect(pixelsOf({ type: 3, bits: 16, width: 1, height: 1, data: [50, 60] })).toEqual([
       [50, 50, 50, 60],
     ]);
-    expect(pixelsOf(samples['grey, packed']!).map(([grey]) => grey)).toEqual([9, 77, 77, 77]);
+    expect(pixelsOf(samples['gray, packed']!).map(([gray]) => gray)).toEqual([9, 77, 77, 77]);
   });
 
   it('has packets that go on over rows, and over the end', () => {
@@ -165,7 +165,7 @@ describe('what is no TGA, or no whole one', () => {
     ['no pixels', { width: 0 }, /0 × 2/],
     ['more pixels than bytes', { width: 5000, height: 5000 }, /at least 75000000 are needed/],
     ['more pixels than are taken', { width: 65535, height: 65535 }, /more than 33554432/],
-    ['pixels of a list without one', { type: 1, bits: 8 }, /list of 0 colours/],
+    ['pixels of a list without one', { type: 1, bits: 8 }, /list of 0 colors/],
     [
       'a number that the list has not',
       {
@@ -177,16 +177,16 @@ describe('what is no TGA, or no whole one', () => {
       /not in the picture’s list, pixel 2/,
     ],
     [
-      'a colour of odd bits',
+      'a color of odd bits',
       { type: 1, bits: 8, list: { bits: 8, first: 0, bytes: [1, 2, 3] } },
-      /3 colours of 8 bits/,
+      /3 colors of 8 bits/,
     ],
   ])('%s is told', (_, change, message) => {
     expect(decodeTga(tga({ ...samples['24 bits']!, ...change }))).toMatch(message);
   });
 
   it('no allocation goes past the limit of pixels', () => {
-    const packed = tga({ ...samples['grey, packed']!, width: 64, height: 64 });
+    const packed = tga({ ...samples['gray, packed']!, width: 64, height: 64 });
     expect(decodeTga(packed, 1000)).toMatch(/64 × 64 pixels, more than 1000/);
     expect(decodeTga(packed)).toMatch(/at least 64 are needed/);
   });

@@ -101,7 +101,7 @@ describe('the golden files with all their oddities', () => {
         '1: vertex 5" [character/weight-negative]; they are kept as they are',
       'warning: oddities.attach:8: expected weights that sum to 1 for every vertex, found "0.98 for 1" ' +
         '[character/weight-sum]; they are used as they are, vertex 8 being the farthest off; ' +
-        '"normalise weights" divides them by their sum',
+        '"normalize weights" divides them by their sum',
     ]);
   });
 

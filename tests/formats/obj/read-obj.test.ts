@@ -26,7 +26,7 @@ describe('readObj', () => {
     expect(mesh).not.toHaveProperty('normals');
   });
 
-  it('takes a fourth coordinate and colours, and leaves them out', async () => {
+  it('takes a fourth coordinate and colors, and leaves them out', async () => {
     const { mesh, messages } = await read('v 1 2 3 1\nv 4 5 6 .1 .2 .3\nv 7 8 9\nf 1 2 3');
     expect(messages).toEqual([]);
     expect(mesh?.positions).toEqual(Float32Array.of(1, 2, 3, 4, 5, 6, 7, 8, 9));

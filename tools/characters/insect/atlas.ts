@@ -35,7 +35,7 @@ function fromTop(angle: number): number {
   return Math.acos(Math.min(1, Math.max(-1, Math.sin(angle)))) / Math.PI;
 }
 
-/** 0 on the side away from `side`, 1 towards it, the same above and below. */
+/** 0 on the side away from `side`, 1 toward it, the same above and below. */
 export function fromFront(angle: number): number {
   return (1 + Math.cos(angle)) / 2;
 }

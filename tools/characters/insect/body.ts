@@ -77,7 +77,7 @@ function ring(z: number, shape: readonly number[], swell: number): Omit<Station,
   const [y, width, height, belly] = shape;
   const grown = 1 + 0.16 * swell;
   return {
-    centre: [0, y! - 0.02 * swell, z],
+    center: [0, y! - 0.02 * swell, z],
     side: back,
     up,
     width: width! * grown,

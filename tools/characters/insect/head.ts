@@ -36,7 +36,7 @@ export function headSurface(): Surface {
     const [z, width, depth] = capsule(-y);
     const cap = roundedEnd(start - y, 0.05) * roundedEnd(y - end, 0.03);
     return {
-      centre: [0, y, z!],
+      center: [0, y, z!],
       side: [1, 0, 0],
       up: [0, 0, 1],
       width: width! * cap,
@@ -53,11 +53,11 @@ export function eyeSurface(): Surface {
   const down = unit([-0.22, -1, 0.16]);
   const up = unit(cross(down, cross([1, 0, 0.35], down)));
   const side = cross(up, down);
-  const centre: Vector3 = [0.123, 0.535, 0.602];
+  const center: Vector3 = [0.123, 0.535, 0.602];
   const stations = Array.from({ length: 13 }, (_, index): Station => {
     const angle = (index / 12) * Math.PI;
     return {
-      centre: add(centre, scale(down, -0.112 * Math.cos(angle))),
+      center: add(center, scale(down, -0.112 * Math.cos(angle))),
       side,
       up,
       width: 0.082 * Math.sin(angle),
@@ -88,11 +88,11 @@ function tube(
   flat = 1,
 ): Station[] {
   const frames = framesAlong(points, [0, 1, 0.01]);
-  return points.map((centre, index): Station => {
+  return points.map((center, index): Station => {
     const t = index / (points.length - 1);
     const width = radius(t);
     return {
-      centre,
+      center,
       ...frames[index]!,
       width,
       height: width * flat,

@@ -1,9 +1,9 @@
 import { deflateSync } from 'node:zlib';
 import { crc32 } from '../../../src/formats/crc32.ts';
 
-/** A piece of the space of colours, six bits a channel, and how often each of its colours comes. */
+/** A piece of the space of colors, six bits a channel, and how often each of its colors comes. */
 interface Box {
-  readonly colours: readonly { readonly code: number; readonly count: number }[];
+  readonly colors: readonly { readonly code: number; readonly count: number }[];
   readonly channel: number;
   /** From its extent along its longest channel and its pixels: the larger, the sooner it is cut. */
   readonly weight: number;
@@ -19,20 +19,20 @@ function codeOf(pixels: Uint8Array, at: number): number {
   return ((red >> shift) << (2 * bits)) | ((green >> shift) << bits) | (blue >> shift);
 }
 
-function boxOf(colours: Box['colours']): Box {
+function boxOf(colors: Box['colors']): Box {
   const extents = [0, 1, 2].map((channel) => {
-    const values = colours.map(({ code }) => channelOf(code, channel));
+    const values = colors.map(({ code }) => channelOf(code, channel));
     const [low, high] = [Math.min(...values), Math.max(...values)];
     return high - low;
   });
   const longest = Math.max(...extents);
-  const count = colours.reduce((sum, colour) => sum + colour.count, 0);
-  return { colours, channel: extents.indexOf(longest), weight: longest ** 3 * count ** 0.6 };
+  const count = colors.reduce((sum, color) => sum + color.count, 0);
+  return { colors, channel: extents.indexOf(longest), weight: longest ** 3 * count ** 0.6 };
 }
 
-/** Both halves of a box, as many pixels in each as its colours allow. */
-function cut({ colours, channel }: Box): [Box, Box] {
-  const sorted = colours.toSorted(
+/** Both halves of a box, as many pixels in each as its colors allow. */
+function cut({ colors, channel }: Box): [Box, Box] {
+  const sorted = colors.toSorted(
     (a, b) => channelOf(a.code, channel) - channelOf(b.code, channel) || a.code - b.code,
   );
   const half = sorted.reduce((sum, { count }) => sum + count, 0) / 2;
@@ -42,7 +42,7 @@ function cut({ colours, channel }: Box): [Box, Box] {
   return [boxOf(sorted.slice(0, at)), boxOf(sorted.slice(at))];
 }
 
-/** Median cut (Heckbert 1982): the colours of a picture in at most so many boxes. */
+/** Median cut (Heckbert 1982): the colors of a picture in at most so many boxes. */
 function boxesOf(pixels: Uint8Array, most: number): Box[] {
   const counts = new Map<number, number>();
   for (let at = 0; at < pixels.length; at += 3) {
@@ -67,16 +67,16 @@ function chunk(kind: string, content: Uint8Array): Buffer {
 }
 
 /**
- * A PNG of a table of colours and one byte a pixel: a third of the size of one with full colours.
+ * A PNG of a table of colors and one byte a pixel: a third of the size of one with full colors.
  *
  * @param pixels (size × size × 3) red, green, blue, row by row from the top
- * @param colours at most 256
+ * @param colors at most 256
  */
-export function indexedPng(pixels: Uint8Array, size: number, colours: number): Buffer {
-  const boxes = boxesOf(pixels, colours);
+export function indexedPng(pixels: Uint8Array, size: number, colors: number): Buffer {
+  const boxes = boxesOf(pixels, colors);
   const indexOf = new Map<number, number>();
   boxes.forEach((box, index) => {
-    for (const { code } of box.colours) indexOf.set(code, index);
+    for (const { code } of box.colors) indexOf.set(code, index);
   });
   const sums = boxes.map(() => [0, 0, 0, 0] as [number, number, number, number]);
   // Each row begins with its filter: 0, none.

@@ -65,7 +65,7 @@ function corner(from: Vector3, joint: Vector3, to: Vector3, place: number): Line
   }));
 }
 
-/** Frames of a line in the plane of the leg, its side towards the back. */
+/** Frames of a line in the plane of the leg, its side toward the back. */
 function stationsOf(
   line: readonly LinePoint[],
   leg: Leg,
@@ -84,7 +84,7 @@ function stationsOf(
     const side: Vector3 = [0, 0, -1];
     const height = radius(place) * leg.bulk;
     return {
-      centre: point,
+      center: point,
       side,
       up: cross(unit(subtract(after, before)), side),
       width: height * (place < 2 ? 0.82 : 0.95),
@@ -95,7 +95,7 @@ function stationsOf(
   });
 }
 
-/** Five beads, each wider towards its end, and a bent claw. */
+/** Five beads, each wider toward its end, and a bent claw. */
 function tarsusRadius(place: number): number {
   const t = place - 3;
   const bead = (t * tarsusBeads) % 1;

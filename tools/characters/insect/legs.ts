@@ -55,7 +55,7 @@ export interface LegAngles {
 }
 
 /**
- * The angles at which a left leg's tip is at a point. The coxa turns the plane of the leg towards it;
+ * The angles at which a left leg's tip is at a point. The coxa turns the plane of the leg toward it;
  * in that plane femur and tibia reach the ankle, knee up, and the foot keeps its slope.
  *
  * @param target in the frame of the thorax, relative to the leg's base

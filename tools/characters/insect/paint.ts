@@ -1,25 +1,25 @@
-/** A colour, sRGB, each 0 to 1. */
-export type Colour = readonly [red: number, green: number, blue: number];
+/** A color, sRGB, each 0 to 1. */
+export type Color = readonly [red: number, green: number, blue: number];
 
-export function hex(code: number): Colour {
+export function hex(code: number): Color {
   return [(code >> 16) / 255, ((code >> 8) & 255) / 255, (code & 255) / 255];
 }
 
 /** From a (0) to b (1). */
-export function blend(a: Colour, b: Colour, t: number): Colour {
+export function blend(a: Color, b: Color, t: number): Color {
   const u = Math.min(1, Math.max(0, t));
   return [a[0] + (b[0] - a[0]) * u, a[1] + (b[1] - a[1]) * u, a[2] + (b[2] - a[2]) * u];
 }
 
-export function shade(colour: Colour, factor: number): Colour {
-  return [colour[0] * factor, colour[1] * factor, colour[2] * factor];
+export function shade(color: Color, factor: number): Color {
+  return [color[0] * factor, color[1] * factor, color[2] * factor];
 }
 
-/** A colour of a row of them, evenly spaced from 0 to 1. */
-export function ramp(colours: readonly Colour[], t: number): Colour {
-  const at = Math.min(1, Math.max(0, t)) * (colours.length - 1);
-  const first = Math.min(colours.length - 2, Math.floor(at));
-  return blend(colours[first]!, colours[first + 1]!, at - first);
+/** A color of a row of them, evenly spaced from 0 to 1. */
+export function ramp(colors: readonly Color[], t: number): Color {
+  const at = Math.min(1, Math.max(0, t)) * (colors.length - 1);
+  const first = Math.min(colors.length - 2, Math.floor(at));
+  return blend(colors[first]!, colors[first + 1]!, at - first);
 }
 
 /** 0 to 1, from two whole numbers, without any order that shows. */

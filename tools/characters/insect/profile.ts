@@ -8,7 +8,7 @@ export function smoothstep(from: number, to: number, value: number): number {
 
 /**
  * A smooth curve through rows of numbers, the first of each row its place, rising. No value goes
- * past its neighbours': slopes are harmonic means, zero at extremes (Fritsch and Butland 1984).
+ * past its neighbors': slopes are harmonic means, zero at extremes (Fritsch and Butland 1984).
  *
  * @returns the other numbers of a row, at any place; ends are held
  */

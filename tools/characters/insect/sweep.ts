@@ -5,14 +5,14 @@ export type Weights = readonly (readonly [joint: string, weight: number])[];
 
 /** An ellipse of the surface. Lengths are model units, in the space the insect is bound in. */
 export interface Station {
-  readonly centre: Vector3;
+  readonly center: Vector3;
   /** Unit, square to each other; side × up is the way the sweep goes. */
   readonly side: Vector3;
   readonly up: Vector3;
   /** Half the width (along `side`) and half the height (along `up`). */
   readonly width: number;
   readonly height: number;
-  /** Height below the centre over height above; 1 where absent. */
+  /** Height below the center over height above; 1 where absent. */
   readonly belly?: number;
   /** How far along the part, for the texture. */
   readonly along: number;
@@ -27,7 +27,7 @@ export interface Surface {
   readonly triangles: readonly (readonly [number, number, number])[];
 }
 
-/** A place in the texture for a station and an angle, radians from `side` towards `up`. */
+/** A place in the texture for a station and an angle, radians from `side` toward `up`. */
 export type Place = (along: number, angle: number) => Vector2;
 
 /** A surface through ellipses. The first and the last station are its poles: points, not rings. */
@@ -49,10 +49,10 @@ export function sweep(stations: readonly Station[], segments: number, place: Pla
       const height = rise < 0 ? rise * (station.belly ?? 1) : rise;
       const across = scale(station.side, Math.cos(angle) * station.width);
       const offset = add(across, scale(station.up, height));
-      return put(add(station.centre, offset), station, angle);
+      return put(add(station.center, offset), station, angle);
     }),
   );
-  const poles = [put(first.centre, first, Math.PI / 2), put(last.centre, last, Math.PI / 2)];
+  const poles = [put(first.center, first, Math.PI / 2), put(last.center, last, Math.PI / 2)];
   const triangles: [number, number, number][] = [];
   for (let segment = 0; segment < segments; segment++) {
     const next = (segment + 1) % segments;

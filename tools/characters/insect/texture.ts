@@ -8,13 +8,13 @@ import {
   paintMandible,
   paintTarsus,
   paintThorax,
-} from './colours.ts';
+} from './colors.ts';
 import { indexedPng } from './indexed-png.ts';
-import type { Colour } from './paint.ts';
+import type { Color } from './paint.ts';
 import { paintWing } from './wing-veins.ts';
 
-/** The colour of a part at a place along it and across it, both 0 to 1. */
-type Painter = (along: number, across: number) => Colour;
+/** The color of a part at a place along it and across it, both 0 to 1. */
+type Painter = (along: number, across: number) => Color;
 
 const painters: readonly (readonly [Region, Painter])[] = [
   [atlas.abdomen, paintAbdomen],
@@ -28,8 +28,8 @@ const painters: readonly (readonly [Region, Painter])[] = [
   [atlas.mandible, paintMandible],
 ];
 
-/** Colours in the picture's table: enough for the eye, and far fewer bytes than all there are. */
-const colourCount = 256;
+/** Colors in the picture's table: enough for the eye, and far fewer bytes than all there are. */
+const colorCount = 256;
 
 /** Paints the texture, a PNG. */
 export function paintTexture(): Buffer {
@@ -37,13 +37,13 @@ export function paintTexture(): Buffer {
   for (const [{ left, top, width, height }, paint] of painters) {
     for (let y = 0; y < height; y++) {
       for (let x = 0; x < width; x++) {
-        const colour = paint((x + 0.5) / width, (y + 0.5) / height);
+        const color = paint((x + 0.5) / width, (y + 0.5) / height);
         const at = ((top + y) * textureSize + left + x) * 3;
-        colour.forEach((value, channel) => {
+        color.forEach((value, channel) => {
           pixels[at + channel] = Math.round(Math.min(1, Math.max(0, value)) * 255);
         });
       }
     }
   }
-  return indexedPng(pixels, textureSize, colourCount);
+  return indexedPng(pixels, textureSize, colorCount);
 }

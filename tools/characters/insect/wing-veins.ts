@@ -1,4 +1,4 @@
-import { blend, type Colour, hex, noise, ramp } from './paint.ts';
+import { blend, type Color, hex, noise, ramp } from './paint.ts';
 import { smoothstep } from './profile.ts';
 
 /** A place on the wing: along from its root (0 to 1), across from its leading edge (0 to 1). */
@@ -92,15 +92,15 @@ function distanceToVein(spots: readonly Spot[], along: number, across: number): 
 const film = [hex(0xe8b65c), hex(0xdca24c), hex(0xc98a44), hex(0x9a6436), hex(0x6a4428)];
 const vein = hex(0x2c1810);
 
-/** An amber film that darkens towards the tip, a sheen of colours, dark veins and a dark edge mark. */
-export function paintWing(along: number, across: number): Colour {
+/** An amber film that darkens toward the tip, a sheen of colors, dark veins and a dark edge mark. */
+export function paintWing(along: number, across: number): Color {
   // A slight waver, so that no vein is ruled.
   const x = along + 0.006 * (noise(along * 14, across * 9) - 0.5);
   const y = across + 0.02 * (noise(along * 11 + 50, across * 7) - 0.5);
-  let colour = ramp(film, 0.08 + 0.75 * along * along + 0.16 * across);
+  let color = ramp(film, 0.08 + 0.75 * along * along + 0.16 * across);
   const sheen = noise(along * 6 + 9, across * 4);
-  colour = blend(colour, hex(0x8cc8a0), 0.22 * smoothstep(0.55, 0.85, sheen));
-  colour = blend(colour, hex(0xd88a9a), 0.2 * smoothstep(0.45, 0.15, sheen));
+  color = blend(color, hex(0x8cc8a0), 0.22 * smoothstep(0.55, 0.85, sheen));
+  color = blend(color, hex(0xd88a9a), 0.2 * smoothstep(0.45, 0.15, sheen));
   let strength = 0;
   veins.forEach((spots, index) => {
     const half = index < 6 ? 0.017 - 0.008 * along : 0.009;
@@ -111,5 +111,5 @@ export function paintWing(along: number, across: number): Colour {
   strength = Math.max(strength, 0.9 * smoothstep(1, 0.7, mark));
   strength = Math.max(strength, smoothstep(0.035, 0.005, across), smoothstep(0.985, 1, across));
   strength = Math.max(strength, 0.8 * smoothstep(0.06, 0, along));
-  return blend(colour, vein, 0.92 * strength);
+  return blend(color, vein, 0.92 * strength);
 }

@@ -30,7 +30,7 @@ const veinRadius = 0.0085;
 /** Places along the span, close to each other where the tip is round. */
 const along = Array.from({ length: 23 }, (_, index) => Math.sin((index / 22) * (Math.PI / 2)));
 
-/** Height of the wing's middle: it rises from the thorax and droops towards its tip. */
+/** Height of the wing's middle: it rises from the thorax and droops toward its tip. */
 function rise(t: number): number {
   return 0.12 * t - 0.09 * t * t;
 }
@@ -52,7 +52,7 @@ export function wingSurface(): Surface {
   const stations = along.map((t): Station => {
     const [leading, trailing] = outline(t);
     return {
-      centre: [hinge[0] + t * span, hinge[1] + rise(t), hinge[2] + (leading! + trailing!) / 2],
+      center: [hinge[0] + t * span, hinge[1] + rise(t), hinge[2] + (leading! + trailing!) / 2],
       side,
       up,
       width: (leading! - trailing!) / 2,
@@ -65,7 +65,7 @@ export function wingSurface(): Surface {
     const [leading] = outline(t);
     const radius = index === 0 || index === along.length - 1 ? 0.001 : veinRadius * (1.6 - 1.1 * t);
     return {
-      centre: [hinge[0] + t * span, hinge[1] + rise(t), hinge[2] + leading! - 0.004],
+      center: [hinge[0] + t * span, hinge[1] + rise(t), hinge[2] + leading! - 0.004],
       side,
       up,
       width: radius,

@@ -57,7 +57,7 @@ export const skinWeights: readonly BadInput[] = [
     weights('1 0 0.5 1 0 1 1 0 1.25'),
     [
       ':3: expected weights that sum to 1 for every vertex, found "0.5 to 1.25 for 2" [character/weight-sum]; ' +
-        'they are used as they are, vertex 1 being the farthest off; "normalise weights" divides them by their sum',
+        'they are used as they are, vertex 1 being the farthest off; "normalize weights" divides them by their sum',
     ],
     ({ skin }) => expect([...skin.weights]).toEqual([0.5, 1, 1.25]),
   ),
@@ -67,7 +67,7 @@ export const skinWeights: readonly BadInput[] = [
     [
       ':3: expected weights of at least 0, found "negative ones for 1: vertex 1" [character/weight-negative]; they are kept as they are',
       ':3: expected weights that sum to 1 for every vertex, found "-1 for 1" [character/weight-sum]; ' +
-        'they are used as they are, vertex 1 being the farthest off; "normalise weights" divides them by their sum',
+        'they are used as they are, vertex 1 being the farthest off; "normalize weights" divides them by their sum',
     ],
     ({ skin }) => expect(skin.weights[0]).toBe(-1),
   ),

@@ -53,7 +53,7 @@ export const objLines: readonly BadInput[] = [
     ':5: expected 3 numbers, found "2" [obj/field-count]',
   ),
   {
-    title: 'A30 vertices with w and with colours',
+    title: 'A30 vertices with w and with colors',
     files: withObj(`v 0 0 0 1.0\nv 1 0 0 .5 .5 .5\nv 1 1 0\nv 0 1 0\n${face}`),
     messages: [],
     left: mesh,
