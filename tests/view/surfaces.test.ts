@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { buildCharacter } from '../../src/core/build-character.ts';
+import type { CharacterImage } from '../../src/core/character.ts';
 import type { MaterialColors, MaterialParts } from '../../src/core/character-parts.ts';
 import { surfacesOf } from '../../src/view/surfaces.ts';
 
@@ -12,7 +13,7 @@ const colors: MaterialColors = {
   shown: [1.1, 0.3, 0],
 };
 
-function surfaceOf(material: Omit<MaterialParts, 'name'>) {
+function surfaceOf(material: Omit<MaterialParts, 'name'>, images: readonly CharacterImage[] = []) {
   const { value } = buildCharacter({
     name: 'a',
     missing: [],
@@ -24,7 +25,7 @@ function surfaceOf(material: Omit<MaterialParts, 'name'>) {
       submeshes: [{ material: 'm', firstTriangle: 0 }],
     },
   });
-  return surfacesOf(value!)[0]!;
+  return surfacesOf({ ...value!, images })[0]!;
 }
 
 describe('surfaces', () => {
@@ -54,8 +55,11 @@ describe('surfaces', () => {
     expect(specular).toEqual([0, 1, 0]);
   });
 
-  it('name the image by its plain path', () => {
-    expect(surfaceOf({ texture: 'tex\\Skin.bmp' }).texture).toBe('tex/Skin.bmp');
+  it('name the image that stands for their texture', () => {
+    const texture = 'tex\\Skin.bmp';
+    const image = { name: 'tex/Skin.bmp', textures: [texture], bytes: new Uint8Array(0) };
+    expect(surfaceOf({ texture }, [image]).texture).toBe('tex/Skin.bmp');
+    expect(surfaceOf({ texture }).texture).toBeUndefined();
     expect(surfaceOf({}).texture).toBeUndefined();
   });
 });
