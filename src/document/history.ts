@@ -40,6 +40,15 @@ export function stepForward({ past, future }: History): History {
   return { past: [...past, ...future.slice(-1)], future: future.slice(0, -1) };
 }
 
+/** Puts a scene in the place of the present one, in the steps on both of its sides. */
+export function replacePresent({ past, future }: History, present: Scene): History {
+  const [last, next] = [past.at(-1), future.at(-1)];
+  return {
+    past: last ? [...past.slice(0, -1), { ...last, after: present }] : past,
+    future: next ? [...future.slice(0, -1), { ...next, before: present }] : future,
+  };
+}
+
 /** Bytes that only this step keeps alive: buffers of `before` that `after` does not have. */
 function sizeOf(entry: HistoryEntry): number {
   let size = knownSizes.get(entry);

@@ -6,6 +6,7 @@ import {
   type History,
   type HistoryEntry,
   record,
+  replacePresent,
   stepBack,
   stepForward,
 } from './history.ts';
@@ -47,12 +48,14 @@ export class Store {
   }
 
   /**
-   * Changes the scene without a step of undo, for what makes nothing of the user's: which clip plays. Undo
-   * and redo go to the scenes of the steps about it.
+   * Changes the scene without a step of undo, for what makes nothing of the user's: which clip plays. The
+   * steps on both sides then lead to the changed scene, so that undo and redo pass through what was shown.
    */
   amend(edit: Edit): void {
     this.open?.commit();
-    this.show(edit.apply(this.current.value));
+    const amended = edit.apply(this.current.value);
+    this.show(amended);
+    this.history.value = replacePresent(this.history.value, amended);
   }
 
   /** Begins a gesture; one that is still open is committed first. */

@@ -206,6 +206,31 @@ describe('the store', () => {
     expect(store.undoLabel.value).toBe('after');
   });
 
+  it('goes back and forth through the very same scenes, whatever was amended between its steps', () => {
+    const amend = (store: Store, clip: number): void => {
+      store.amend(bindClip(selected(store).id, clip % 2 === 0 ? 0 : null));
+    };
+    const actions: readonly ((store: Store, number: number) => void)[] = [
+      (store, number) => store.dispatch(turn(store, 0, number)),
+      amend,
+      amend,
+      (store) => void store.undo(),
+      (store) => void store.redo(),
+    ];
+    const walk = fc.array(fc.tuple(fc.nat(actions.length - 1), fc.nat(9)), { maxLength: 20 });
+    fc.assert(
+      fc.property(walk, (chosen) => {
+        const store = openStore();
+        for (const [action, number] of chosen) actions[action]!(store, number);
+        const back: Scene[] = [store.scene.value];
+        while (store.undo() !== null) back.push(store.scene.value);
+        const forth: Scene[] = [store.scene.value];
+        while (forth.length < back.length && store.redo() !== null) forth.push(store.scene.value);
+        expect(forth.reverse().every((scene, i) => scene === back[i])).toBe(true);
+      }),
+    );
+  });
+
   it('records nothing where nothing changed', () => {
     const store = openStore();
     store.begin('Turn').commit();
