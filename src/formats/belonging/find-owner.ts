@@ -1,5 +1,5 @@
 import type { FileEntry } from '../format.ts';
-import { baseName } from '../file-entry.ts';
+import { ambiguity } from './ambiguity.ts';
 import { type Draft, stemOf } from './draft.ts';
 import { comparePaths, compareRanks, foldersOf, sharedHead } from './paths.ts';
 
@@ -65,16 +65,11 @@ function begun(
   );
   const [best, ...others] = candidates;
   const rivals = others.filter(({ rank }) => compareRanks(rank, best!.rank) === 0);
-  if (best && rivals.length > 0) {
-    const taken = best.draft.firstPath;
-    best.draft.diagnostics.push({
-      severity: 'warning',
-      code: 'file/pairing',
-      file: baseName(file.path),
-      expected: `one character that is nearest to it, as that of ${taken}`,
-      found: rivals.map(({ draft }) => draft.firstPath).join(', '),
-      effect: `it is read with ${taken}, the first by path`,
-    });
-  }
-  return best?.draft;
+  if (!best) return undefined;
+  const taken = best.draft.firstPath;
+  const paths = rivals.map(({ draft }) => draft.firstPath);
+  const expected = `one character that is nearest to it, as that of ${taken}`;
+  const effect = `it is read with ${taken}`;
+  best.draft.diagnostics.push(...ambiguity(file.path, paths, { expected, effect }));
+  return best.draft;
 }

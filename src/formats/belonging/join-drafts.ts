@@ -1,6 +1,6 @@
 import type { Diagnostic } from '../../core/diagnostics.ts';
-import { baseName } from '../file-entry.ts';
 import { alikePairs, type Pair } from './alike-pairs.ts';
+import { ambiguity } from './ambiguity.ts';
 import type { Draft } from './draft.ts';
 import { grouped } from './grouped.ts';
 import { compareRanks } from './paths.ts';
@@ -83,16 +83,8 @@ function ambiguous(
     .map(({ a, b }) => (a === kept ? b : a).current)
     .filter((rival) => rival !== chosen.current && rival.fits(kept.current))
     .filter((rival) => !rival.fits(chosen.current));
-  if (rivals.length === 0) return [];
   const path = chosen.firstPath;
-  return [
-    {
-      severity: 'warning',
-      code: 'file/pairing',
-      file: baseName(kept.firstPath),
-      expected: `one file that is nearest to it, as ${path}`,
-      found: rivals.map(({ firstPath }) => firstPath).join(', '),
-      effect: `it is read with ${path}, the first by path`,
-    },
-  ];
+  const paths = rivals.map(({ firstPath }) => firstPath);
+  const expected = `one file that is nearest to it, as ${path}`;
+  return ambiguity(kept.firstPath, paths, { expected, effect: `it is read with ${path}` });
 }

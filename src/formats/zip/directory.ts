@@ -20,6 +20,7 @@ export const entrySignature = 0x02014b50;
 export const localSignature = 0x04034b50;
 const endSize = 22;
 const longestComment = 0xffff;
+const encryptedFlag = 0x0001;
 const utf8Flag = 0x0800;
 
 /**
@@ -41,16 +42,10 @@ export function readDirectory(bytes: Uint8Array): readonly ZipEntry[] | string {
     if (at + 46 > end || view.getUint32(at, true) !== entrySignature) return 'a broken directory';
     const nameEnd = at + 46 + view.getUint16(at + 28, true);
     const extraEnd = nameEnd + view.getUint16(at + 30, true);
-    const flags = view.getUint16(at + 8, true);
+    const [name, extra] = [bytes.subarray(at + 46, nameEnd), bytes.subarray(nameEnd, extraEnd)];
     const local = view.getUint32(at + 42, true) + shift;
     entries.push({
-      name: {
-        bytes: bytes.subarray(at + 46, nameEnd),
-        isUtf8: isUtf8(flags),
-        extra: bytes.subarray(nameEnd, extraEnd),
-      },
-      isEncrypted: (flags & 1) === 1,
-      method: view.getUint16(at + 10, true),
+      ...entryHead(view, at + 8, name, extra),
       checksum: view.getUint32(at + 16, true),
       size: view.getUint32(at + 24, true),
       packed: packedBytes(bytes, view, local, view.getUint32(at + 20, true)),
@@ -65,8 +60,23 @@ export function withNames(entries: readonly RawEntry[]): ZipEntry[] {
   return entries.map((entry, index) => ({ ...entry, name: names[index]! }));
 }
 
-export function isUtf8(flags: number): boolean {
-  return (flags & utf8Flag) !== 0;
+/**
+ * What the directory and the header before a file's bytes say alike: flags, then the method.
+ *
+ * @param at where the flags stand
+ */
+export function entryHead(
+  view: DataView,
+  at: number,
+  name: Uint8Array,
+  extra: Uint8Array,
+): Pick<RawEntry, 'name' | 'isEncrypted' | 'method'> {
+  const flags = view.getUint16(at, true);
+  return {
+    name: { bytes: name, isUtf8: (flags & utf8Flag) !== 0, extra },
+    isEncrypted: (flags & encryptedFlag) !== 0,
+    method: view.getUint16(at + 2, true),
+  };
 }
 
 /** The end record stands last but for a comment. */

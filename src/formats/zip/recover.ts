@@ -1,7 +1,7 @@
 import {
   endSignature,
   entrySignature,
-  isUtf8,
+  entryHead,
   localSignature,
   type RawEntry,
   withNames,
@@ -22,18 +22,11 @@ export function recoverEntries(bytes: Uint8Array): readonly ZipEntry[] {
   while (at + 30 <= bytes.length && view.getUint32(at, true) === localSignature) {
     const nameEnd = at + 30 + view.getUint16(at + 26, true);
     const start = nameEnd + view.getUint16(at + 28, true);
-    const flags = view.getUint16(at + 6, true);
-    const isDescribed = (flags & descriptorFlag) !== 0;
+    const isDescribed = (view.getUint16(at + 6, true) & descriptorFlag) !== 0;
     const sizes = isDescribed ? findSizes(view, start) : sizesAt(view, at + 14, start);
     if (start > bytes.length) break;
     entries.push({
-      name: {
-        bytes: bytes.subarray(at + 30, nameEnd),
-        isUtf8: isUtf8(flags),
-        extra: bytes.subarray(nameEnd, start),
-      },
-      isEncrypted: (flags & 1) === 1,
-      method: view.getUint16(at + 8, true),
+      ...entryHead(view, at + 6, bytes.subarray(at + 30, nameEnd), bytes.subarray(nameEnd, start)),
       checksum: sizes ? view.getUint32(sizes.at, true) : 0,
       size: sizes ? view.getUint32(sizes.at + 8, true) : 0,
       packed: sizes && sizes.end <= bytes.length ? bytes.subarray(start, sizes.end) : undefined,

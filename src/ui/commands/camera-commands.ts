@@ -18,7 +18,7 @@ export const cameraCommands = [
     run: ({ viewer }) => viewer.frameAll(),
   },
   {
-    id: 'reset-camera',
+    id: 'play-or-reset-camera',
     label: 'Reset the camera; with a bound clip, play or pause',
     keys: [{ key: ' ' }],
     run: (editor) => {
@@ -27,7 +27,7 @@ export const cameraCommands = [
     },
   },
   {
-    id: 'camera-of-workspace',
+    id: 'reset-camera',
     label: 'Put the camera where the workspace has it',
     short: 'Reset camera',
     run: resetCamera,

@@ -41,7 +41,7 @@ export function addViewFolder(gui: GUI, editor: Editor): void {
     folder.add(distance, 'value', 0.02, 10).name('Distance').decimals(2),
   ];
   addCommandRow(folder, editor, 'frame');
-  addCommandRow(folder, editor, 'camera-of-workspace');
+  addCommandRow(folder, editor, 'reset-camera');
   const { showSkin, showSkeleton, skeletonStyle, showAxes, showTextures, translucent } = session;
   const flags = [showSkin, showSkeleton, skeletonStyle, showAxes, showTextures, translucent];
   watch([...flags, theme, camera], () => {
