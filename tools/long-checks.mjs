@@ -1,9 +1,10 @@
 /**
- * The checks of `npm run test:long`, which take longer than `npm test` may. Each is a browser test that
- * `npm test` runs in its shortest form; its options reach it as variables of its environment.
+ * The checks of `npm run test:long`, which take longer than `npm test` may. Each is a test that `npm test`
+ * runs in its shortest form, in the browser or as a unit test; its options reach it as variables of its
+ * environment, which the file `reads` reads.
  *
  * @typedef {{ variable: string, usual: string, form: RegExp, what: string }} LongOption
- * @typedef {{ name: string, what: string, spec: string, options: Record<string, LongOption> }} LongCheck
+ * @typedef {{ name: string, what: string, kind: 'browser' | 'unit', tests: string, reads: string, options: Record<string, LongOption> }} LongCheck
  */
 
 /** @type {readonly LongCheck[]} */
@@ -11,7 +12,9 @@ export const longChecks = [
   {
     name: 'soak',
     what: 'random use of the built page, one seed after the other',
-    spec: 'e2e/soak.spec.ts',
+    kind: 'browser',
+    tests: 'e2e/soak.spec.ts',
+    reads: 'e2e/soak.spec.ts',
     options: {
       seed: {
         variable: 'SOAK_SEEDS',
@@ -24,6 +27,21 @@ export const longChecks = [
         usual: '10',
         form: /^\d+(\.\d+)?$/,
         what: 'how long each seed takes',
+      },
+    },
+  },
+  {
+    name: 'garbage',
+    what: 'good files of every format, changed at random and cut at every byte',
+    kind: 'unit',
+    tests: 'tests/formats/garbage',
+    reads: 'tests/formats/garbage/garbage-of.ts',
+    options: {
+      ways: {
+        variable: 'GARBAGE_WAYS',
+        usual: '2000',
+        form: /^\d+$/,
+        what: 'in how many ways each kind of file is changed',
       },
     },
   },

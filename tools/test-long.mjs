@@ -13,16 +13,19 @@ try {
   run(packageCommand('vite', ['build', '--logLevel=warn']));
   for (const { check, environment } of chosen) {
     console.log(`${check.name}: ${check.what}`);
-    // One at a time: what hangs or leaks is told from what only waits for its turn.
-    const options = ['--workers=1', '--global-timeout=0', '--reporter=list'];
-    run(
-      packageCommand('@playwright/test', ['test', check.spec, ...options], 'playwright'),
-      environment,
-    );
+    run(commandOf(check), environment);
   }
 } catch (error) {
   console.error(error instanceof Error ? error.message : error);
   process.exitCode = 1;
+}
+
+/** @param {import('./long-checks.mjs').LongCheck} check */
+function commandOf({ kind, tests }) {
+  if (kind === 'unit') return packageCommand('vitest', ['run', tests, '--testTimeout=0']);
+  // One at a time: what hangs or leaks is told from what only waits for its turn.
+  const options = ['--workers=1', '--global-timeout=0', '--reporter=list'];
+  return packageCommand('@playwright/test', ['test', tests, ...options], 'playwright');
 }
 
 /**

@@ -25,8 +25,9 @@ it.each([['sock'], ['soak', '--sead', '3'], ['soak', '--seed'], ['soak', '--minu
 );
 
 it('has a test for each check, which reads each of its variables', () => {
-  for (const { spec, options } of longChecks) {
-    const file = path.join(root, spec);
+  for (const { tests, reads, options } of longChecks) {
+    expect(existsSync(path.join(root, tests))).toBe(true);
+    const file = path.join(root, reads);
     expect(existsSync(file)).toBe(true);
     for (const { variable } of Object.values(options)) {
       expect(readFileSync(file, 'utf8')).toContain(`'${variable}'`);
