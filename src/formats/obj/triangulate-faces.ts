@@ -1,7 +1,6 @@
 import { loadPart } from '../../core/failure.ts';
 import type { MeshParts } from '../../core/character-parts.ts';
-import { growInt32, growUint32 } from '../text/growable.ts';
-import { needsEarClipping, triangulate } from './triangulate.ts';
+import { needsEarClipping, quadStart, triangulate } from './triangulate.ts';
 
 /** The corners of all faces, one face after another. */
 export interface FaceCorners {
@@ -32,46 +31,70 @@ export async function triangulateFaces(
   faces: FaceCorners,
   positions: Float32Array,
 ): Promise<FaceTriangles> {
-  const faceCount = faces.ends.length;
-  const polygonOf = (face: number): number[] => {
-    const start = face === 0 ? 0 : faces.ends[face - 1]!;
-    return Array.from(faces.points.subarray(start, faces.ends[face]));
-  };
+  const { points, uvs, normals, ends } = faces;
+  const faceCount = ends.length;
+  const startOf = (face: number): number => (face === 0 ? 0 : ends[face - 1]!);
+  const polygonOf = (face: number): number[] =>
+    Array.from(points.subarray(startOf(face), ends[face]));
   let earClip: ((outline: readonly number[]) => number[]) | undefined;
   for (let face = 0; face < faceCount && !earClip; face++) {
-    const polygon = polygonOf(face);
-    if (!needsEarClipping(positions, polygon)) continue;
+    if (ends[face]! - startOf(face) <= 4) continue;
+    if (!needsEarClipping(positions, polygonOf(face))) continue;
     earClip = (await loadPart(import('earcut'))).default;
   }
 
-  const [points, uvs, normals] = [growUint32(), growInt32(), growInt32()];
+  const most = Math.max(0, points.length - 2 * faceCount) * 3;
+  const cornerPoints = new Uint32Array(most);
+  const cornerUvs = new Int32Array(most);
+  const cornerNormals = new Int32Array(most);
   const firstTriangle = new Uint32Array(faceCount + 1);
+  let filled = 0;
   let degenerateCount = 0;
   for (let face = 0; face < faceCount; face++) {
-    const polygon = polygonOf(face);
-    const start = faces.ends[face]! - polygon.length;
-    const order = triangulate(positions, polygon, earClip);
-    for (let i = 0; i < order.length; i += 3) {
-      const corners = [start + order[i]!, start + order[i + 1]!, start + order[i + 2]!];
-      if (new Set(corners.map((corner) => faces.points[corner])).size < 3) {
-        degenerateCount++;
-        continue;
-      }
-      for (const corner of corners) {
-        points.push(faces.points[corner]!);
-        uvs.push(faces.uvs[corner]!);
-        normals.push(faces.normals[corner]!);
+    const start = startOf(face);
+    const count = ends[face]! - start;
+    if (count === 3) add(start, start + 1, start + 2);
+    else if (count === 4) addQuad(start);
+    else {
+      const order = triangulate(positions, polygonOf(face), earClip);
+      for (let i = 0; i < order.length; i += 3) {
+        add(start + order[i]!, start + order[i + 1]!, start + order[i + 2]!);
       }
     }
-    firstTriangle[face + 1] = points.length / 3;
+    firstTriangle[face + 1] = filled / 3;
   }
   return {
     corners: {
-      cornerPoints: points.finish(),
-      cornerUvs: uvs.finish(),
-      cornerNormals: normals.finish(),
+      cornerPoints: cornerPoints.slice(0, filled),
+      cornerUvs: cornerUvs.slice(0, filled),
+      cornerNormals: cornerNormals.slice(0, filled),
     },
     firstTriangle,
     degenerateCount,
   };
+
+  function addQuad(start: number): void {
+    const [a, b] = [points[start]!, points[start + 1]!];
+    const [c, d] = [points[start + 2]!, points[start + 3]!];
+    const from = quadStart(positions, a, b, c, d);
+    const across = start + ((from + 2) % 4);
+    add(start + from, start + ((from + 1) % 4), across);
+    add(start + from, across, start + ((from + 3) % 4));
+  }
+
+  function add(a: number, b: number, c: number): void {
+    if (points[a] === points[b] || points[b] === points[c] || points[c] === points[a]) {
+      degenerateCount++;
+      return;
+    }
+    put(a);
+    put(b);
+    put(c);
+  }
+
+  function put(corner: number): void {
+    cornerPoints[filled] = points[corner]!;
+    cornerUvs[filled] = uvs[corner]!;
+    cornerNormals[filled++] = normals[corner]!;
+  }
 }

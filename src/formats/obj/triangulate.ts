@@ -13,8 +13,11 @@ export function triangulate(
   earClip?: (outline: readonly number[]) => number[],
 ): number[] {
   if (corners.length === 3) return [0, 1, 2];
+  if (corners.length === 4) {
+    const from = quadStart(positions, corners[0]!, corners[1]!, corners[2]!, corners[3]!);
+    return [0, 1, 2, 0, 2, 3].map((corner) => (from + corner) % 4);
+  }
   const outline = projectToPlane(positions, corners);
-  if (corners.length === 4) return cutQuad(outline);
   if (!earClip || isConvex(outline)) return fan(corners.length);
   const ears = earClip(outline);
   return ears.length === (corners.length - 2) * 3 ? orient(ears, outline) : fan(corners.length);
@@ -28,13 +31,56 @@ export function needsEarClipping(
   return corners.length > 4 && !isConvex(projectToPlane(positions, corners));
 }
 
-/** A quad has at most one corner that points inwards: both its triangles start there. */
-function cutQuad(outline: readonly number[]): number[] {
-  const turnAt = (corner: number): number =>
-    turn(outline, (corner + 3) % 4, corner, (corner + 1) % 4);
-  const inward = [0, 1, 2, 3].filter((corner) => turnAt(corner) < 0);
-  const [from = 0] = inward.length === 1 ? inward : [];
-  return [0, 1, 2, 0, 2, 3].map((corner) => (from + corner) % 4);
+/**
+ * The corner (0 to 3) at which both triangles of a quad start: the one that points inward, of which a quad
+ * has at most one, else the first. Meshes are made of quads, so nothing is allocated here.
+ *
+ * @param positions xyz triples
+ * @param a a to d: indices of positions, in order around the face
+ */
+export function quadStart(
+  positions: ArrayLike<number>,
+  a: number,
+  b: number,
+  c: number,
+  d: number,
+): 0 | 1 | 2 | 3 {
+  const normalX = newellTerm(positions, a, b, c, d, 1, 2);
+  const normalY = newellTerm(positions, a, b, c, d, 2, 0);
+  const normalZ = newellTerm(positions, a, b, c, d, 0, 1);
+  const [x, y, z] = [Math.abs(normalX), Math.abs(normalY), Math.abs(normalZ)];
+  const dropped = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
+  const [u, v] = [(dropped + 1) % 3, (dropped + 2) % 3];
+  const flip = (dropped === 0 ? normalX : dropped === 1 ? normalY : normalZ) < 0 ? -1 : 1;
+  const [au, av] = [positions[a * 3 + u]!, positions[a * 3 + v]! * flip];
+  const [bu, bv] = [positions[b * 3 + u]!, positions[b * 3 + v]! * flip];
+  const [cu, cv] = [positions[c * 3 + u]!, positions[c * 3 + v]! * flip];
+  const [du, dv] = [positions[d * 3 + u]!, positions[d * 3 + v]! * flip];
+  const inwardA = cross(du, dv, au, av, bu, bv) < 0;
+  const inwardB = cross(au, av, bu, bv, cu, cv) < 0;
+  const inwardC = cross(bu, bv, cu, cv, du, dv) < 0;
+  const inwardD = cross(cu, cv, du, dv, au, av) < 0;
+  if (Number(inwardA) + Number(inwardB) + Number(inwardC) + Number(inwardD) !== 1) return 0;
+  return inwardA ? 0 : inwardB ? 1 : inwardC ? 2 : 3;
+}
+
+/** One component of a quad's Newell normal, from the two coordinates that it is perpendicular to. */
+function newellTerm(
+  positions: ArrayLike<number>,
+  a: number,
+  b: number,
+  c: number,
+  d: number,
+  u: number,
+  v: number,
+): number {
+  const [au, av] = [positions[a * 3 + u]!, positions[a * 3 + v]!];
+  const [bu, bv] = [positions[b * 3 + u]!, positions[b * 3 + v]!];
+  const [cu, cv] = [positions[c * 3 + u]!, positions[c * 3 + v]!];
+  const [du, dv] = [positions[d * 3 + u]!, positions[d * 3 + v]!];
+  return (
+    (au - bu) * (av + bv) + (bu - cu) * (bv + cv) + (cu - du) * (cv + dv) + (du - au) * (dv + av)
+  );
 }
 
 function fan(cornerCount: number): number[] {
@@ -92,5 +138,10 @@ function turn(outline: readonly number[], a: number, b: number, c: number): numb
   const [ax, ay] = [outline[a * 2]!, outline[a * 2 + 1]!];
   const [bx, by] = [outline[b * 2]!, outline[b * 2 + 1]!];
   const [cx, cy] = [outline[c * 2]!, outline[c * 2 + 1]!];
+  return cross(ax, ay, bx, by, cx, cy);
+}
+
+/** Twice the signed area of a triangle from its coordinates. */
+function cross(ax: number, ay: number, bx: number, by: number, cx: number, cy: number): number {
   return (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
 }
