@@ -1,5 +1,7 @@
 import { flushSubnormal } from './float32.ts';
 
+const up = [0, 1, 0];
+
 /**
  * Unit normals at points, from the triangles around them, each weighted by its corner's angle, so
  * that the outcome does not depend on how a face is cut (Thürmer and Wüthrich 1998, "Computing
@@ -15,47 +17,42 @@ export function computeVertexNormals(
   normals: Float32Array,
 ): void {
   const sums = new Float64Array(normals.length);
-  for (let first = 0; first < triangles.length; first += 3) addTriangle(first);
+  for (let first = 0; first < triangles.length; first += 3) {
+    addTriangle(triangles[first]! * 3, triangles[first + 1]! * 3, triangles[first + 2]! * 3);
+  }
   for (let i = 0; i < sums.length; i += 3) {
-    const length = Math.hypot(sums[i]!, sums[i + 1]!, sums[i + 2]!);
+    const length = lengthOf(sums[i]!, sums[i + 1]!, sums[i + 2]!);
     if (length > 0)
       for (let k = 0; k < 3; k++) normals[i + k] = flushSubnormal(sums[i + k]! / length);
-    else normals.set([0, 1, 0], i);
+    else normals.set(up, i);
   }
 
-  function addTriangle(first: number): void {
-    const [a, b, c] = [triangles[first]! * 3, triangles[first + 1]! * 3, triangles[first + 2]! * 3];
-    const [abx, aby, abz] = edge(a, b);
-    const [acx, acy, acz] = edge(a, c);
-    const nx = aby * acz - abz * acy;
-    const ny = abz * acx - abx * acz;
-    const nz = abx * acy - aby * acx;
-    const area = Math.hypot(nx, ny, nz);
+  function addTriangle(a: number, b: number, c: number): void {
+    const [ax, ay, az] = [positions[a]!, positions[a + 1]!, positions[a + 2]!];
+    const [bx, by, bz] = [positions[b]!, positions[b + 1]!, positions[b + 2]!];
+    const [cx, cy, cz] = [positions[c]!, positions[c + 1]!, positions[c + 2]!];
+    const [abx, aby, abz] = [bx - ax, by - ay, bz - az];
+    const [bcx, bcy, bcz] = [cx - bx, cy - by, cz - bz];
+    const [cax, cay, caz] = [ax - cx, ay - cy, az - cz];
+    const nx = abz * cay - aby * caz;
+    const ny = abx * caz - abz * cax;
+    const nz = aby * cax - abx * cay;
+    const area = lengthOf(nx, ny, nz);
     if (!(area > 0)) return;
-    for (const [corner, next, previous] of [
-      [a, b, c],
-      [b, c, a],
-      [c, a, b],
-    ] as const) {
-      const angle = angleAt(corner, next, previous);
-      sums[corner] = sums[corner]! + (nx / area) * angle;
-      sums[corner + 1] = sums[corner + 1]! + (ny / area) * angle;
-      sums[corner + 2] = sums[corner + 2]! + (nz / area) * angle;
-    }
+    // The sine of each corner's angle times its two edges is the area, the cosine times them a dot product.
+    add(a, nx, ny, nz, Math.atan2(area, -(abx * cax + aby * cay + abz * caz)) / area);
+    add(b, nx, ny, nz, Math.atan2(area, -(bcx * abx + bcy * aby + bcz * abz)) / area);
+    add(c, nx, ny, nz, Math.atan2(area, -(cax * bcx + cay * bcy + caz * bcz)) / area);
   }
 
-  function angleAt(corner: number, next: number, previous: number): number {
-    const [ux, uy, uz] = edge(corner, next);
-    const [vx, vy, vz] = edge(corner, previous);
-    const cross = Math.hypot(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx);
-    return Math.atan2(cross, ux * vx + uy * vy + uz * vz);
+  function add(point: number, x: number, y: number, z: number, weight: number): void {
+    sums[point] = sums[point]! + x * weight;
+    sums[point + 1] = sums[point + 1]! + y * weight;
+    sums[point + 2] = sums[point + 2]! + z * weight;
   }
+}
 
-  function edge(from: number, to: number): [number, number, number] {
-    return [
-      positions[to]! - positions[from]!,
-      positions[to + 1]! - positions[from + 1]!,
-      positions[to + 2]! - positions[from + 2]!,
-    ];
-  }
+/** Squares of what a float32 holds, and of products of two of them, are well within a double. */
+function lengthOf(x: number, y: number, z: number): number {
+  return Math.sqrt(x * x + y * y + z * z);
 }

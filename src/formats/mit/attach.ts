@@ -95,9 +95,12 @@ class RowReader {
     const { jointCount, weight: largest } = this.reader.limits;
     for (let column = 1; this.reader.token(); column++) {
       if (column >= jointCount) return this.exceeds(`at most ${jointCount - 1} weights in a row`);
-      const field = { what: `weight ${column}`, area: 'attach', effect, largest } as const;
-      const weight = checkFloat32(this.reader, field, this.log);
+      let weight = this.reader.number();
       if (weight === 0) continue;
+      if (!(Math.abs(weight) <= largest)) {
+        const field = { what: `weight ${column}`, area: 'attach', effect, largest } as const;
+        weight = checkFloat32(this.reader, field, this.log);
+      }
       this.joints.push(column);
       this.weights.push(weight);
     }

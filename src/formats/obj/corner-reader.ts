@@ -7,21 +7,25 @@ import { vertexLines } from './vertex-lines.ts';
 const slash = 0x2f;
 const plus = 0x2b;
 
-/** Zero-based indices; -1 where a corner has no texture coordinate or normal. */
-export interface Corner {
-  readonly point: number;
-  readonly uv: number;
-  readonly normal: number;
-}
+/** Stands where a corner has no texture coordinate or normal. */
+const absent = Infinity;
 
-/** Reads the corners of faces: `v`, `v/vt`, `v//vn` or `v/vt/vn`. */
+/** Reads the corners of faces: `v`, `v/vt`, `v//vn` or `v/vt/vn`; nothing is allocated for one. */
 export class CornerReader {
+  /** Of the corner that was read, zero-based. */
+  point = 0;
+  /** -1 where the corner has none. */
+  uv = -1;
+  /** -1 where the corner has none. */
+  normal = -1;
   private readonly reader: LineReader;
   private readonly streams: ObjStreams;
   private readonly log: DiagnosticLog;
   private readonly missingReported = new Set<string>();
   private openCount = 0;
   private laterLines: Uint32Array | undefined;
+  /** The numbers between the slashes as they stand in the file. */
+  private readonly numbers = new Float64Array(3);
 
   constructor(reader: LineReader, streams: ObjStreams, log: DiagnosticLog) {
     this.reader = reader;
@@ -29,26 +33,25 @@ export class CornerReader {
     this.log = log;
   }
 
-  /** The current token; nothing, and an error, where it is no corner of a vertex that is there. */
-  read(): Corner | undefined {
-    const parts = this.parts();
-    if (!parts) {
+  /** Reads the current token; false, and an error, where it is no corner of a vertex that is there. */
+  read(): boolean {
+    const { numbers, streams } = this;
+    if (!this.split()) {
       this.fail('face', 'a corner "v", "v/vt", "v//vn" or "v/vt/vn"', this.reader.text());
-      return undefined;
+      return false;
     }
-    const count = this.streams.positions.count;
-    const point = resolve(parts.point, count);
-    if (point === -1) {
+    const index = numbers[0]!;
+    const { count } = streams.positions;
+    this.point = resolve(index, count);
+    if (this.point === -1) {
       const range =
         count > 0 ? `1 to ${count} or -${count} to -1` : 'a vertex, but none came before';
-      this.fail('index', range + this.laterPlace(parts.point), `${parts.point}`);
-      return undefined;
+      this.fail('index', range + this.laterPlace(index), `${index}`);
+      return false;
     }
-    return {
-      point,
-      uv: this.optional(parts.uv, this.streams.uvs, 'texture coordinate'),
-      normal: this.optional(parts.normal, this.streams.normals, 'normal'),
-    };
+    this.uv = this.optional(numbers[1]!, streams.uvs, 'texture coordinate');
+    this.normal = this.optional(numbers[2]!, streams.normals, 'normal');
+    return true;
   }
 
   /** Says how many corners ended in a slash. */
@@ -62,30 +65,29 @@ export class CornerReader {
     });
   }
 
-  /** The numbers between the slashes as they stand; nothing where the token is no corner. */
-  private parts(): { point: number; uv?: number; normal?: number } | undefined {
+  /** Fills `numbers` from the current token; false where it is no corner. */
+  private split(): boolean {
+    const { numbers } = this;
     const { bytes, tokenStart, tokenEnd } = this.reader;
-    const numbers: (number | undefined)[] = [];
+    numbers.fill(absent);
+    let field = 0;
     let start = tokenStart;
     for (let at = tokenStart; at <= tokenEnd; at++) {
       if (at < tokenEnd && bytes[at] !== slash) continue;
-      if (numbers.length === 3) return undefined;
-      numbers.push(this.index(start, at));
+      if (field === 3) return false;
+      const number = this.index(start, at);
+      if (Number.isNaN(number)) return false;
+      numbers[field++] = number;
       start = at + 1;
     }
-    const [point, uv, normal] = numbers;
-    if (point === undefined || numbers.some(Number.isNaN)) return undefined;
-    if (numbers.at(-1) === undefined) this.openCount++;
-    return {
-      point,
-      ...(uv === undefined ? {} : { uv }),
-      ...(normal === undefined ? {} : { normal }),
-    };
+    if (numbers[0] === absent) return false;
+    if (numbers[field - 1] === absent) this.openCount++;
+    return true;
   }
 
-  private index(start: number, end: number): number | undefined {
+  private index(start: number, end: number): number {
     const { bytes, limits } = this.reader;
-    if (start === end) return undefined;
+    if (start === end) return absent;
     return bytes[start] === plus ? NaN : readInteger(bytes, start, end, limits.tokenLength);
   }
 
@@ -98,8 +100,8 @@ export class CornerReader {
   }
 
   /** A texture coordinate or normal that is not there costs only itself, not the face. */
-  private optional(index: number | undefined, stream: TupleStream, what: string): number {
-    if (index === undefined) return -1;
+  private optional(index: number, stream: TupleStream, what: string): number {
+    if (index === absent) return -1;
     const { count } = stream;
     const resolved = resolve(index, count);
     if (resolved !== -1 && !stream.isSound(resolved)) return -1; // which its own line has said

@@ -1,7 +1,7 @@
 import type { DiagnosticLog } from '../../core/diagnostics.ts';
 import { growInt32, growUint32 } from '../text/growable.ts';
 import type { LineReader } from '../text/line-reader.ts';
-import { type Corner, CornerReader } from './corner-reader.ts';
+import { CornerReader } from './corner-reader.ts';
 import { type FaceTriangles, triangulateFaces } from './triangulate-faces.ts';
 import type { ObjStreams } from './tuple-stream.ts';
 
@@ -50,21 +50,38 @@ export class FaceReader {
   /** Reads the rest of the current line. */
   read(): void {
     const { cornersPerFace, triangleCount } = this.reader.limits;
-    const face: Corner[] = [];
+    const { corners, points } = this;
+    const before = points.length;
+    let isSound = true;
     let count = 0;
     while (this.reader.token()) {
       if (++count > cornersPerFace) continue; // only counted
-      const corner = this.corners.read();
-      if (!corner) return;
-      face.push(corner);
+      if (!corners.read()) {
+        this.goBack(before);
+        return;
+      }
+      // Of one that is not the vertex's own line has said so.
+      isSound &&= this.streams.positions.isSound(corners.point);
+      points.push(corners.point);
+      this.uvs.push(corners.uv);
+      this.normals.push(corners.normal);
     }
     if (count < 3) this.shortCount++;
     else if (count > cornersPerFace) {
       this.fail('limit', `a face of at most ${cornersPerFace} corners`, `${count}`);
-    } else if (this.points.length - 2 * this.faceCount + count - 2 > triangleCount) {
+    } else if (points.length - 2 * (this.faceCount + 1) > triangleCount) {
       this.full = true;
       this.fail('limit', `at most ${triangleCount} triangles`, 'more');
-    } else this.add(face);
+    } else if (isSound) {
+      this.ends.push(points.length);
+      return;
+    }
+    this.goBack(before);
+  }
+
+  /** Forgets the corners from this one on. */
+  private goBack(cornerCount: number): void {
+    for (const values of [this.points, this.uvs, this.normals]) values.length = cornerCount;
   }
 
   /** Says what harmless things were met, each kind once with its count. */
@@ -81,17 +98,6 @@ export class FaceReader {
       this.log.warn({ code: 'obj/face', expected, found, effect });
     }
     this.corners.reportOddities();
-  }
-
-  private add(face: readonly Corner[]): void {
-    const { positions } = this.streams;
-    if (!face.every(({ point }) => positions.isSound(point))) return; // which the vertex's line has said
-    for (const { point, uv, normal } of face) {
-      this.points.push(point);
-      this.uvs.push(uv);
-      this.normals.push(normal);
-    }
-    this.ends.push(this.points.length);
   }
 
   private fail(kind: 'face' | 'limit', expected: string, found: string): void {

@@ -1,5 +1,5 @@
 import type { DiagnosticLog } from '../../core/diagnostics.ts';
-import { checkFloat32 } from '../text/check-float32.ts';
+import { checkFloat32, largestFloat32 } from '../text/check-float32.ts';
 import { growFloat32 } from '../text/growable.ts';
 import type { LineReader } from '../text/line-reader.ts';
 
@@ -71,7 +71,7 @@ export class TupleStream {
 
   /** Reads the rest of the current line; further numbers (w, colors) are left out. */
   read(reader: LineReader, log: DiagnosticLog): void {
-    const { names, fewest = names.length, most, largest } = this.kind;
+    const { names, fewest = names.length, most, largest = largestFloat32 } = this.kind;
     if (this.count >= most) {
       this.full = true;
       const expected = `at most ${most} ${this.kind.what}`;
@@ -79,14 +79,17 @@ export class TupleStream {
       return;
     }
     let isOdd = false;
-    for (const [index, what] of names.entries()) {
+    for (let index = 0; index < names.length; index++) {
       if (reader.token()) {
-        if (isNotANumber.test(reader.text())) {
+        const value = reader.number();
+        if (Math.abs(value) <= largest) this.values.push(value);
+        else if (isNotANumber.test(reader.text())) {
           this.values.push(NaN);
           isOdd = true;
-          continue;
+        } else {
+          const what = names[index]!;
+          this.values.push(checkFloat32(reader, { what, area: 'obj', effect, largest }, log));
         }
-        this.values.push(checkFloat32(reader, { what, area: 'obj', effect, largest }, log));
         continue;
       }
       this.values.push(0);

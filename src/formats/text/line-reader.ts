@@ -61,16 +61,17 @@ export class LineReader {
     this.lineStart = this.nextStart;
     this.bits = 0;
     this.findLineEnd();
-    this.joins = this.continuations && !this.isComment() && !this.holdsName();
+    this.joins = this.continuations && this.endsOpen() && !this.isComment() && !this.holdsName();
     while (this.joins && this.endsOpen() && this.nextStart < this.bytes.length) this.findLineEnd();
     this.tokenEnd = this.lineStart;
-    const bytes = this.bytes.subarray(this.lineStart, this.lineEnd);
-    if (bytes.length > this.limits.lineLength) {
-      reportLength(this.log, this.linePlace, bytes.length, this.limits.lineLength);
+    const length = this.lineEnd - this.lineStart;
+    if (length > this.limits.lineLength) {
+      reportLength(this.log, this.linePlace, length, this.limits.lineLength);
       this.nextStart = this.bytes.length;
       return false;
     }
     if (this.bits >= beyondAscii && !this.encodingReported) {
+      const bytes = this.bytes.subarray(this.lineStart, this.lineEnd);
       this.encodingReported = reportEncoding(this.log, this.linePlace, bytes);
     }
     if (this.joins && this.endsOpen()) reportOpenEnd(this.log, this.linePlace);
@@ -79,14 +80,15 @@ export class LineReader {
 
   /** Goes on to the next token of the line; false at its end or at a comment. */
   token(): boolean {
+    const { bytes, lineEnd, joins } = this;
     let at = this.tokenEnd;
-    while (at < this.lineEnd && (isBlank(this.bytes[at]!) || this.isContinuation(at))) at++;
+    while (at < lineEnd && (isBlank(bytes[at]!) || (joins && this.isContinuation(at)))) at++;
     this.tokenStart = at;
-    if (at >= this.lineEnd || this.bytes[at] === hash) {
-      this.tokenEnd = this.tokenStart;
+    if (at >= lineEnd || bytes[at] === hash) {
+      this.tokenEnd = at;
       return false;
     }
-    while (at < this.lineEnd && !isBlank(this.bytes[at]!) && !this.isContinuation(at)) at++;
+    while (at < lineEnd && !isBlank(bytes[at]!) && !(joins && this.isContinuation(at))) at++;
     this.tokenEnd = at;
     return true;
   }
@@ -108,8 +110,12 @@ export class LineReader {
 
   /** The token as text, cut where it is longer than any word. */
   text(): string {
-    const end = Math.min(this.tokenEnd, this.tokenStart + longestText);
-    return decodeText(this.bytes.subarray(this.tokenStart, end));
+    const { bytes, tokenStart, tokenEnd } = this;
+    // Nearly all words of large files are one letter.
+    if (tokenEnd - tokenStart === 1 && bytes[tokenStart]! < beyondAscii) {
+      return String.fromCharCode(bytes[tokenStart]!);
+    }
+    return decodeText(bytes.subarray(tokenStart, Math.min(tokenEnd, tokenStart + longestText)));
   }
 
   /** What follows the token on its line, trimmed, comments kept: names may hold blanks and `#`. */
@@ -151,7 +157,7 @@ export class LineReader {
   }
 
   private isContinuation(at: number): boolean {
-    if (!this.joins || this.bytes[at] !== backslash) return false;
+    if (this.bytes[at] !== backslash) return false;
     let after = at + 1;
     while (isSpace(this.bytes[after])) after++;
     const next = this.bytes[after];
@@ -167,7 +173,7 @@ export class LineReader {
 
   /** Whether the line's first word is one behind which a name stands. */
   private holdsName(): boolean {
-    if (this.named.size === 0 || !this.endsOpen()) return false;
+    if (this.named.size === 0) return false;
     let start = this.lineStart;
     while (start < this.lineEnd && isBlank(this.bytes[start]!)) start++;
     let end = start;
@@ -177,11 +183,12 @@ export class LineReader {
 
   private findLineEnd(): void {
     const { bytes } = this;
-    let at = this.nextStart;
+    let { bits, nextStart: at } = this;
     while (at < bytes.length && bytes[at] !== lineFeed && bytes[at] !== carriageReturn) {
-      this.bits |= bytes[at]!;
+      bits |= bytes[at]!;
       at++;
     }
+    this.bits = bits;
     this.lineEnd = at;
     this.nextStart = endOfLineEnd(bytes, at);
     this.nextLine++;
