@@ -19,7 +19,7 @@ export const cameraCommands = [
   },
   {
     id: 'play-or-reset-camera',
-    label: 'Reset the camera; with a bound clip, play or pause',
+    label: 'Reset the camera; while a clip is bound, play or pause it',
     keys: [{ key: ' ' }],
     run: (editor) => {
       if (editor.transport.isBound) editor.transport.togglePlay();
@@ -28,7 +28,7 @@ export const cameraCommands = [
   },
   {
     id: 'reset-camera',
-    label: 'Put the camera where the workspace has it',
+    label: "Reset the camera to the workspace's position",
     short: 'Reset camera',
     run: resetCamera,
   },
@@ -58,7 +58,7 @@ export const cameraCommands = [
   },
   {
     id: 'walk-ahead',
-    label: 'Walk ahead',
+    label: 'Walk forward',
     keys: [{ key: 'w' }, { key: 'ArrowUp' }],
     context: 'first person',
     run: (editor) => step(editor, 1, 0),

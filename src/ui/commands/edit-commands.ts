@@ -60,7 +60,7 @@ export const editCommands = [
   },
   {
     id: 'cancel',
-    label: 'Cancel a drag; let the active value go',
+    label: 'Cancel a drag, or deselect the active value',
     keys: [{ key: 'Escape' }],
     run: takeBack,
   },
