@@ -3,12 +3,12 @@ import { firstPersonFrom, orbitFrom, walk } from '../../view/first-person.ts';
 import type { Editor } from '../editor.ts';
 import type { Command } from './command.ts';
 
-/** Radians. */
+/** In radians. */
 const orbitStep = Math.PI / 12;
-/** Scene units, in which a character is one tall. */
+/** In scene units; a character is one unit tall. */
 const walkStep = 0.05;
 
-/** Where the camera stands: about the character, or in first person. */
+/** Commands for the camera: orbiting the character, or walking in first person. */
 export const cameraCommands = [
   {
     id: 'frame',

@@ -3,7 +3,7 @@ import type { Command } from './command.ts';
 
 const hasClip = ({ transport }: Editor): boolean => transport.clip !== undefined;
 
-/** The bound clip, or the one that Play binds. */
+/** These act on the bound clip, or on the clip that Play would bind. */
 export const clipCommands = [
   {
     id: 'play',

@@ -57,7 +57,7 @@ export function keyRows(context: ContextId): readonly HelpRow[] {
   return keysOf(context).map(({ press, command }) => [keyName(press), command.label]);
 }
 
-/** What the pointer does on the view. */
+/** The actions of the pointer on the view. */
 export const pointerRows: readonly HelpRow[] = [
   [
     'Left drag',

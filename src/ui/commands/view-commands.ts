@@ -3,7 +3,7 @@ import { methods } from '../../skinning/registry.ts';
 import type { Editor } from '../editor.ts';
 import { type Command, toggle } from './command.ts';
 
-/** What is shown, and what drags do. */
+/** Commands for what is shown, and for what drags do. */
 export const viewCommands = [
   {
     id: 'axes',
@@ -60,14 +60,14 @@ export const viewCommands = [
   },
 ] as const satisfies readonly Command[];
 
-/** Skin alone, skeleton alone, both, and round again. */
+/** Cycles through skin only, skeleton only, and both. */
 function cycleDrawn({ session: { showSkin, showSkeleton } }: Editor): void {
   if (showSkin.value && showSkeleton.value) showSkeleton.value = false;
   else if (showSkin.value) [showSkin.value, showSkeleton.value] = [false, true];
   else [showSkin.value, showSkeleton.value] = [true, true];
 }
 
-/** Beside the selected actor's method the first other one. */
+/** Compares the selected actor's method with the first other one. */
 function toggleCompared({ store, session }: Editor): void {
   const { comparedKernel } = session;
   const actor = selectedActor(store, session);
