@@ -7,7 +7,7 @@ import { vertexLines } from './vertex-lines.ts';
 const slash = 0x2f;
 const plus = 0x2b;
 
-/** Zero-based indices; -1 where a corner has no texture coordinate or normal. */
+/** Zero-based indices; -1 if a corner has no texture coordinate or normal. */
 export interface Corner {
   readonly point: number;
   readonly uv: number;
@@ -29,7 +29,10 @@ export class CornerReader {
     this.log = log;
   }
 
-  /** The current token; nothing, and an error, where it is no corner of a vertex that is there. */
+  /**
+   * Reads the current token. Returns nothing, with an error, if it is not a corner or if its vertex
+   * does not exist.
+   */
   read(): Corner | undefined {
     const parts = this.parts();
     if (!parts) {
@@ -51,7 +54,7 @@ export class CornerReader {
     };
   }
 
-  /** Says how many corners ended in a slash. */
+  /** Reports how many corners ended in a slash. */
   reportOddities(): void {
     if (this.openCount === 0) return;
     this.log.warn({
@@ -62,7 +65,7 @@ export class CornerReader {
     });
   }
 
-  /** The numbers between the slashes as they stand; nothing where the token is no corner. */
+  /** The numbers between the slashes; nothing if the token is not a corner. */
   private parts(): { point: number; uv?: number; normal?: number } | undefined {
     const { bytes, tokenStart, tokenEnd } = this.reader;
     const numbers: (number | undefined)[] = [];
@@ -89,7 +92,7 @@ export class CornerReader {
     return bytes[start] === plus ? NaN : readInteger(bytes, start, end, limits.tokenLength);
   }
 
-  /** Where a vertex comes that faces refer to before it. */
+  /** Where a vertex is defined that a face uses before its definition. */
   private laterPlace(index: number): string {
     if (index <= 0) return '';
     this.laterLines ??= vertexLines(this.reader.bytes, this.reader.limits);
@@ -97,12 +100,12 @@ export class CornerReader {
     return line === undefined ? '' : `; vertex ${index} comes later, in line ${line}`;
   }
 
-  /** A texture coordinate or normal that is not there costs only itself, not the face. */
+  /** A missing texture coordinate or normal is ignored, and the face is kept. */
   private optional(index: number | undefined, stream: TupleStream, what: string): number {
     if (index === undefined) return -1;
     const { count } = stream;
     const resolved = resolve(index, count);
-    if (resolved !== -1 && !stream.isSound(resolved)) return -1; // which its own line has said
+    if (resolved !== -1 && !stream.isSound(resolved)) return -1; // already reported at its own line
     if (resolved === -1 && !this.missingReported.has(what)) {
       this.missingReported.add(what);
       this.log.warn({
@@ -123,7 +126,10 @@ export class CornerReader {
   }
 }
 
-/** One-based, or negative and counted back from this line, to zero-based; -1 where it is not there. */
+/**
+ * Converts a one-based index, or a negative one that counts back from this line, to zero-based; -1
+ * if it does not exist.
+ */
 function resolve(index: number, count: number): number {
   const resolved = index < 0 ? count + index : index - 1;
   return index !== 0 && resolved >= 0 && resolved < count ? resolved : -1;

@@ -31,12 +31,12 @@ export class FaceReader {
     return this.ends.length;
   }
 
-  /** Whether a face was one too many, which was said. */
+  /** Whether a face exceeded the limit, which has been reported. */
   get isFull(): boolean {
     return this.full;
   }
 
-  /** Cuts all faces into triangles. @param positions (pointCount × 3) */
+  /** Triangulates all faces. @param positions (pointCount × 3) */
   finish(positions: Float32Array): Promise<FaceTriangles> {
     const faces = {
       points: this.points.finish(),
@@ -53,7 +53,7 @@ export class FaceReader {
     const face: Corner[] = [];
     let count = 0;
     while (this.reader.token()) {
-      if (++count > cornersPerFace) continue; // only counted
+      if (++count > cornersPerFace) continue; // only count further corners
       const corner = this.corners.read();
       if (!corner) return;
       face.push(corner);
@@ -67,7 +67,7 @@ export class FaceReader {
     } else this.add(face);
   }
 
-  /** Says what harmless things were met, each kind once with its count. */
+  /** Reports harmless oddities, each kind once with its count. */
   reportOddities(degenerateCount: number): void {
     const effect = 'they are left out';
     if (degenerateCount > 0) {
@@ -85,7 +85,7 @@ export class FaceReader {
 
   private add(face: readonly Corner[]): void {
     const { positions } = this.streams;
-    if (!face.every(({ point }) => positions.isSound(point))) return; // which the vertex's line has said
+    if (!face.every(({ point }) => positions.isSound(point))) return; // already reported
     for (const { point, uv, normal } of face) {
       this.points.push(point);
       this.uvs.push(uv);
