@@ -8,12 +8,15 @@ import { mutated } from '../../support/mutations.ts';
 import { expectOutcome } from '../expect-outcome.ts';
 import { formatSamples } from '../samples.ts';
 
-/** The sample with one of its files changed. */
+/** The sample with one of its files replaced. */
 function withFile(contents: FileContents, name: string, bytes: Uint8Array): FileContents {
   return { ...contents, [name]: bytes };
 }
 
-/** Tests a format with what is none of its files, or nearly. A file each, since they run side by side. */
+/**
+ * Tests a format with files that are invalid or nearly valid. Each format has a test file, so that
+ * they run in parallel.
+ */
 export function testGarbage(id: FormatId): void {
   const { characters = {}, tokens = [], oddNumbers = [] } = formatSamples[id] ?? {};
   const extensions = formatExtensions[id];
