@@ -1,6 +1,6 @@
 /**
- * Generates the pages of docs that repeat a table of the code: docs/cli.md and docs/keys.md. A unit test fails
- * if a page differs from what its table gives.
+ * Generates the pages of docs that repeat a table of the code: docs/cli.md and docs/keys.md. A unit
+ * test fails if a page differs from what its table gives.
  */
 import { writeFileSync } from 'node:fs';
 import path from 'node:path';

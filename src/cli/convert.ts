@@ -94,8 +94,8 @@ function readPose(
 }
 
 /**
- * The pose file to write: the given pose under its own name, or the input's pose if the written files rest
- * in a different one.
+ * The pose file to write: the given pose under its own name. Without one, the file's pose, but only
+ * if the written files rest in a different pose.
  */
 function writtenPose(path: string | undefined, character: Character, pose: Pose): OutputFile[] {
   const json = poseToJson(character.skeleton, pose);

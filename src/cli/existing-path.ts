@@ -2,8 +2,8 @@ import { existsSync, readdirSync } from 'node:fs';
 import { dirname, basename, join } from 'node:path';
 
 /**
- * Finds an existing path that equals the given one except for Unicode composition: macOS stores decomposed
- * names, while keyboards type composed ones. Returns the path as given if there is none.
+ * Finds an existing path that equals the given one except for Unicode composition: macOS stores
+ * decomposed names, while keyboards type composed ones. Returns the path as given if there is none.
  */
 export function existingPath(path: string): string {
   const folder = dirname(path);

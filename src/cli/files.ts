@@ -26,8 +26,8 @@ function userFolder(): string {
 }
 
 /**
- * Reads files, including those in folders, and unpacks `.gz` files. Each file that can't be read gives a
- * diagnostic. Files that no format uses are listed without their bytes.
+ * Reads files, including those in folders, and unpacks `.gz` files. Each file that can't be read
+ * gives a diagnostic. Files that no format uses are listed without their bytes.
  */
 export function readFiles(paths: readonly string[]): {
   files: FileEntry[];

@@ -81,8 +81,9 @@ function describe(character: Character) {
 }
 
 /**
- * The bones that the Virtual Mannequin's handout defines. Joints are given by their index in the file. T and
- * R are 4 × 4 and column-major. `vertices` and `weights` are the bone's row of the weights by bone.
+ * The bones that the Virtual Mannequin's handout defines. Joints are given by their index in the
+ * file. T and R are 4 × 4 and column-major. `vertices` and `weights` are the bone's row of the
+ * weights by bone.
  */
 function describeBones({ skeleton, skin }: Character) {
   const frames = boneFrames(skeleton);
@@ -105,7 +106,10 @@ function describeBones({ skeleton, skin }: Character) {
   };
 }
 
-/** Rest angles and limits (radians) of a joint's hinges by axis x, y, z; null means no hinge or no limit. */
+/**
+ * Rest angles and limits (radians) of a joint's hinges by axis x, y, z; null means no hinge or no
+ * limit.
+ */
 function describeDofs(skeleton: Skeleton, joint: number) {
   const pose: (number | null)[] = [null, null, null];
   const limits: ([number | null, number | null] | null)[] = [null, null, null];

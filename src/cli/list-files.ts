@@ -6,8 +6,9 @@ import { isJunk } from '../formats/junk.ts';
 const largestCount = 10_000;
 
 /**
- * Lists the path itself or, for a folder, all files in it and in its subfolders, sorted by name. Throws if the
- * path does not exist or the folder is empty. Links are not followed, because they may form cycles.
+ * Lists the path itself or, for a folder, all files in it and in its subfolders, sorted by name.
+ * Throws if the path does not exist or the folder is empty. Links are not followed, because they
+ * may form cycles.
  */
 export function listFiles(path: string): string[] {
   if (!statSync(path).isDirectory()) return [path];

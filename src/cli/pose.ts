@@ -29,8 +29,8 @@ const methodIds = methods.map(({ id }) => id).join('|');
 const normalsIds = normalWays.map(({ id }) => id).join('|');
 
 /**
- * `pose FILES --pose POSE.json --out OUT` writes posed vertices in the file's order and units, in Sinew's
- * right-handed space or, with `--keep-file-space`, in the space of the file.
+ * `pose FILES --pose POSE.json --out OUT` writes posed vertices in the file's order and units, in
+ * Sinew's right-handed space or, with `--keep-file-space`, in the space of the file.
  */
 export const pose: Command = {
   name: 'pose',

@@ -8,8 +8,8 @@ import { parseWords } from './parse-words.ts';
 import { UsageError } from './usage-error.ts';
 
 /**
- * `sample CLIP.anim --channel N --times t0,t1,…` prints values of a channel. Channels count from 0, like
- * joints: 0 to 2 are the root's translation, followed by three angles per joint.
+ * `sample CLIP.anim --channel N --times t0,t1,…` prints values of a channel. Channels count from 0,
+ * like joints: 0 to 2 are the root's translation, followed by three angles per joint.
  */
 export const sample: Command = {
   name: 'sample',

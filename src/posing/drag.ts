@@ -22,7 +22,7 @@ export interface DragPointer {
  * What a drag does.
  * - `follow`: the joint rotates so that the grabbed point stays under the pointer.
  * - `value`: only one value of q changes, so that the grabbed point is nearest to the pointer.
- * - `course`: the joint rotates about the axis across the view and the motion, like CS354's program.
+ * - `course`: the joint rotates about the axis across view and motion, as in CS354's program.
  * - `roll`: the joint rotates about the line to `farEnd` (in its frame), which stays in place.
  */
 export type DragMode =

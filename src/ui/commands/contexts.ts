@@ -10,7 +10,9 @@ export interface KeyContext {
   isActive(editor: Editor): boolean;
 }
 
-/** Every context; the first match wins. The timeline handles its own keys while it has the focus. */
+/**
+ * Every context; the first match wins. The timeline handles its own keys while it has the focus.
+ */
 export const contexts: readonly KeyContext[] = [
   { id: 'control', label: 'With Ctrl or Cmd, also in text fields', isActive: () => true },
   {
