@@ -74,8 +74,8 @@ export function boneFrames(skeleton: Skeleton): BoneFrame[] {
 
 /**
  * Returns the axes of a bone by the handout's construction: e is the unit vector along the smallest
- * component of the direction t (the first one if several are equal), n = t × e, normalized, and b =
- * t × n.
+ * component of the direction t (the first one if several are equal), n = t × e, normalized,
+ * and b = t × n.
  *
  * @param along the direction, of any length except 0
  */
