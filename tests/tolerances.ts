@@ -1,4 +1,4 @@
-/** Every bound that a test compares with, named once. */
+/** Every tolerance that a test compares with, named once. */
 export const tolerances = {
   /** Forward kinematics and bind inverses against the float64 oracle, × reach. */
   kinematics: 1e-12,
@@ -6,20 +6,20 @@ export const tolerances = {
   bindError: 1e-12,
   /** A CPU method against the float64 oracle, × bounding diagonal. */
   skinning: 1e-6,
-  /** Unit normals against the float64 oracle, a component. */
+  /** Unit normals against the float64 oracle, per component. */
   normals: 1e-5,
   /** Posed reference files, model units: the models are about one unit tall. */
   referenceFiles: 1e-6,
-  /** The same of the Virtual Mannequin's: its characters are about twenty units tall. */
+  /** The same for the Virtual Mannequin's files, whose characters are about twenty units tall. */
   mannequinFiles: 2e-4,
-  /** Reference frames of bones, an element. */
+  /** Reference frames of bones, per element. */
   boneFrames: 1e-5,
-  /** Reference matrices, an element. */
+  /** Reference matrices, per element. */
   referenceMatrices: 1e-6,
-  /** Geometry that is exact but for the rounding of float32 (areas, unit lengths). */
+  /** Geometry that is exact except for float32 rounding (areas, unit lengths). */
   float32: 1e-6,
   /** Distances to bones in the reference table, model units. */
   rayDistance: 1e-4,
-  /** What turns or rolls a joint keeps fixed, and rotations that are to be equal. */
+  /** Points that stay fixed when a joint turns or rolls, and rotations that should be equal. */
   turn: 1e-9,
 } as const;

@@ -1,6 +1,6 @@
 /**
- * Writes the pages of docs that only repeat a table of the code: docs/cli.md and docs/keys.md. A unit
- * test fails where they are not what the tables give.
+ * Generates the pages of docs that repeat a table of the code: docs/cli.md and docs/keys.md. A unit
+ * test fails if a page differs from what its table gives.
  */
 import { writeFileSync } from 'node:fs';
 import path from 'node:path';
@@ -10,13 +10,13 @@ import { commands } from '../src/cli/commands.ts';
 import { contexts, type HelpRow, keyRows, pointerRows } from '../src/ui/commands/contexts.ts';
 import { isMain, root } from './commands.mjs';
 
-/** Every written page, by its path from the root of the project. */
+/** Every generated page, by its path from the root of the project. */
 const pages: readonly { readonly file: string; readonly lines: () => string[] }[] = [
   { file: 'docs/cli.md', lines: cliPage },
   { file: 'docs/keys.md', lines: keysPage },
 ];
 
-/** The text that each page should have, laid out as `npm run format` would do it. */
+/** Returns the text that each page should have, formatted as by `npm run format`. */
 export function writtenPages(): Promise<{ file: string; text: string }[]> {
   return Promise.all(
     pages.map(async ({ file, lines }) => {
@@ -30,10 +30,10 @@ function cliPage(): string[] {
   return [
     '# The command line',
     '',
-    '`npm run docs` writes this page from the table in `src/cli/commands.ts`.',
+    '`npm run docs` generates this page from the table in `src/cli/commands.ts`.',
     '',
-    'A command is run as `npm run --silent sinew -- COMMAND`; `help` prints what stands here. Problems go',
-    "to stderr. The exit code is 0, 1 for a file that can't be used, and 2 for wrong usage.",
+    'Run a command as `npm run --silent sinew -- COMMAND`; `help` prints the list below. Problems are printed',
+    "to stderr. The exit code is 0 on success, 1 for a file that can't be used, and 2 for wrong usage.",
     '',
     ...commands.flatMap(commandSection),
   ];
@@ -47,11 +47,11 @@ function keysPage(): string[] {
   return [
     '# Keys and pointer',
     '',
-    '`npm run docs` writes this page from the tables in `src/ui/commands`.',
+    '`npm run docs` generates this page from the tables in `src/ui/commands`.',
     '',
-    'Where several sections have the same key, the first whose state holds is meant. Keys of a single',
-    'character can be turned off in the help sheet, and in fields and lists only those with Ctrl or Cmd',
-    'act.',
+    'If several sections list the same key, the first section whose state applies takes precedence.',
+    'Single-character keys can be turned off in the help sheet. In text fields and lists, only keys with',
+    'Ctrl or Cmd act.',
     '',
     '## The pointer on the view',
     '',
@@ -70,7 +70,7 @@ function keyTable(rows: readonly HelpRow[]): string[] {
 
 function table(rows: readonly HelpRow[]): string[] {
   const lines = rows.map(([key, does]) => `| ${key} | ${does} |`);
-  return ['| key | does |', '| --- | --- |', ...lines, ''];
+  return ['| key | action |', '| --- | --- |', ...lines, ''];
 }
 
 if (isMain(import.meta.url)) {

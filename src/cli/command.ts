@@ -1,9 +1,9 @@
-/** A seam: a new command is one file and one line in commands.ts. */
+/** A command of the command line. To add one, write a file and add a line to commands.ts. */
 export interface Command {
   readonly name: string;
   readonly usage: string;
-  /** What it does, in a sentence. */
+  /** One sentence that says what the command does. */
   readonly summary: string;
-  /** The exit code. */
+  /** Runs the command with the words after its name and returns the exit code. */
   run(words: readonly string[]): Promise<number>;
 }

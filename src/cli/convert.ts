@@ -20,12 +20,12 @@ import { UsageError } from './usage-error.ts';
 
 const usage = `convert FILES --to ${convertTargets.join('|')} --out DIR [--pose POSE.json]`;
 
-/** `convert FILES --to FORMAT --out DIR [--pose POSE.json]`: the other course's files. */
+/** `convert FILES --to FORMAT --out DIR [--pose POSE.json]` writes the files of another format. */
 export const convert: Command = {
   name: 'convert',
   usage,
   summary:
-    'Writes one character in the files of a course, with its pose where one is given, and tells what got lost.',
+    'Writes one character, and a pose if one is given, as the files of a course, and reports what is lost.',
   async run(words) {
     const options = parseOptions(words);
     const { files, diagnostics: missing } = readFiles(options.files);
@@ -72,7 +72,7 @@ function isTarget(id: string | undefined): id is ConvertTarget {
   return convertTargets.some((target) => target === id);
 }
 
-/** The pose that is given, in the angles of the files that are read; else theirs. */
+/** The given pose, in the angles of the input files; without one, the pose of those files. */
 function readPose(
   path: string | undefined,
   { skeleton }: Character,
@@ -93,7 +93,10 @@ function readPose(
   }
 }
 
-/** The matching pose: under the name of the one given; without one where it is not the file's own. */
+/**
+ * The pose file to write: the given pose under its own name. Without one, the file's pose, but only
+ * if the written files rest in a different pose.
+ */
 function writtenPose(path: string | undefined, character: Character, pose: Pose): OutputFile[] {
   const json = poseToJson(character.skeleton, pose);
   const isRest = Object.keys(json.joints ?? {}).length === 0 && !json.root;

@@ -2,8 +2,8 @@ import { existsSync, readdirSync } from 'node:fs';
 import { dirname, basename, join } from 'node:path';
 
 /**
- * The path, or the one that is there whose names differ from it only in how they are composed: macOS keeps
- * decomposed names, keyboards write composed ones. As given where there is none.
+ * Finds an existing path that equals the given one except for Unicode composition: macOS stores
+ * decomposed names, while keyboards type composed ones. Returns the path as given if there is none.
  */
 export function existingPath(path: string): string {
   const folder = dirname(path);

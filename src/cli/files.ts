@@ -16,7 +16,7 @@ import { listFiles } from './list-files.ts';
 
 const packedEnding = /\.gz$/i;
 
-/** npm runs scripts in the project's folder; paths are meant from where the user stands. */
+/** Resolves a path from the user's folder, because npm runs scripts in the project's folder. */
 export function userPath(path: string): string {
   return resolve(userFolder(), path);
 }
@@ -26,8 +26,8 @@ function userFolder(): string {
 }
 
 /**
- * The files, those of folders too, with a diagnostic for each that can't be read; `.gz` ones are
- * unpacked. The bytes of files that no reader asks for stay on the disk.
+ * Reads files, including those in folders, and unpacks `.gz` files. Each file that can't be read
+ * gives a diagnostic. Files that no format uses are listed without their bytes.
  */
 export function readFiles(paths: readonly string[]): {
   files: FileEntry[];
@@ -38,7 +38,7 @@ export function readFiles(paths: readonly string[]): {
   for (const path of paths) {
     attempt(path, () => {
       for (const each of listFiles(existingPath(userPath(path)))) {
-        // However it was named, so that folders can be compared.
+        // Always relative to the user's folder, so that folders can be compared.
         const shown = relative(userFolder(), each);
         attempt(shown, () => files.push(readEntry(shown)));
       }
@@ -90,13 +90,13 @@ function failure(
   return { severity: 'error', code, file, expected, found: reasonOf(error), effect };
 }
 
-/** Short, as in "ENOENT", where the system says so. */
+/** The system's short code, such as "ENOENT", if there is one. */
 function reasonOf(error: unknown): string {
   if (!(error instanceof Error)) return String(error);
   return 'code' in error ? String(error.code) : error.message;
 }
 
-/** One line each, to stderr. */
+/** Prints one line per diagnostic to stderr. */
 export function printDiagnostics(diagnostics: readonly Diagnostic[]): void {
   for (const diagnostic of diagnostics) {
     const effect = printable(diagnostic.effect, 200); // it may name files

@@ -14,12 +14,12 @@ import { printDiagnostics, readFiles } from './files.ts';
 import { parseWords } from './parse-words.ts';
 import { UsageError } from './usage-error.ts';
 
-/** `info FILES [--bones] [--json]`: what is in the files. */
+/** `info FILES [--bones] [--json]` lists what is in the files. */
 export const info: Command = {
   name: 'info',
   usage: 'info FILES [--bones] [--json]',
   summary:
-    'Tells what the files hold: the joints, meshes, morphs and clips of each character, and its bones where they are asked for.',
+    'Lists the joints, meshes, morphs and clips of each character in the files, and with --bones its bones.',
   async run(words) {
     const { values, positionals } = parseWords(() =>
       parseArgs({
@@ -42,7 +42,7 @@ export const info: Command = {
   },
 };
 
-/** Names come from files, and may hold what a terminal acts on. */
+/** Names come from files, so they are shortened and made printable before a terminal sees them. */
 const longestName = 200;
 
 type Description = ReturnType<typeof describe> & Partial<ReturnType<typeof describeBones>>;
@@ -73,7 +73,7 @@ function describe(character: Character) {
         parent: parent === noParent ? noParent : skeleton.sourceIndex[parent]!,
         offset: [...skeleton.restOffsets.subarray(joint * 3, joint * 3 + 3)],
         ...describeDofs(skeleton, joint),
-        /** Column-major, at the file's pose. */
+        /** (4 × 4) column-major, in the file's pose. */
         worldFromJoint: [...characterFromJoint.subarray(joint * 16, joint * 16 + 16)],
       };
     }),
@@ -81,8 +81,9 @@ function describe(character: Character) {
 }
 
 /**
- * Bones as the Virtual Mannequin has them, joints by their index in the file: T and R, 4 × 4 and
- * column-major, and each bone's row of the weights: vertices, and their weights in the same order.
+ * The bones that the Virtual Mannequin's handout defines. Joints are given by their index in the
+ * file. T and R are 4 × 4 and column-major. `vertices` and `weights` are the bone's row of the
+ * weights by bone.
  */
 function describeBones({ skeleton, skin }: Character) {
   const frames = boneFrames(skeleton);
@@ -93,7 +94,7 @@ function describeBones({ skeleton, skin }: Character) {
       return {
         source: skeleton.sourceIndex[frame.source]!,
         destination: skeleton.sourceIndex[frame.destination]!,
-        /** Of the bone that ends at its source, in this list. */
+        /** Index in this list of the bone that ends at this bone's source. */
         parent: frame.parent,
         length: frame.length,
         T: [...frame.translation],
@@ -105,7 +106,10 @@ function describeBones({ skeleton, skin }: Character) {
   };
 }
 
-/** x, y, z of a joint's hinges, whatever their order; null is unlimited. */
+/**
+ * Rest angles and limits (radians) of a joint's hinges by axis x, y, z; null means no hinge or no
+ * limit.
+ */
 function describeDofs(skeleton: Skeleton, joint: number) {
   const pose: (number | null)[] = [null, null, null];
   const limits: ([number | null, number | null] | null)[] = [null, null, null];

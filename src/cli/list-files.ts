@@ -2,12 +2,13 @@ import { readdirSync, statSync } from 'node:fs';
 import { join } from 'node:path';
 import { isJunk } from '../formats/junk.ts';
 
-/** A folder may hold a whole disk. */
+/** Limits the listing, because the given folder may be the root of a disk. */
 const largestCount = 10_000;
 
 /**
- * The path itself, or for a folder all files in it and in its folders, by name; throws where there
- * is neither. Links are not followed, since they may lead in circles.
+ * Lists the path itself or, for a folder, all files in it and in its subfolders, sorted by name.
+ * Throws if the path does not exist or the folder is empty. Links are not followed, because they
+ * may form cycles.
  */
 export function listFiles(path: string): string[] {
   if (!statSync(path).isDirectory()) return [path];

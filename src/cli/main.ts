@@ -1,7 +1,7 @@
 import { commands } from './commands.ts';
 import { UsageError } from './usage-error.ts';
 
-/** Exit codes: 0, 1 for a file that can't be used, 2 for wrong usage. */
+/** Returns the exit code: 0 on success, 1 for a file that can't be used, 2 for wrong usage. */
 async function main(words: readonly string[]): Promise<number> {
   const [name, ...rest] = words;
   const command = commands.find((candidate) => candidate.name === name);

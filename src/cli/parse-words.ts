@@ -1,6 +1,6 @@
 import { UsageError } from './usage-error.ts';
 
-/** Turns what `parseArgs` throws at unknown or unfinished options into a usage error. */
+/** Turns the error that `parseArgs` throws for unknown or incomplete options into a usage error. */
 export function parseWords<T>(parse: () => T): T {
   try {
     return parse();

@@ -29,8 +29,8 @@ const methodIds = methods.map(({ id }) => id).join('|');
 const normalsIds = normalWays.map(({ id }) => id).join('|');
 
 /**
- * `pose FILES --pose POSE.json --out OUT`: posed vertices, in the file's order and units, in Sinew's
- * right-handed space or with `--keep-file-space` in the file's.
+ * `pose FILES --pose POSE.json --out OUT` writes posed vertices in the file's order and units, in
+ * Sinew's right-handed space or, with `--keep-file-space`, in the space of the file.
  */
 export const pose: Command = {
   name: 'pose',
@@ -38,7 +38,7 @@ export const pose: Command = {
     `pose FILES --pose POSE.json [--method ${methodIds}] [--normals ${normalsIds}] [--normalize] [--keep-file-space]` +
     ' --out OUT.obj|OUT.f32',
   summary:
-    'Writes the posed vertices of one character, in the order and the units of its file, as a mesh or as numbers alone.',
+    'Writes the posed vertices of one character, in the order and the units of its file, as an OBJ mesh or as raw floats.',
   async run(words) {
     const options = parseOptions(words);
     const { files, diagnostics: missing } = readFiles(options.files);
@@ -78,7 +78,7 @@ function parseOptions(words: readonly string[]) {
   const { pose: posePath, method, normals, out, normalize } = values;
   if (files.length === 0) throw new UsageError('expected files, found none');
   if (posePath === undefined) throw new UsageError('expected --pose POSE.json');
-  // A kernel's name, as `joint-normals`, stands for its method and its way of normals.
+  // The name of a kernel such as `joint-normals` stands for its method and its way of normals.
   if (method !== undefined && !isKernelId(method))
     throw new UsageError(`expected ${methodIds}, found "${method}"`);
   const way = normalWays.find(({ id }) => id === normals)?.id;
@@ -130,7 +130,7 @@ async function poseMesh(character: Character, posed: Pose, options: Options): Pr
   return new Uint8Array(bytes.buffer);
 }
 
-/** In the left-handed space that the file has: z negated, and triangles turned round. */
+/** Converts to the file's left-handed space: negates z and reverses the triangles. */
 function mirrored(mesh: Mesh, positions: Float32Array): { mesh: Mesh; positions: Float32Array } {
   const indices = mesh.indices.slice();
   for (let i = 0; i < indices.length; i += 3) {

@@ -8,14 +8,14 @@ import { parseWords } from './parse-words.ts';
 import { UsageError } from './usage-error.ts';
 
 /**
- * `sample CLIP.anim --channel N --times t0,t1,…`: a channel's values. Channels count from 0, as joints
- * do: 0 to 2 are the root's translation, then three angles a joint.
+ * `sample CLIP.anim --channel N --times t0,t1,…` prints values of a channel. Channels count from 0,
+ * like joints: 0 to 2 are the root's translation, followed by three angles per joint.
  */
 export const sample: Command = {
   name: 'sample',
   usage: 'sample CLIP.anim --channel N --times t0,t1,… [--json]',
   summary:
-    "Prints the values of one of a clip's channels, which count from 0, at times in seconds.",
+    "Prints the values of one of a clip's channels, counted from 0, at the given times in seconds.",
   async run(words) {
     const { file, channel, times, json } = parseOptions(words);
     const { files, diagnostics } = readFiles([file]);
@@ -61,7 +61,7 @@ function parseOptions(words: readonly string[]) {
   return { file, channel, times, json: values.json };
 }
 
-/** `--times -1,0` would be taken for an option without its value. */
+/** Joins `--times` and its value, because `parseArgs` would take `-1,0` for another option. */
 function joinTimes(words: readonly string[]): string[] {
   const at = words.indexOf('--times');
   if (at === -1 || at + 1 >= words.length) return [...words];

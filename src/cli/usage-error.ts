@@ -1,2 +1,2 @@
-/** The command line was called wrongly: exit code 2. */
+/** The command line was used incorrectly; the exit code is 2. */
 export class UsageError extends Error {}

@@ -3,36 +3,40 @@ import { jointMatrices } from './forward-kinematics.ts';
 import { noParent, type Skeleton } from './skeleton.ts';
 
 /**
- * A bone as UT CS354's Virtual Mannequin has it: from a joint to a child of it, one for each pair, so
- * that each joint but the roots has one bone that ends at it. Its axes t, n, b are those of the rest
- * (the file's pose); t runs along it. All matrices 4 × 4, column-major, float64.
+ * A bone as defined by UT CS354's Virtual Mannequin. It goes from a joint to a child of that joint,
+ * so each joint except the roots is the end of one bone. The axes t, n, b are those of the rest
+ * pose (the file's pose), and t points along the bone. All matrices are 4 × 4, column-major,
+ * float64.
  *
- * `T₀ R₀ … Tᵢ` maps the bone's origin to the world, `T₀ R₀ … Tᵢ Rᵢ` its own space: its far end is
- * `(length, 0, 0)` there.
+ * `T₀ R₀ … Tᵢ` maps the bone's origin to the world. `T₀ R₀ … Tᵢ Rᵢ` maps the bone's own space to
+ * the world; the far end is at `(length, 0, 0)` in that space.
  */
 export interface BoneFrame {
-  /** The joint that it starts at, which turns it. */
+  /** The joint that the bone starts at; it rotates the bone. */
   readonly source: number;
-  /** The joint that it ends at. */
+  /** The joint that the bone ends at. */
   readonly destination: number;
-  /** The bone that ends at its source, or -1: index among the frames. */
+  /** Index among the frames of the bone that ends at `source`, or -1. */
   readonly parent: number;
-  /** Model units. */
+  /** In model units. */
   readonly length: number;
-  /** T: along the parent's t by the parent's length; without parent to the source, in the world. */
+  /**
+   * T: translates along the parent's t by the parent's length; without a parent, to the source in
+   * the world.
+   */
   readonly translation: mat4;
-  /** R: from the bone's axes to its parent's; without parent to the world's. */
+  /** R: maps the bone's axes to its parent's; without a parent, to the world's. */
   readonly rotation: mat4;
   /** t, n and b in the world, as its first three columns. */
   readonly axes: mat4;
-  /** The same in the frame of the source, which carries them along. */
+  /** t, n and b in the frame of the source joint. */
   readonly sourceAxes: mat4;
 }
 
-/** A link that is shorter has no direction: files put joints on one point. */
+/** A shorter link has no direction; some files have several joints at one point. */
 const shortest = 1e-8;
 
-/** All bones, in the file's order of the joints that they end at. */
+/** Returns all bones, in the file's order of the joints that they end at. */
 export function boneFrames(skeleton: Skeleton): BoneFrame[] {
   const world = jointMatrices(skeleton, skeleton.qRest);
   const destinations = [...skeleton.jointOfSource].filter(
@@ -40,7 +44,7 @@ export function boneFrames(skeleton: Skeleton): BoneFrame[] {
   );
   const boneAt = new Map(destinations.map((joint, index) => [joint, index]));
   const frames = new Array<BoneFrame>(destinations.length);
-  // A joint's parent stands before it, and so the bone that ends there is made first.
+  // A parent joint comes before its children, so the bone that ends at it already exists.
   for (let joint = 0; joint < skeleton.jointCount; joint++) {
     const index = boneAt.get(joint);
     if (index !== undefined) frames[index] = frameTo(joint);
@@ -69,10 +73,11 @@ export function boneFrames(skeleton: Skeleton): BoneFrame[] {
 }
 
 /**
- * The axes of a bone by the handout's trick: e is the unit vector of the direction's smallest component
- * (the first of equals), n = t × e made unit, b = t × n.
+ * Returns the axes of a bone by the handout's construction: e is the unit vector along the smallest
+ * component of the direction t (the first one if several are equal), n = t × e, normalized,
+ * and b = t × n.
  *
- * @param along the direction, of any length but 0
+ * @param along the direction, of any length except 0
  */
 export function tangentAxes(along: vec3): mat4 {
   const t = vec3.normalize(new Float64Array(3), along);
@@ -90,8 +95,8 @@ export function tangentAxes(along: vec3): mat4 {
 }
 
 /**
- * S of a bone, which is R in a pose: the joint that a bone starts at carries its axes along, so that all
- * bones of one joint turn together.
+ * Returns S of a bone, which is R in a pose. The joint that a bone starts at rotates the bone's
+ * axes, so all bones of one joint rotate together.
  *
  * @param characterFromJoint (jointCount × 16) of the pose
  */
@@ -110,15 +115,18 @@ function posedAxes({ source, sourceAxes }: BoneFrame, characterFromJoint: Float6
   return mat4.multiply(turn, turn, sourceAxes);
 }
 
-/** A bone where its chain puts it. */
+/** A bone as placed by its chain of transforms. */
 export interface PlacedBone {
   readonly origin: vec3;
   readonly end: vec3;
-  /** t, n and b as its first three columns. */
+  /** t, n and b in its first three columns. */
   readonly axes: mat4;
 }
 
-/** T₀ S₀ … Tᵢ Sᵢ of every bone: with R for S the rest, and with one changed all that hangs on it moves. */
+/**
+ * Computes T₀ S₀ … Tᵢ Sᵢ of every bone. With R for S this is the rest pose; changing one S moves
+ * all bones below it.
+ */
 export function placeBones(
   frames: readonly BoneFrame[],
   rotations: readonly mat4[] = frames.map(({ rotation }) => rotation),
@@ -130,7 +138,7 @@ export function placeBones(
     return { origin: placeOf(matrix, 0), end, axes: turnOf(matrix, 0) };
   });
 
-  /** From the bone's space to the world; along the chain, since a parent may stand after its child. */
+  /** From the bone's space to the world. Recursive, because a parent may come after its child. */
   function place(bone: number): mat4 {
     const pending: number[] = [];
     for (let at = bone; at !== -1 && !placed[at]; at = frames[at]!.parent) pending.push(at);
@@ -145,7 +153,7 @@ export function placeBones(
   }
 }
 
-/** From the second axes to the first, F₁ᵀ · F₂: both are rotations. */
+/** The rotation from the second axes to the first, F₁ᵀ · F₂ (both are rotations). */
 function between(first: mat4, second: mat4): Float64Array {
   const inverse = mat4.transpose(identity(), first);
   return mat4.multiply(identity(), inverse, second) as Float64Array;
@@ -155,7 +163,7 @@ function placeOf(matrices: ArrayLike<number>, index: number): vec3 {
   return Float64Array.from([12, 13, 14], (i) => matrices[index * 16 + i]!);
 }
 
-/** The rotation of a matrix without its translation. */
+/** The rotation part of a matrix, without its translation. */
 function turnOf(matrices: ArrayLike<number>, index: number): mat4 {
   const turn = identity();
   for (let i = 0; i < 12; i++) turn[i] = matrices[index * 16 + i]!;

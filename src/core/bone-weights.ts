@@ -1,21 +1,22 @@
 import type { BoneFrame } from './bone-frames.ts';
 import { noJoint, type Skin } from './skin.ts';
 
-/** A sparse (bones × points) matrix, compressed by rows: a row a bone. */
+/** A sparse (bones × points) matrix in compressed rows, one row per bone. */
 export interface BoneWeights {
   /** (boneCount + 1) */
   readonly start: Uint32Array;
-  /** (start[boneCount]) rising within a row. */
+  /** (start[boneCount]) increasing within a row. */
   readonly points: Uint32Array;
   /** (start[boneCount]) */
   readonly weights: Float64Array;
 }
 
 /**
- * The per-bone weights of UT CS354's handout, out of the weights by joint that files have. A joint's
- * weight is shared equally among the bones that start at it, which it turns; that of a joint without
- * child goes to the bone that ends at it, so that none is lost. A joint alone has no bone, and its
- * weight none. For looking at: skinning stays by joint.
+ * Computes the weights by bone that UT CS354's handout asks for from the file's weights by joint. A
+ * joint's weight is divided equally among the bones that start at the joint, which are the bones
+ * that it rotates. The weight of a joint without a child goes to the bone that ends at it, so that
+ * no weight is lost. A joint with neither parent nor child has no bone, so its weight is dropped.
+ * The result is only for inspection; skinning uses the weights by joint.
  */
 export function boneWeights(frames: readonly BoneFrame[], skin: Skin): BoneWeights {
   const outgoing = new Map<number, number[]>();

@@ -4,21 +4,23 @@ import { noParent, type Skeleton } from './skeleton.ts';
 import { noJoint, type Skin } from './skin.ts';
 
 /**
- * A bone starts at its joint, which turns it, and ends at a child joint or, where a joint has no
+ * A bone starts at the joint that rotates it. It ends at a child joint or, if the joint has no
  * child, at a derived tip, so that forearms, head and feet have a bone too.
  */
 export interface Bone {
   readonly joint: number;
-  /** The child joint at its end, or -1 where the end is a derived tip. */
+  /** The child joint at its end, or -1 if the end is a derived tip. */
   readonly child: number;
-  /** From the joint to the bone's end, in the joint's frame at rest, model units. */
+  /** From the joint to the bone's end, in the joint's frame at rest, in model units. */
   readonly vector: readonly [number, number, number];
 }
 
-/** Shorter links have no direction: files put several joints on one point (all the MIT models do). */
+/**
+ * A shorter link has no direction; files put several joints at one point (all the MIT models do).
+ */
 const shortest = 1e-8;
 
-/** All bones with a length, in order of their joints. */
+/** Returns all bones that have a length, in the order of their joints. */
 export function deriveBones(skeleton: Skeleton, skin: Skin, mesh: Mesh): Bone[] {
   const bones: Bone[] = [];
   const isLeaf = new Array<boolean>(skeleton.jointCount).fill(true);
@@ -43,7 +45,7 @@ function offsetOf(skeleton: Skeleton, joint: number): vec3 {
   return skeleton.restOffsets.slice(joint * 3, joint * 3 + 3);
 }
 
-/** Without skin, a leaf goes on for 0.6 of its parent's length, in the parent's direction. */
+/** Without a skin, a leaf's bone has 0.6 of its parent's length and the parent's direction. */
 function extendedTip(skeleton: Skeleton, joint: number): vec3 {
   if (skeleton.parents[joint] === noParent) return [0, 0, 0];
   const offset = offsetOf(skeleton, joint);
@@ -54,8 +56,9 @@ function extendedTip(skeleton: Skeleton, joint: number): vec3 {
 }
 
 /**
- * Tips from the skin: from a leaf joint toward the centroid of the points that mostly follow it
- * (weight over a half), nine tenths of the way to the farthest of them in that direction.
+ * Derives the tips of leaf joints from the skin. A tip is in the direction of the centroid of the
+ * points that mostly follow the joint (weight over one half), at nine tenths of the distance of the
+ * farthest of those points in that direction.
  */
 function skinTips(skin: Skin, mesh: Mesh, isLeaf: readonly boolean[]): (vec3 | undefined)[] {
   const followers = followersOfLeaves(skin, mesh, isLeaf);

@@ -1,4 +1,4 @@
-/** An axis-aligned box; `min` above `max` while it holds nothing. */
+/** An axis-aligned box. While it contains nothing, `min` is greater than `max`. */
 export interface Bounds {
   readonly min: Float64Array;
   readonly max: Float64Array;
@@ -12,7 +12,7 @@ export function isEmpty(bounds: Bounds): boolean {
   return bounds.min[0]! > bounds.max[0]!;
 }
 
-/** Grows the box over `count` positions of xyz triples. */
+/** Extends the box to include `count` positions (xyz triples). */
 export function includePositions(
   bounds: Bounds,
   positions: ArrayLike<number>,
@@ -26,7 +26,7 @@ export function includePositions(
   }
 }
 
-/** The length that tolerances and display sizes refer to; 0 for an empty box. */
+/** The length that tolerances and display sizes are relative to; 0 for an empty box. */
 export function diagonal(bounds: Bounds): number {
   return isEmpty(bounds) ? 0 : Math.hypot(...extents(bounds));
 }

@@ -1,4 +1,7 @@
-/** All buffers under the typed arrays anywhere in a plain value, each once, for a transfer list. */
+/**
+ * Returns all buffers of the typed arrays anywhere in a plain value, without duplicates, as a
+ * transfer list.
+ */
 export function buffersOf(value: unknown): ArrayBuffer[] {
   const buffers = new Set<ArrayBuffer>();
   collect(value);

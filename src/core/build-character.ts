@@ -16,9 +16,9 @@ import type { Skeleton } from './skeleton.ts';
 import type { Skin } from './skin.ts';
 
 /**
- * The one builder behind all formats: checks loose parts against each other, sorts, packs, and
- * reports. A part with an error gives nothing, the others still do; there is a value as soon as
- * there is a skeleton or a mesh.
+ * Builds the characters of all formats: checks the loose parts against each other, sorts and packs
+ * them, and reports problems. A part with an error is left out and the others are kept. The result
+ * has a value if there is a skeleton or a mesh.
  */
 export function buildCharacter(
   parts: CharacterParts,
@@ -76,7 +76,10 @@ function assemble(
   };
 }
 
-/** Whether rows and points agree; a skin whose mesh or skeleton is missing waits without a word. */
+/**
+ * Whether the numbers of rows and points agree. A skin without its mesh or skeleton is not used,
+ * without a message.
+ */
 function skinFits(
   parts: SkinParts,
   mesh: MeshParts | undefined,

@@ -5,9 +5,9 @@ import type { Mesh, Submesh } from './mesh.ts';
 import { splitCorners, type SplitCorners } from './split-corners.ts';
 
 /**
- * Packs loose corners into render vertices: a point is split only where its corners differ in
- * texture coordinate or normal. Every point gets a render vertex, faces or not, so that skin rows
- * and posed files keep the file's order.
+ * Packs loose corners into render vertices. A point is split only if its corners differ in texture
+ * coordinate or normal. Every point gets a render vertex, even if no face uses it, so that skin
+ * rows and posed files keep the file's order.
  */
 export function buildMesh(parts: MeshParts): Mesh {
   const positions = parts.positions.map(flushSubnormal);
@@ -33,14 +33,14 @@ function valuesOfVertices(
   size: number,
   { cornerOf }: SplitCorners,
 ): Float32Array {
-  // A vertex without corner is a point.
+  // A render vertex without a corner is a point that no face uses.
   const chosen = cornerOf.map((corner, vertex) =>
     corner === -1 ? ofPoint[vertex]! : ofCorner[corner]!,
   );
   return gather(values, size, chosen);
 }
 
-/** The tuples of `size` at these indices, one after another. */
+/** Copies the tuples of `size` at these indices, one after another. */
 function gather(from: Float32Array, size: number, indices: ArrayLike<number>): Float32Array {
   const packed = new Float32Array(indices.length * size);
   for (let target = 0; target < indices.length; target++) {

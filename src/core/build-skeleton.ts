@@ -7,7 +7,8 @@ const effect = 'the skeleton is not used';
 
 /**
  * Checks the hierarchy, sorts the joints depth first (children in file order) and packs them.
- * Reports too many joints, parents that are not there, no root and cycles, and then returns nothing.
+ * Returns nothing, and reports why, if there are too many joints, a missing parent, no root, or a
+ * cycle.
  */
 export function buildSkeleton(
   parts: SkeletonParts,
@@ -59,7 +60,10 @@ function rootExists(joints: readonly JointParts[], log: DiagnosticLog): boolean 
   return false;
 }
 
-/** File indices of all joints that a root reaches, parents first, a subtree in one run. */
+/**
+ * File indices of all joints that can be reached from a root, parents first, each subtree
+ * contiguous.
+ */
 function depthFirstOrder(joints: readonly JointParts[]): number[] {
   const children: number[][] = joints.map(() => []);
   const roots: number[] = [];
@@ -155,7 +159,7 @@ function pack(joints: readonly JointParts[], order: readonly number[]): Skeleton
   };
 }
 
-/** Where some joints have a box and others not, those have one of no size. */
+/** If only some joints have a box, the others get an empty one. */
 function packBoxes(joints: readonly JointParts[]): Float32Array | null {
   if (joints.every(({ displayBox }) => displayBox === undefined)) return null;
   const boxes = new Float32Array(joints.length * 6);

@@ -6,14 +6,14 @@ import { linePlace, reportRows, type SkinRows } from './report-rows.ts';
 import { firstRoot, type Skeleton } from './skeleton.ts';
 import { noJoint, type Skin } from './skin.ts';
 
-/** Weights smaller than this are noise of a file; kept, they would be slow and change nothing. */
+/** Smaller weights are numerical noise of a file; they would cost time without a visible effect. */
 const smallestWeight = Math.fround(1e-6);
 const sumTolerance = 1e-3;
 
 /**
- * Packs the weights over a palette of one entry a joint, and reports rows that do not sum to one.
- * Weights stay as the file has them; a row without any follows the first root rigidly. Joints that
- * are not there are an error, and then there is no skin.
+ * Packs the weights over a palette with one entry per joint, and reports rows that do not sum to
+ * one. Weights stay as the file has them. A row without weights follows the first root rigidly. A
+ * joint that does not exist is an error, and then there is no skin.
  */
 export function buildSkin(
   parts: SkinParts,
@@ -32,7 +32,7 @@ export function buildSkin(
   };
 }
 
-/** A skin for a mesh without weights: every point stands still in the character's space. */
+/** Makes a skin for a mesh without weights: no point ever moves in the character's space. */
 export function buildStaticSkin(pointCount: number): Skin {
   return {
     paletteJoint: Uint16Array.of(noJoint),
@@ -90,7 +90,7 @@ function packRows(parts: SkinParts, skeleton: Skeleton): SkinRows {
   return { skin, zeroRows, negativeRows, unevenRows };
 }
 
-/** The file's inverse bind matrices, or the inverses of the rest pose's world matrices. */
+/** The file's inverse bind matrices, or else the inverses of the rest pose's world matrices. */
 function bindMatrices(parts: SkinParts, skeleton: Skeleton): Float64Array {
   if (parts.jointFromBind) return inOrder(parts.jointFromBind, skeleton);
   const jointFromBind = new Float64Array(skeleton.jointCount * 16);
@@ -102,7 +102,7 @@ function bindMatrices(parts: SkinParts, skeleton: Skeleton): Float64Array {
   return jointFromBind;
 }
 
-/** Matrices in file order, as the skeleton's joints stand. */
+/** Reorders matrices from file order to the skeleton's joint order. */
 function inOrder(matrices: Float64Array, { sourceIndex }: Skeleton): Float64Array {
   const sorted = new Float64Array(sourceIndex.length * 16);
   sourceIndex.forEach((source, joint) => {

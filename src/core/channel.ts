@@ -1,24 +1,24 @@
 import type { ChannelParts, Extrapolation, Tangent } from './character-parts.ts';
 
 /**
- * A curve over time through its keys: cubic Hermite spans, and a rule for the time outside of them.
- * Formulas: CSE169 project 3; a span is a·u³ + b·u² + c·u + d with u from 0 to 1.
+ * A curve over time through its keys: cubic Hermite spans, with rules for times outside the keys.
+ * The formulas are from CSE169, project 3; a span is a·u³ + b·u² + c·u + d with u from 0 to 1.
  */
 export interface Channel {
   readonly before: Extrapolation;
   readonly after: Extrapolation;
-  /** (keyCount) seconds, rising. */
+  /** (keyCount) seconds, increasing. */
   readonly times: Float64Array;
   /** (keyCount) */
   readonly values: Float64Array;
-  /** (keyCount) slope on either side of each key, value per second. */
+  /** (keyCount) slopes before and after each key, in value per second. */
   readonly slopesIn: Float64Array;
   readonly slopesOut: Float64Array;
   /** (max(0, keyCount - 1) × 4) a b c d of each span. */
   readonly cubics: Float64Array;
 }
 
-/** @param parts keys at rising times */
+/** @param parts keys at increasing times */
 export function compileChannel(parts: ChannelParts): Channel {
   const { keys, before, after } = parts;
   const times = Float64Array.from(keys, ({ time }) => time);
@@ -26,7 +26,7 @@ export function compileChannel(parts: ChannelParts): Channel {
   const slope = (from: number, to: number): number =>
     from === to ? 0 : (values[to]! - values[from]!) / (times[to]! - times[from]!);
   const last = keys.length - 1;
-  // At an end there is one neighbor only; both rules then mean the only span.
+  // The first and the last key have only one neighbor, so both rules use the only span.
   const slopeAt = (key: number, tangent: Tangent, linearFrom: number): number => {
     if (tangent === 'flat') return 0;
     if (tangent === 'smooth' && key > 0 && key < last) return slope(key - 1, key + 1);
@@ -48,7 +48,7 @@ export function compileChannel(parts: ChannelParts): Channel {
   return { before, after, times, values, slopesIn, slopesOut, cubics };
 }
 
-/** The curve's value at a time in seconds: 0 without keys, a constant with one. */
+/** The curve's value at a time in seconds: 0 without keys, constant with one key. */
 export function evaluateChannel(channel: Channel, time: number): number {
   const { times, values } = channel;
   const last = times.length - 1;
@@ -80,7 +80,10 @@ function extrapolate(
   return rule === 'cycle_offset' ? value + cycle * (values[last]! - values[0]!) : value;
 }
 
-/** The value at a time between the first key and the last, which both are exactly what they say. */
+/**
+ * The value at a time between the first and the last key; at both keys it is exactly the key's
+ * value.
+ */
 function insideValue({ times, values, cubics }: Channel, time: number): number {
   const last = times.length - 1;
   if (time >= times[last]!) return values[last]!;

@@ -4,8 +4,9 @@ import type { DofKind } from './skeleton.ts';
 import type { NormalsId } from './skin.ts';
 
 /**
- * Loose parts, pleasant for a reader to fill. A reader never makes a `Character`: one builder
- * checks, sorts and packs these, so that a new format cannot break an invariant further down.
+ * The loose parts of a character, in a form that is easy for a reader to fill. A reader never makes
+ * a `Character`: one builder checks, sorts and packs the parts, so that a new format cannot break
+ * the invariants of a character.
  */
 export interface CharacterParts {
   readonly name: string;
@@ -14,18 +15,18 @@ export interface CharacterParts {
   readonly skin?: SkinParts;
   readonly morphs?: readonly MorphParts[];
   readonly clips?: readonly ClipParts[];
-  /** Kinds of file that the format has and that were not there, for the user: ".attach". */
+  /** Kinds of file that the format has but that were missing, for the user: ".attach". */
   readonly missing: readonly string[];
-  /** Of the files' own coordinates; right-handed where absent. */
+  /** The handedness of the files' own coordinates; right-handed if absent. */
   readonly fileSpace?: FileSpace;
-  /** Names of images that go with the files and may stay away; none where absent. */
+  /** Names of images that belong to the files but are not needed; none if absent. */
   readonly optionalImages?: readonly string[];
   readonly extra?: CharacterExtra;
 }
 
 /**
- * Sinew is right-handed. What a left-handed file has was mirrored when it was read, z negated and
- * triangles turned round; writers undo it.
+ * Sinew is right-handed. A reader mirrors the data of a left-handed file by negating z and
+ * reversing the triangles, and writers undo it.
  */
 export type FileSpace = 'right-handed' | 'left-handed';
 
@@ -36,101 +37,111 @@ export interface SkeletonParts {
 }
 
 export interface JointParts {
-  /** Unique display name; where the format is nameless its reader makes one. */
+  /** A unique display name; if the format has no names, its reader makes one. */
   readonly name: string;
   readonly fileName?: string;
-  /** Of its parent in the file, for messages. */
+  /** Where the file names the joint's parent, for messages. */
   readonly place?: Place;
   /** File index of the parent; -1 for a root. */
   readonly parent: number;
   /** In the parent's frame, model units. */
   readonly restOffset: readonly [number, number, number];
-  /** Unit quaternion xyzw; identity where absent. */
+  /** Unit quaternion xyzw; identity if absent. */
   readonly restRotation?: readonly [number, number, number, number];
-  /** In order of application: the first is outermost. */
+  /** In order of application; the first is the outermost. */
   readonly dofs: readonly DofParts[];
-  /** Corners of the box that stands for the joint: min x y z, max x y z, joint frame. */
+  /** The box that is drawn for the joint: min x y z, max x y z, in the joint's frame. */
   readonly displayBox?: readonly number[];
 }
 
 export interface DofParts {
   readonly kind: DofKind;
-  /** Unit, joint frame; unused by a ball. */
+  /** Unit vector in the joint's frame; not used by a ball. */
   readonly axis: readonly [number, number, number];
-  /** One value, or four of a ball; zero (the identity) where absent. */
+  /** One value, or four for a ball; zero (the identity) if absent. */
   readonly rest?: readonly number[];
-  /** Radians or model units; unlimited where absent. */
+  /** In radians or model units; unlimited if absent. */
   readonly limits?: readonly [number, number];
 }
 
-/** A corner of a triangle names a point, and perhaps a texture coordinate and a normal. */
+/**
+ * A corner of a triangle refers to a point, and optionally to a texture coordinate and a normal.
+ */
 export interface MeshParts {
   readonly file: string;
   /** (pointCount × 3) file order, model units. */
   readonly positions: Float32Array;
-  /** (triangleCount × 3) index into `positions`. */
+  /** (triangleCount × 3) indices into `positions`. */
   readonly cornerPoints: Uint32Array;
-  /** (n × 2), with `cornerUvs` (triangleCount × 3) into it; -1 where a corner has none. */
+  /** (n × 2); `cornerUvs` (triangleCount × 3) are indices into it, -1 for a corner without one. */
   readonly uvs?: Float32Array;
   readonly cornerUvs?: Int32Array;
-  /** (n × 3), with `cornerNormals` (triangleCount × 3) into it; -1 where a corner has none. */
+  /**
+   * (n × 3); `cornerNormals` (triangleCount × 3) are indices into it, -1 for a corner without one.
+   */
   readonly normals?: Float32Array;
   readonly cornerNormals?: Int32Array;
   readonly materials?: readonly MaterialParts[];
-  /** Runs of triangles of one material, in order; the whole mesh where absent. */
+  /** Runs of triangles with one material, in order; the whole mesh is one run if absent. */
   readonly submeshes?: readonly { readonly material: string; readonly firstTriangle: number }[];
 }
 
-/** Weights in compressed sparse rows, a row a point; joints by file index. */
+/** Weights in compressed sparse rows, one row per point; joints are given by their file index. */
 export interface SkinParts {
   readonly file: string;
   /** (pointCount + 1) */
   readonly start: Uint32Array;
-  /** (pointCount) one-based line of each row in the file, for messages; absent where it has none. */
+  /**
+   * (pointCount) one-based line of each row in the file, for messages; absent if the file has no
+   * lines.
+   */
   readonly lines?: Uint32Array;
   /** (start[pointCount]) file index of the joint. */
   readonly joints: Uint16Array;
   /** (start[pointCount]) as the file has them. */
   readonly weights: Float32Array;
-  /** (jointCount × 16) file order, column-major; the inverse of the rest pose where absent. */
+  /** (jointCount × 16) in file order, column-major; the inverse of the rest pose if absent. */
   readonly jointFromBind?: Float64Array;
-  /** (jointCount × 16) their inverses, where it is these that the file has: for writers. */
+  /** (jointCount × 16) the inverses of `jointFromBind`, if the file stores these; for writers. */
   readonly bindFromJoint?: Float64Array;
-  /** How the format's own programs turn normals; 'blended' where absent. */
+  /** How the format's own programs transform normals; 'blended' if absent. */
   readonly normals?: NormalsId;
 }
 
 export interface MaterialParts {
   readonly name: string;
-  /** Name of an image file, as the file has it. */
+  /** The name of an image file, as the file has it. */
   readonly texture?: string;
-  /** Absent where the file has none. */
+  /** Absent if the file has none. */
   readonly colors?: MaterialColors;
-  /** An image that the normal looks up, added to the color or multiplied with it. */
+  /** An image that is looked up by the normal, and added to the color or multiplied with it. */
   readonly sphere?: { readonly texture: string; readonly blend: 'add' | 'multiply' };
-  /** Index of the ramp that shades it, or -1 for none. */
+  /** Index of the toon ramp that shades it, or -1 for none. */
   readonly toon?: number;
   /** Whether an outline is drawn. */
   readonly hasEdge?: boolean;
-  /** Whether the inner sides are shown too; they are where absent. */
+  /** Whether the inner sides are visible too; true if absent. */
   readonly twoSided?: boolean;
 }
 
 export type Color = readonly [number, number, number];
 
-/** As the file has them, 0 to 1 as a rule, in the file's (sRGB) encoding. */
+/** Colors as the file has them, usually 0 to 1, in the file's (sRGB) encoding. */
 export interface MaterialColors {
   readonly diffuse: Color;
   readonly alpha: number;
   readonly specular: Color;
-  /** Exponent of the highlight. */
+  /** Exponent of the specular highlight. */
   readonly shininess: number;
   readonly ambient: Color;
-  /** What the surface shows in full light, by the rule of the format's own program; it may pass 1. */
+  /**
+   * The color of the surface in full light, by the rule of the format's own program; it may exceed
+   * 1.
+   */
   readonly shown: Color;
 }
 
-/** A shape that is added, by a weight, to the mesh at rest: offsets of some of its points. */
+/** A morph target: weighted offsets that are added to some points of the mesh at rest. */
 export interface MorphParts {
   readonly file: string;
   readonly name: string;
@@ -138,7 +149,7 @@ export interface MorphParts {
   readonly points: Uint32Array;
   /** (n × 3) target − base, model units. */
   readonly offsets: Float32Array;
-  /** (m), and (m × 3) offsets of their normals; empty where the file has none. */
+  /** (m), and (m × 3) offsets of the normals of these points; empty if the file has none. */
   readonly normalPoints: Uint32Array;
   readonly normalOffsets: Float32Array;
 }
@@ -147,22 +158,22 @@ export interface MorphParts {
 export interface ClipParts {
   readonly file: string;
   readonly name: string;
-  /** Seconds; the range that is played, whatever the keys' times. */
+  /** The range that is played, in seconds, independent of the keys' times. */
   readonly start: number;
   readonly end: number;
   readonly channels: readonly ChannelParts[];
 }
 
-/** What a curve does outside its keys. */
+/** How a curve continues outside its keys. */
 export type Extrapolation = 'constant' | 'linear' | 'cycle' | 'cycle_offset' | 'bounce';
 
-/** The slope at a key: by rule, or as it is. */
+/** The slope at a key: a rule, or a number. */
 export type Tangent = 'flat' | 'linear' | 'smooth' | number;
 
 export interface ChannelParts {
-  /** What it moves, or null where the skeleton has no such thing. */
+  /** The value that the curve moves, or null if the skeleton does not have it. */
   readonly target: {
-    /** File index. */
+    /** File index of the joint. */
     readonly joint: number;
     readonly kind: DofKind;
     readonly axis: 0 | 1 | 2;
@@ -173,7 +184,7 @@ export interface ChannelParts {
 }
 
 export interface KeyParts {
-  /** Seconds. */
+  /** In seconds. */
   readonly time: number;
   readonly value: number;
   readonly tangentIn: Tangent;

@@ -6,53 +6,56 @@ import type { Morph } from './morph.ts';
 import type { Skeleton } from './skeleton.ts';
 import type { Skin } from './skin.ts';
 
-/** An image as it was read; whoever draws decodes it. */
+/** An image file as it was read; the view decodes it. */
 export interface CharacterImage {
-  /** The plain path of what the material names, as it can stand in an archive. */
+  /** The path that the material names, made plain so that it can be used in an archive. */
   readonly name: string;
-  /** What materials say for it, as their file has it. */
+  /** The texture names by which materials refer to this image, as their file has them. */
   readonly textures: readonly string[];
   readonly bytes: Uint8Array;
 }
 
 /**
- * A character, checked and packed by `buildCharacter`; it never changes. A part that was not in the
- * files is empty (no joints, no points), so nothing further down asks whether it is there.
+ * A character that `buildCharacter` has checked and packed; it never changes. A part that was
+ * missing from the files is empty (no joints, no points), so later code does not need to check for
+ * it.
  */
 export interface Character {
   readonly name: string;
   readonly skeleton: Skeleton;
   readonly mesh: Mesh;
   readonly skin: Skin;
-  /** Shapes that are added to the mesh before it is skinned. */
+  /** Morph targets, which are added to the mesh before skinning. */
   readonly morphs: readonly Morph[];
-  /** As read; an actor has its own. */
+  /** Clips as read from the files; an actor has a list of its own. */
   readonly clips: readonly ClipParts[];
-  /** By the name that submeshes have. */
+  /** Materials; submeshes refer to them by name. */
   readonly materials: readonly MaterialParts[];
-  /** The image files that materials name, as far as they were there. */
+  /** The image files that materials name, if they were found. */
   readonly images: readonly CharacterImage[];
   readonly bones: readonly Bone[];
-  /** Of mesh and joints at the file's pose, character space. */
+  /** Bounds of the mesh and the joints in the file's pose, in the character's space. */
   readonly bounds: Bounds;
-  /** What was not there, for the user: kinds of file (".attach") and images ("head.bmp"). */
+  /** What was missing, for the user: kinds of file (".attach") and images ("head.bmp"). */
   readonly missing: readonly string[];
   readonly meta: CharacterMeta;
-  /** Names of images that go with the files and may stay away: nothing that is shown needs them. */
+  /**
+   * Names of images that belong to the files but that nothing shown needs, so they may be missing.
+   */
   readonly optionalImages: readonly string[];
   readonly extra?: CharacterExtra;
 }
 
 /**
- * What a file has beyond the parts that all formats share. The format's own folder types it and knows
- * it again; everyone else hands it on.
+ * Data of a file beyond the parts that all formats share. Only the format's own folder knows its
+ * type; all other code passes it on.
  */
 export interface CharacterExtra {
-  /** What it holds, in words, for whoever leaves it out and says so. */
+  /** A short description for the message that says it was left out. */
   readonly summary: string;
 }
 
-/** About the files that a character came from, for writers; nothing further down asks for it. */
+/** Facts about the files that a character came from, for writers; other code does not read them. */
 export interface CharacterMeta {
   readonly fileSpace: FileSpace;
 }

@@ -3,21 +3,24 @@ import type { ChannelParts, ClipParts } from './character-parts.ts';
 import { axisDofs } from './pose.ts';
 import type { Skeleton } from './skeleton.ts';
 
-/** An animation, compiled for one skeleton: curves for some of the values in q. It never changes. */
+/** An animation compiled for one skeleton: curves for some of the values in q. It never changes. */
 export interface Clip {
   readonly name: string;
-  /** Seconds; the range that is played. */
+  /** The range that is played, in seconds. */
   readonly start: number;
   readonly end: number;
   readonly channels: readonly Channel[];
-  /** (channelCount) its place in q; -1 where it moves nothing that the skeleton has. */
+  /** (channelCount) index in q; -1 if the skeleton has no such value. */
   readonly targets: Int32Array;
-  /** (channelCount) limits of that value. */
+  /** (channelCount) limits of that value of q. */
   readonly minimum: Float64Array;
   readonly maximum: Float64Array;
 }
 
-/** A clip compiled for a skeleton: at its first use, and kept while both are. */
+/**
+ * Returns the clip compiled for a skeleton. It is compiled on first use and cached while both
+ * exist.
+ */
 export function clipFor(parts: ClipParts, skeleton: Skeleton): Clip {
   let clips = compiled.get(skeleton);
   if (!clips) compiled.set(skeleton, (clips = new WeakMap<ClipParts, Clip>()));
@@ -28,7 +31,7 @@ export function clipFor(parts: ClipParts, skeleton: Skeleton): Clip {
 
 const compiled = new WeakMap<Skeleton, WeakMap<ClipParts, Clip>>();
 
-/** Slopes and cubics are computed once, here; playing allocates nothing. */
+/** Slopes and cubics are computed once, here, so that playing allocates nothing. */
 function compileClip(parts: ClipParts, skeleton: Skeleton): Clip {
   const targets = Int32Array.from(parts.channels, (channel) => targetOf(channel, skeleton));
   const limit = (limits: Float64Array, unlimited: number): Float64Array =>
@@ -54,9 +57,10 @@ function targetOf({ target }: ChannelParts, skeleton: Skeleton): number {
 }
 
 /**
- * Writes the clip's values at a time into q, within the joints' limits; other values of q stay.
+ * Writes the clip's values at a time into q, clamped to the joints' limits. Other values of q do
+ * not change.
  *
- * @param time seconds; outside of the keys each channel goes on by its own extrapolation
+ * @param time in seconds; outside its keys each channel continues by its own extrapolation
  * @param q (qCount) of the skeleton that the clip was compiled for
  */
 export function evaluateClip(clip: Clip, time: number, q: Float64Array): void {

@@ -2,7 +2,10 @@ import type { DiagnosticLog } from './diagnostics.ts';
 import { jointMatrices } from './forward-kinematics.ts';
 import type { Skeleton } from './skeleton.ts';
 
-/** Says so where all joints stand on one point at the file's pose: they are no figure to turn. */
+/**
+ * Reports if all joints are at one point in the file's pose, because such a skeleton can't be posed
+ * sensibly.
+ */
 export function reportCoincidentJoints(skeleton: Skeleton, log: DiagnosticLog): void {
   if (skeleton.jointCount < 2) return;
   const characterFromJoint = jointMatrices(skeleton, skeleton.qRest);

@@ -3,17 +3,17 @@ import { firstEqualFloats } from './equal-tuples.ts';
 import { flushSubnormal } from './float32.ts';
 import { computeVertexNormals } from './vertex-normals.ts';
 
-/** Texture coordinates or normals, and which of them a corner has: equal values by one index. */
+/** Texture coordinates or normals, with an index for each corner; equal values share one index. */
 export interface CornerValues {
   /** (n × size) */
   readonly values: Float32Array;
   /** (cornerCount) */
   readonly ofCorner: Int32Array;
-  /** (pointCount) for points that are no corner. */
+  /** (pointCount) values of points that no corner uses. */
   readonly ofPoint: Int32Array;
 }
 
-/** A corner without texture coordinate has (0, 0). */
+/** A corner without a texture coordinate gets (0, 0). */
 export function cornerUvs(parts: MeshParts): CornerValues | undefined {
   const { positions, uvs, cornerUvs: corners } = parts;
   if (!uvs || !corners) return undefined;
@@ -29,8 +29,8 @@ export function cornerUvs(parts: MeshParts): CornerValues | undefined {
 }
 
 /**
- * The file's normals made unit; where a corner has none, or one without length, its point's, which
- * is computed from the faces.
+ * The file's normals, normalized. A corner without a normal, or with one of length zero, gets its
+ * point's normal, which is computed from the faces.
  */
 export function cornerNormals(parts: MeshParts, positions: Float32Array): CornerValues {
   const { cornerPoints, normals, cornerNormals: corners } = parts;
@@ -57,7 +57,10 @@ export function cornerNormals(parts: MeshParts, positions: Float32Array): Corner
   };
 }
 
-/** Copies a normal made unit, bit by bit if it is already; false where it has no length. */
+/**
+ * Copies a normal and normalizes it; a unit normal keeps its exact bits. Returns false if it has no
+ * length.
+ */
 function copyUnit(from: Float32Array, to: Float32Array, index: number): boolean {
   const normal = from.subarray(index * 3, index * 3 + 3);
   const length = Math.hypot(normal[0]!, normal[1]!, normal[2]!);

@@ -1,6 +1,6 @@
 /**
- * What a reader says about a bad file: a value with place, found, expected and effect, never an
- * exception. Codes are closed, so that a test and a translation can name them.
+ * A reader reports a problem of a file as a value with place, found, expected and effect, never as
+ * an exception. The set of codes is closed, so that tests and translations can refer to them.
  */
 export type Severity = 'error' | 'warning';
 
@@ -21,73 +21,73 @@ export type DiagnosticArea =
   | 'image';
 
 export type DiagnosticKind =
-  | 'archive' // a zip that can't be unpacked, or lies within another
-  | 'binary' // text expected, other bytes found
+  | 'archive' // a zip that can't be unpacked, or one within another
+  | 'binary' // text was expected, other bytes were found
   | 'box' // corners in the wrong order
-  | 'case' // a word in other letters than the format's
-  | 'coincident' // joints that stand on one point
-  | 'continuation' // a line to be continued by one that is not there
-  | 'character' // looks like a blank or a minus sign, and is none
-  | 'count' // two numbers of things that must agree
+  | 'case' // a keyword in other letter case than the format's
+  | 'coincident' // joints at the same point
+  | 'continuation' // a line that ends in a continuation, without a next line
+  | 'character' // looks like a blank or a minus sign, but is another character
+  | 'count' // two counts that should agree
   | 'cycle' // joints that are their own ancestors
   | 'degrees' // angles that look like degrees
-  | 'depth' // nested deeper than Sinew takes
+  | 'depth' // nested more deeply than Sinew accepts
   | 'duplicate' // given twice
   | 'degenerate' // triangles without area
-  | 'empty' // nothing of what the file is for
+  | 'empty' // none of the content that the file is for
   | 'encoding' // not UTF-8
   | 'end' // the file ends within something
-  | 'face' // a face that is none
+  | 'face' // an invalid face
   | 'field-count' // too few or too many values on a line
   | 'html' // a web page in place of the file
   | 'ignored' // read and left out on purpose
-  | 'index' // refers to something that is not there
-  | 'integer' // a whole number expected
-  | 'json' // not JSON, or not of the shape
-  | 'limit' // larger than Sinew takes
-  | 'limits' // of a joint, in the wrong order
-  | 'lost' // has no place in the format that is written
+  | 'index' // refers to something that does not exist
+  | 'integer' // a whole number was expected
+  | 'json' // not JSON, or not of the expected shape
+  | 'limit' // larger than Sinew accepts
+  | 'limits' // limits of a joint, in the wrong order
+  | 'lost' // can't be stored in the format that is written
   | 'magic' // a file of another kind, by its first bytes
-  | 'matrix' // not of the shape
-  | 'mirrored' // turns a right hand into a left one
-  | 'missing' // a part of the character is not there
-  | 'more' // further diagnostics left out
-  | 'name' // none, or one that others have
-  | 'normal' // none, or without a length
-  | 'number' // a number expected
-  | 'order' // times that do not rise
-  | 'pairing' // files joined by guess
-  | 'parent' // a parent that is no joint
-  | 'pointer' // stands for a file that is elsewhere
-  | 'range' // a number past what can be computed with, or past a joint's limits
+  | 'matrix' // a matrix of the wrong shape
+  | 'mirrored' // a matrix that changes the handedness
+  | 'missing' // a part of the character is missing
+  | 'more' // further diagnostics were left out
+  | 'name' // no name, or one that others have
+  | 'normal' // no normal, or one of length zero
+  | 'number' // a number was expected
+  | 'order' // times that do not increase
+  | 'pairing' // files that were matched by a guess
+  | 'parent' // a parent that does not exist
+  | 'pointer' // a placeholder for a file that is stored elsewhere
+  | 'range' // a number beyond what can be computed with, or beyond a joint's limits
   | 'rich-text' // written by a word processor
   | 'root' // no root, several, or not the first
-  | 'section' // a part of the file that is not there
-  | 'singular' // without an inverse
-  | 'token' // another word expected
-  | 'trailing' // after the end of what the file is for
+  | 'section' // a part of the file is missing
+  | 'singular' // a matrix without an inverse
+  | 'token' // another word was expected
+  | 'trailing' // content after the end of the data
   | 'truncated' // fewer bytes than the file has
-  | 'unknown' // nothing here reads it
+  | 'unknown' // no reader knows the file
   | 'unknown-joint' // a joint name that no joint has, or that several have
-  | 'unreadable' // there, but the browser does not hand it out
-  | 'unwritable' // a place where no file can be put
+  | 'unreadable' // the file exists, but the browser can't read it
+  | 'unwritable' // no file can be written there
   | 'uv' // texture coordinates that do not fit
-  | 'version' // of the format, one that Sinew does not know
+  | 'version' // a version of the format that Sinew does not know
   | 'weight-negative'
   | 'weight-sum'
   | 'weight-zero';
 
-/** Where in a file; nothing of it where the whole file is meant. */
+/** A position in a file; without any field, the whole file is meant. */
 export interface Place {
   /** One-based. */
   readonly line?: number;
-  /** One-based, in bytes of the line; absent where the whole line is meant. */
+  /** One-based, in bytes of the line; absent if the whole line is meant. */
   readonly column?: number;
-  /** Of a binary file: bytes before the place. */
+  /** For a binary file: the number of bytes before the position. */
   readonly offset?: number;
   /** The line itself, shortened, for the Problems panel. */
   readonly source?: string;
-  /** Of JSON: which of its values, as `joints."Left elbow"[1]`. */
+  /** For JSON: the path of the value, such as `joints."Left elbow"[1]`. */
   readonly path?: string;
 }
 
@@ -97,11 +97,11 @@ export interface Diagnostic extends Place {
   readonly file: string;
   readonly expected: string;
   readonly found: string;
-  /** What became of it, for the user: "the file is not used", "kept as it is". */
+  /** The consequence, for the user: "the file is not used", "kept as it is". */
   readonly effect: string;
 }
 
-/** The outcome of reading: a value, if one could be had, and everything worth saying about it. */
+/** The outcome of reading: a value, if possible, and the problems that were found. */
 export interface Parsed<T> {
   readonly value?: T;
   readonly diagnostics: readonly Diagnostic[];
@@ -110,15 +110,18 @@ export interface Parsed<T> {
 const maximumFound = 40;
 const maximumPerFile = 100;
 
-/** Control and format characters (bidi overrides among them) must not act on the page or terminal. */
+/**
+ * Replaces control and format characters (including bidi overrides), which must not affect the page
+ * or the terminal.
+ */
 export function printable(text: string, maximum = maximumFound): string {
   const safe = text.replace(/[\p{Cc}\p{Cf}\p{Zl}\p{Zp}]/gu, '\uFFFD');
-  // By characters, so that none is cut in two; at most two code units each.
+  // Counts characters, so that none is cut in two; each has at most two code units.
   const characters = Array.from(safe.slice(0, (maximum + 1) * 2));
   return characters.length > maximum ? `${characters.slice(0, maximum).join('')}…` : safe;
 }
 
-/** `FILE:LINE:COL`, of JSON `FILE:LINE:COL (PATH)`, of a binary file `FILE @ byte N (0xN)`. */
+/** `FILE:LINE:COL`; for JSON `FILE:LINE:COL (PATH)`; for a binary file `FILE @ byte N (0xN)`. */
 export function formatPlace(diagnostic: Diagnostic, maximum = 200): string {
   const { file, line, column, offset, path } = diagnostic;
   const name = printable(file, maximum);
@@ -130,7 +133,7 @@ export function formatPlace(diagnostic: Diagnostic, maximum = 200): string {
 /** `PLACE: expected EXPECTED, found "FOUND"`, the form of every message. */
 export function formatDiagnostic(diagnostic: Diagnostic): string {
   const { expected, found } = diagnostic;
-  // What was expected may name a joint or a file.
+  // The expected text may contain the name of a joint or a file.
   return `${formatPlace(diagnostic)}: expected ${printable(expected, 200)}, found "${printable(found)}"`;
 }
 
@@ -140,7 +143,10 @@ export function hasErrors(diagnostics: readonly Diagnostic[]): boolean {
 
 export type DiagnosticDetails = Omit<Diagnostic, 'severity' | 'file'>;
 
-/** Collects the diagnostics of one file; past a hundred it only counts, so that none can flood. */
+/**
+ * Collects the diagnostics of one file. After a hundred it only counts, so that a file can't flood
+ * the list.
+ */
 export class DiagnosticLog {
   private readonly listed: Diagnostic[] = [];
   private omitted = 0;
@@ -156,7 +162,7 @@ export class DiagnosticLog {
     this.add({ severity: 'error', file: this.file, ...details });
   }
 
-  /** An error that costs a part of the file alone: the rest is a value still. */
+  /** Reports an error that affects only a part of the file; the rest still gives a value. */
   errorOfPart(details: DiagnosticDetails): void {
     this.add({ severity: 'error', file: this.file, ...details });
   }
@@ -182,13 +188,15 @@ export class DiagnosticLog {
     return [...this.listed, more];
   }
 
-  /** The outcome: a file with an error gives nothing. */
+  /** Returns the outcome: a file with an error has no value. */
   finish<T>(value: T | undefined): Parsed<T> {
     const { diagnostics } = this;
     return value === undefined || this.failed ? { diagnostics } : { value, diagnostics };
   }
 
-  /** An error takes the place of the last warning, so that warnings can't hide it. */
+  /**
+   * When the list is full, an error replaces the last warning, so that warnings can't hide errors.
+   */
   private add(diagnostic: Diagnostic): void {
     if (this.listed.length >= maximumPerFile) {
       this.omitted++;

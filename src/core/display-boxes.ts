@@ -3,7 +3,7 @@ import { vec3 } from 'gl-matrix';
 import type { Skeleton } from './skeleton.ts';
 
 /**
- * The corners of all joints' display boxes as posed, character space.
+ * Computes the corners of all joints' display boxes in a pose, in the character's space.
  *
  * @param characterFromJoint (jointCount × 16)
  * @returns (jointCount × 8 × 3); empty without boxes

@@ -1,6 +1,6 @@
 /**
- * For each tuple of `size` integers, the index of the first tuple that equals it. By hashing with
- * open addressing, so that the time does not grow with how many tuples share a part.
+ * For each tuple of `size` integers, returns the index of the first tuple that equals it. It hashes
+ * with open addressing, so the time does not depend on how many tuples have elements in common.
  */
 export function firstEqualTuples(values: Int32Array, size: number): Int32Array {
   const count = values.length / size;
@@ -15,7 +15,7 @@ export function firstEqualTuples(values: Int32Array, size: number): Int32Array {
   }
   return first;
 
-  /** FNV-1a over the integers, then mixed once more, since tables use the low bits. */
+  /** FNV-1a over the integers, with a final mix because the table uses the low bits. */
   function hash(tuple: number): number {
     let state = 0x811c9dc5;
     for (let i = 0; i < size; i++) {
@@ -34,7 +34,7 @@ export function firstEqualTuples(values: Int32Array, size: number): Int32Array {
   }
 }
 
-/** The same for floats, which are equal where `===` says so; none may be NaN. */
+/** Does the same for floats, compared with `===`; none may be NaN. */
 export function firstEqualFloats(values: Float32Array, size: number): Int32Array {
   const withoutMinusZero = values.map((value) => value + 0);
   return firstEqualTuples(new Int32Array(withoutMinusZero.buffer), size);

@@ -1,13 +1,20 @@
-/** Order of the product: 'xyz' is Rx · Ry · Rz (z turns first), 'zyx' is Rz · Ry · Rx (x first). */
+/**
+ * Order of the product: 'xyz' is Rx · Ry · Rz (z is applied first), 'zyx' is Rz · Ry · Rx (x
+ * first).
+ */
 export type EulerProduct = 'xyz' | 'zyx';
 
-/** Below this cosine of y, x and z turn about one axis: z is kept, and x takes the rest. */
+/**
+ * If the cosine of y is smaller, x and z rotate about the same axis: z is kept, and x takes the
+ * rest.
+ */
 const gimbal = 1e-6;
 const turn = 2 * Math.PI;
 
 /**
- * The angles x, y, z of a rotation, of the two triples that give it the one nearest to `near`, each
- * angle up to whole turns. (Shoemake 1994, "Euler angle conversion", Graphics Gems IV.)
+ * Returns the angles x, y, z of a rotation. Two triples give the same rotation, each angle up to
+ * full turns; the one nearest to `near` is returned. (Shoemake 1994, "Euler angle conversion",
+ * Graphics Gems IV.)
  *
  * @param rotation column-major 4 × 4, or its first eleven elements
  */
@@ -36,7 +43,7 @@ export function extractEuler(
   return nearer([Math.atan2(-r(1, 2), r(2, 2)), y, Math.atan2(-r(0, 1), r(0, 0))], near);
 }
 
-/** (x, y, z) and (x + π, π − y, z + π) are one rotation. */
+/** Chooses between (x, y, z) and (x + π, π − y, z + π), which are the same rotation. */
 function nearer(
   [x, y, z]: readonly [number, number, number],
   near: readonly number[],
@@ -50,7 +57,7 @@ function nearer(
   return second.distance < first.distance ? second.triple : first.triple;
 }
 
-/** The angle, up to whole turns, nearest to another. */
+/** The angle, up to full turns, that is nearest to another. */
 function nearest(angle: number, to: number): number {
   return angle - turn * Math.round((angle - to) / turn);
 }

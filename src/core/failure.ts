@@ -1,12 +1,12 @@
 /**
- * Something outside of Sinew failed: the message is for the user. Whatever else is thrown is a fault of
- * Sinew itself.
+ * A failure outside Sinew; its message is for the user. Any other thrown error is a fault of Sinew
+ * itself.
  */
 export class Failure extends Error {}
 
 /**
- * A part of the program that is loaded at need. One that can't be had is a failure: after a new version
- * was put on the server, a page that is still open asks for parts that are gone.
+ * Loads a module of the program on demand. If it can't be loaded, that is a `Failure`: after a
+ * deployment, a page that is still open requests modules that no longer exist.
  */
 export async function loadPart<Part>(part: Promise<Part>): Promise<Part> {
   try {

@@ -5,9 +5,9 @@ import { DofKind, type Skeleton } from './skeleton.ts';
 /**
  * Writes the matrix from every joint's frame to the character's space, for the values q.
  *
- * `characterFromJoint[j] = characterFromJoint[parent] · T(offset) · R(rest) · D1 · … · Dk` (6.837 handout,
- * part 3; DESIGN of the degrees of freedom after MuJoCo's `qpos`). One walk over the depth-first
- * joints with the matrix stack; float64 throughout; nothing is allocated.
+ * `characterFromJoint[j] = characterFromJoint[parent] · T(offset) · R(rest) · D1 · … · Dk` (6.837
+ * handout, part 3; the degrees of freedom follow MuJoCo's `qpos`). It visits the depth-first joints
+ * once with the matrix stack, in float64, and allocates nothing.
  *
  * @param q (qCount) see `Skeleton.dofQ`
  * @param characterFromJoint (jointCount × 16) column-major, written
@@ -27,7 +27,7 @@ export function forwardKinematics(
   }
 }
 
-/** A new array with the matrices of `forwardKinematics`. */
+/** Returns the matrices of `forwardKinematics` in a new array. */
 export function jointMatrices(skeleton: Skeleton, q: Float64Array): Float64Array {
   const characterFromJoint = new Float64Array(skeleton.jointCount * 16);
   forwardKinematics(skeleton, q, characterFromJoint);
@@ -41,14 +41,16 @@ function writeLocalMatrix(skeleton: Skeleton, joint: number, q: Float64Array, ou
   }
 }
 
-/** Writes where a joint stands in its parent's frame before its degrees of freedom move it. */
+/** Writes the joint's matrix in its parent's frame before its degrees of freedom are applied. */
 export function writeRestMatrix(skeleton: Skeleton, joint: number, out: mat4): void {
   readVector(skeleton.restOffsets, joint * 3, vector);
   readQuaternion(skeleton.restRotations, joint * 4, quaternion);
   mat4.fromRotationTranslation(out, quaternion, vector);
 }
 
-/** Multiplies the matrix, from the right, by what one degree of freedom does at the values q. */
+/**
+ * Multiplies the matrix from the right by the transform of one degree of freedom for the values q.
+ */
 export function applyDof(skeleton: Skeleton, dof: number, q: Float64Array, out: mat4): void {
   const value = skeleton.dofQ[dof]!;
   switch (skeleton.dofKind[dof] as DofKind) {

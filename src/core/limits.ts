@@ -1,20 +1,29 @@
-/** The largest inputs that Sinew takes; arguments with these defaults, so that tests pass small ones. */
+/**
+ * The largest inputs that Sinew accepts. Functions take them as arguments with these defaults, so
+ * that tests can pass small ones.
+ */
 export interface Limits {
-  /** Bytes of a file, and of what a packed file unfolds to. */
+  /** Bytes of a file, packed and unpacked. */
   readonly fileSize: number;
-  /** Bytes of a line of text. */
+  /** Bytes per line of text. */
   readonly lineLength: number;
-  /** Characters of a number. */
+  /** Characters per number. */
   readonly tokenLength: number;
   readonly jointCount: number;
   readonly pointCount: number;
   readonly triangleCount: number;
   readonly cornersPerFace: number;
-  /** How deep joints and blocks of a text file may nest. */
+  /** How deeply joints and blocks of a text file may nest. */
   readonly depth: number;
-  /** Magnitude of a coordinate or offset: its square, which lengths need, is still a float32. */
+  /**
+   * Magnitude of a coordinate or an offset. Lengths need its square, which is still a finite
+   * float32.
+   */
   readonly coordinate: number;
-  /** Magnitude of a weight: with any coordinate, blended matrices and their cofactors stay finite. */
+  /**
+   * Magnitude of a weight. With any allowed coordinate, blended matrices and their cofactors stay
+   * finite.
+   */
   readonly weight: number;
 }
 

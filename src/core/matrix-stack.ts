@@ -2,9 +2,9 @@ import { mat4, type ReadonlyMat4 } from 'gl-matrix';
 import { assert } from './assert.ts';
 
 /**
- * The matrix stack of the 6.837 handout, part 3.1: identity when empty, and a pushed matrix is
- * multiplied by the one below it, so that the top always maps the innermost space to the outermost.
- * Levels are kept and used again: after the first walk nothing is allocated.
+ * The matrix stack of the 6.837 handout, part 3.1. It is the identity when empty, and a pushed
+ * matrix is multiplied by the one below it, so that the top always maps the innermost space to the
+ * outermost. Levels are reused, so that nothing is allocated after the first traversal.
  */
 export class MatrixStack {
   private readonly levels: Float64Array[] = [];
@@ -14,7 +14,9 @@ export class MatrixStack {
     return this.size;
   }
 
-  /** The product of all that was pushed, column-major, float64; valid until the next push or pop. */
+  /**
+   * The product of all pushed matrices, column-major, float64; valid until the next push or pop.
+   */
   get top(): ReadonlyMat4 {
     return this.size === 0 ? identity : this.levels[this.size - 1]!;
   }

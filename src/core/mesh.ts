@@ -1,18 +1,22 @@
 /**
- * A surface of *points* (file order: skin rows, posed files and `.vertices()` count points) and
- * *render vertices*, which split a point only where texture coordinates or normals part. The first
- * `pointCount` render vertices are the points themselves, in file order; splits follow.
+ * A surface of *points* (in file order; skin rows, posed files and `.vertices()` count points) and
+ * *render vertices*, which split a point only where texture coordinates or normals differ. The
+ * first `pointCount` render vertices are the points themselves, in file order; the additional ones
+ * follow.
  */
 export interface Mesh {
   readonly pointCount: number;
   readonly vertexCount: number;
-  /** (vertexCount) the point of each render vertex; the first pointCount count 0, 1, 2, … */
+  /** (vertexCount) the point of each render vertex; the first pointCount values are 0, 1, 2, … */
   readonly pointOf: Uint32Array;
-  /** (vertexCount × 3) bind pose, model units, character space. */
+  /** (vertexCount × 3) bind pose, in model units and the character's space. */
   readonly positions: Float32Array;
-  /** (vertexCount × 3) unit, bind pose: the file's, else angle-weighted means of the faces. */
+  /**
+   * (vertexCount × 3) unit, in the bind pose: the file's, or else angle-weighted means of the face
+   * normals.
+   */
   readonly normals: Float32Array;
-  /** (vertexCount × 2), or null where the file has none. */
+  /** (vertexCount × 2), or null if the file has none. */
   readonly uvs: Float32Array | null;
   /** (triangleCount × 3) render vertices, counter-clockwise seen from outside. */
   readonly indices: Uint32Array;

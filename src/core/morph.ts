@@ -1,21 +1,23 @@
 import type { MorphParts } from './character-parts.ts';
 import type { Mesh } from './mesh.ts';
 
-/** A shape that is added, by a weight, to the mesh at rest: offsets of some render vertices. */
+/** A morph target: weighted offsets that are added to some render vertices of the mesh at rest. */
 export interface Morph {
   readonly name: string;
-  /** As read, for writers. */
+  /** The morph as read, for writers. */
   readonly parts: MorphParts;
   /** (n) render vertices. */
   readonly vertices: Uint32Array;
   /** (n × 3) model units. */
   readonly offsets: Float32Array;
-  /** (m) render vertices, and (m × 3) what is added to their unit normals. */
+  /** (m) render vertices, and (m × 3) offsets that are added to their unit normals. */
   readonly normalVertices: Uint32Array;
   readonly normalOffsets: Float32Array;
 }
 
-/** Spreads a morph of points over the render vertices that each point was split into. */
+/**
+ * Converts a morph of points to one of render vertices, because a point may be split into several.
+ */
 export function buildMorph(parts: MorphParts, mesh: Mesh): Morph {
   const splits = splitsOf(mesh);
   const positions = spread(parts.points, parts.offsets, splits);
@@ -30,7 +32,7 @@ export function buildMorph(parts: MorphParts, mesh: Mesh): Morph {
   };
 }
 
-/** The further render vertices of points that have several. */
+/** The additional render vertices of points that were split. */
 function splitsOf({ pointOf, pointCount, vertexCount }: Mesh): Map<number, number[]> {
   const splits = new Map<number, number[]>();
   for (let vertex = pointCount; vertex < vertexCount; vertex++) {

@@ -1,10 +1,10 @@
 import { DofKind, type Skeleton } from './skeleton.ts';
 
-/** All that posing changes, of a character that never changes. */
+/** The values that posing changes; the character itself never changes. */
 export interface Pose {
   /** (qCount) radians, model units, quaternions xyzw; see `Skeleton.dofQ`. */
   readonly q: Float64Array;
-  /** (morphCount) how much of each morph there is; none where absent. */
+  /** (morphCount) the weight of each morph; all 0 if absent. */
   readonly morphWeights?: Float64Array;
 }
 
@@ -18,7 +18,7 @@ export interface AxisDof {
   readonly dof: number;
   readonly kind: typeof DofKind.slide | typeof DofKind.hinge;
   readonly axis: 0 | 1 | 2;
-  /** Its place in q. */
+  /** Its index in q. */
   readonly index: number;
 }
 
@@ -40,14 +40,14 @@ export function axisDofs(skeleton: Skeleton, joint: number): AxisDof[] {
   return found;
 }
 
-/** The joint that a value of q belongs to. */
+/** The joint to which a value of q belongs. */
 export function jointOfValue(skeleton: Skeleton, index: number): number {
   let joint = 0;
   while (joint < skeleton.jointCount && jointRange(skeleton, joint)[1] <= index) joint++;
   return joint;
 }
 
-/** The range of q that a joint's degrees of freedom take up, end exclusive. */
+/** The range of q that a joint's degrees of freedom occupy, end exclusive. */
 export function jointRange(skeleton: Skeleton, joint: number): [number, number] {
   const valueStart = (dof: number): number =>
     dof < skeleton.dofQ.length ? skeleton.dofQ[dof]! : skeleton.qRest.length;

@@ -1,21 +1,21 @@
 import type { Ray } from './ray.ts';
 
-/** Where a ray meets a triangle. */
+/** The intersection of a ray and a triangle. */
 export interface TriangleMeeting {
-  /** Along the ray, in units of its direction's length. */
+  /** Distance along the ray, in units of its direction's length. */
   distance: number;
-  /** What the second and the third corner count there; the first counts the rest of 1. */
+  /** Barycentric weight of the second and of the third corner; the first has the rest of 1. */
   second: number;
   third: number;
 }
 
 /**
- * Whether a ray meets a triangle, from either side (Möller and Trumbore 1997, "Fast, minimum storage
- * ray/triangle intersection"). Nothing is allocated.
+ * Tests whether a ray hits a triangle, from either side (Möller and Trumbore 1997, "Fast, minimum
+ * storage ray/triangle intersection"). Nothing is allocated.
  *
  * @param positions xyz triples
- * @param a where in `positions` the first corner starts; `b` and `c` likewise
- * @param meeting written where it meets it
+ * @param a where the first corner starts in `positions`; `b` and `c` likewise
+ * @param meeting written if the ray hits
  */
 export function rayTriangle(
   { origin, direction }: Ray,
@@ -39,7 +39,7 @@ export function rayTriangle(
   const py = dz * cx - dx * cz;
   const pz = dx * cy - dy * cx;
   const determinant = bx * px + by * py + bz * pz;
-  if (determinant === 0) return false; // seen edge on, or without area
+  if (determinant === 0) return false; // the triangle is seen edge-on or has no area
   const scale = 1 / determinant;
   const sx = origin[0] - ax;
   const sy = origin[1] - ay;

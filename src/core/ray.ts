@@ -1,19 +1,21 @@
 import { mat4, type ReadonlyMat4, type ReadonlyVec3, vec3 } from 'gl-matrix';
 
-/** A half-line; `direction` is unit, so that distances along it are in the units of its space. */
+/**
+ * A half-line. `direction` has unit length, so distances along it are in the units of its space.
+ */
 export interface Ray {
   readonly origin: ReadonlyVec3;
   readonly direction: ReadonlyVec3;
 }
 
-/** Below this squared sine a ray runs along a cylinder and meets no side of it. */
+/** If the squared sine is smaller, a ray is parallel to a cylinder and hits no side of it. */
 const parallel = 1e-12;
 
 export function pointOnRay({ origin, direction }: Ray, distance: number): vec3 {
   return vec3.scaleAndAdd(new Float64Array(3), origin, direction, distance);
 }
 
-/** The same ray in another space: the matrix may turn, move and scale evenly. */
+/** Transforms a ray to another space; the matrix may rotate, translate and scale uniformly. */
 function transformRay({ origin, direction }: Ray, matrix: ReadonlyMat4): Ray {
   const tip = vec3.add(new Float64Array(3), origin, direction);
   const moved = vec3.transformMat4(new Float64Array(3), origin, matrix);
@@ -22,15 +24,15 @@ function transformRay({ origin, direction }: Ray, matrix: ReadonlyMat4): Ray {
   return { origin: moved, direction: vec3.normalize(tip, tip) };
 }
 
-/** The same ray seen from a frame; `worldFromFrame` may not be singular. */
+/** Transforms a ray to a frame; `worldFromFrame` must not be singular. */
 export function rayInFrame(ray: Ray, worldFromFrame: ReadonlyMat4): Ray {
   const frameFromWorld = mat4.invert(new Float64Array(16), worldFromFrame);
   return frameFromWorld ? transformRay(ray, frameFromWorld) : ray;
 }
 
 /**
- * Where the ray's whole line goes into and out of a sphere, as distances from its origin (negative
- * behind it); null where it passes by.
+ * Returns where the ray's line enters and leaves a sphere, as distances from the origin (negative
+ * behind it), or null if it misses.
  */
 export function sphereSpan(
   { origin, direction }: Ray,
@@ -39,7 +41,8 @@ export function sphereSpan(
 ): readonly [number, number] | null {
   const offset = vec3.subtract(new Float64Array(3), origin, center);
   const b = vec3.dot(offset, direction);
-  // From the line's closest point: |offset|² - b² would lose digits for a sphere far away.
+  // Computed from the line's closest point, because |offset|² - b² would lose digits for a distant
+  // sphere.
   vec3.scaleAndAdd(offset, offset, direction, -b);
   const discriminant = radius * radius - vec3.squaredLength(offset);
   if (discriminant < 0) return null;
@@ -47,16 +50,16 @@ export function sphereSpan(
   return [-b - half, -b + half];
 }
 
-/** The distance at which the ray first meets a sphere's surface; Infinity where it never does. */
+/** The distance at which the ray first hits a sphere's surface, or Infinity. */
 export function raySphere(ray: Ray, center: ReadonlyVec3, radius: number): number {
   return firstAhead(sphereSpan(ray, center, radius), () => true);
 }
 
 /**
- * The distance at which the ray first meets the side of a cylinder about the segment `from` … `to`;
- * Infinity where it never does. It has no caps: looked along, it is missed. (CS354 "Virtual
- * Mannequin", bone picking: a line against a circle in the plane across the bone, and the place
- * along it from 0 to L.)
+ * The distance at which the ray first hits the side of a cylinder about the segment `from` … `to`,
+ * or Infinity. The cylinder has no caps, so a ray along its axis misses it. (CS354 "Virtual
+ * Mannequin", bone picking: a line against a circle in the plane across the bone, and the position
+ * along the bone from 0 to L.)
  */
 export function rayCylinder(
   ray: Ray,
@@ -70,7 +73,8 @@ export function rayCylinder(
   vec3.scale(axis, axis, 1 / length);
   const offset = vec3.subtract(new Float64Array(3), ray.origin, from);
   const [start, slope] = [vec3.dot(offset, axis), vec3.dot(ray.direction, axis)];
-  // What lies across the bone: its frame's second and third coordinates, without choosing them.
+  // The components across the bone. They equal the second and third coordinates of its frame,
+  // without choosing its axes.
   vec3.scaleAndAdd(offset, offset, axis, -start);
   const across = vec3.scaleAndAdd(new Float64Array(3), ray.direction, axis, -slope);
   const a = vec3.squaredLength(across);
@@ -86,7 +90,7 @@ export function rayCylinder(
   });
 }
 
-/** As `rayCylinder`, with a half-sphere at each end, so that a bone can be met from its ends. */
+/** Like `rayCylinder`, with a half-sphere at each end, so that a bone can be hit from its ends. */
 export function rayCapsule(ray: Ray, from: ReadonlyVec3, to: ReadonlyVec3, radius: number): number {
   return Math.min(
     rayCylinder(ray, from, to, radius),
@@ -95,7 +99,10 @@ export function rayCapsule(ray: Ray, from: ReadonlyVec3, to: ReadonlyVec3, radiu
   );
 }
 
-/** How far along the ray it is closest to the segment (Ericson 2005, 5.1.9); never behind it. */
+/**
+ * The distance along the ray at which it is closest to the segment (Ericson 2005, 5.1.9); never
+ * negative.
+ */
 export function distanceOfClosest(
   { origin, direction }: Ray,
   from: ReadonlyVec3,
@@ -105,12 +112,12 @@ export function distanceOfClosest(
   const offset = vec3.subtract(new Float64Array(3), origin, from);
   const [a, b] = [vec3.dot(axis, axis), vec3.dot(axis, direction)];
   const [c, d] = [vec3.dot(axis, offset), vec3.dot(direction, offset)];
-  const divisor = a - b * b; // the direction is unit
+  const divisor = a - b * b; // the direction has unit length
   const part = divisor > parallel * a ? (c - b * d) / divisor : 0;
   return Math.max(0, Math.min(1, Math.max(0, part)) * b - d);
 }
 
-/** From a point to the nearest of a segment. */
+/** The distance from a point to the nearest point of a segment. */
 export function distanceToSegment(
   point: ReadonlyVec3,
   from: ReadonlyVec3,

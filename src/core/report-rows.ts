@@ -1,7 +1,7 @@
 import type { DiagnosticLog, Place } from './diagnostics.ts';
 import type { Skin } from './skin.ts';
 
-/** Packed weights, and the points whose rows are worth a word. */
+/** Packed weights, and the points whose rows are reported. */
 export interface SkinRows {
   readonly skin: Pick<Skin, 'start' | 'entries' | 'weights'>;
   readonly zeroRows: readonly number[];
@@ -10,9 +10,9 @@ export interface SkinRows {
 }
 
 /**
- * Says what is odd about the weights; none of it keeps them from being used.
+ * Reports unusual weights; they are used nevertheless.
  *
- * @param lines (pointCount) of the rows in their file
+ * @param lines (pointCount) line of each row in its file
  */
 export function reportRows(
   rows: SkinRows,
@@ -55,13 +55,16 @@ export function reportRows(
   }
 }
 
-/** Where the row of a point stands, as far as its file has lines. */
+/** The place of a point's row in its file, if the file has lines. */
 export function linePlace(lines: Uint32Array | undefined, point: number): Place {
   const line = lines?.[point];
   return line === undefined ? {} : { line };
 }
 
-/** How many, and the first few, one-based as OBJ counts them; short, since messages are cut. */
+/**
+ * The number of points and the first few of them, counted from 1 as in OBJ files; short, because
+ * messages are cut.
+ */
 function listed(points: readonly number[]): string {
   const shown = points.slice(0, 3).map((point) => point + 1);
   const more = points.length > shown.length ? ', …' : '';

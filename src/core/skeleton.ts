@@ -9,19 +9,20 @@ export const dofSize: Readonly<Record<DofKind, number>> = {
 };
 
 /**
- * A tree (or forest) of joints as a struct of arrays, after MuJoCo's model: it never changes, and
- * all that a pose changes stands in one vector `q`. The local matrix of joint j is
- * `T(restOffset) · R(restRotation) · D1 · … · Dk`, its own degrees of freedom left to right.
+ * A tree (or forest) of joints as a struct of arrays, following MuJoCo's model. It never changes;
+ * all values that a pose changes are in one vector `q`. The local matrix of joint j is
+ * `T(restOffset) · R(restRotation) · D1 · … · Dk`, with its own degrees of freedom from left to
+ * right.
  *
- * Joints stand depth first, so `parents[j] < j`, and a subtree is a contiguous range.
+ * Joints are sorted depth first, so `parents[j] < j`, and a subtree is a contiguous range.
  */
 export interface Skeleton {
   readonly jointCount: number;
   /** Unique, for display and POSE.json. */
   readonly names: readonly string[];
-  /** As read; empty where the format has none. For writers. */
+  /** Names as read, for writers; empty if the format has none. */
   readonly fileNames: readonly string[];
-  /** (jointCount) index in the file, since joints are sorted depth first. */
+  /** (jointCount) index of each joint in the file. */
   readonly sourceIndex: Uint16Array;
   /** (jointCount) the inverse of `sourceIndex`. */
   readonly jointOfSource: Uint16Array;
@@ -39,21 +40,24 @@ export interface Skeleton {
   readonly dofKind: Uint8Array;
   /** (dofCount × 3) unit, joint frame; unused by balls. */
   readonly dofAxis: Float64Array;
-  /** (dofCount) where its first value stands in q. */
+  /** (dofCount) index of its first value in q. */
   readonly dofQ: Uint32Array;
   /** (qCount) the file's pose, within the limits. */
   readonly qRest: Float64Array;
-  /** (qCount) radians or model units; -Infinity is unlimited. */
+  /** (qCount) in radians or model units; -Infinity means unlimited. */
   readonly qMin: Float64Array;
   /** (qCount) */
   readonly qMax: Float64Array;
-  /** (jointCount × 6) min x y z, max x y z of the box that stands for a joint, joint frame. */
+  /**
+   * (jointCount × 6) min x y z, max x y z of the box that is drawn for a joint, in the joint's
+   * frame.
+   */
   readonly displayBoxes: Float32Array | null;
 }
 
 export const noParent = -1;
 
-/** The last joint of j's subtree, plus one: joints j … end - 1 are j and all below it. */
+/** The last joint of j's subtree plus one: joints j … end - 1 are j and all its descendants. */
 export function subtreeEnd(skeleton: Skeleton, joint: number): number {
   const { depths, jointCount } = skeleton;
   let end = joint + 1;
@@ -61,7 +65,10 @@ export function subtreeEnd(skeleton: Skeleton, joint: number): number {
   return end;
 }
 
-/** The root that POSE.json's `root` moves: the one of lowest index in the file; -1 without joints. */
+/**
+ * The root that POSE.json's `root` moves: the one with the lowest index in the file, or -1 without
+ * joints.
+ */
 export function firstRoot(skeleton: Skeleton): number {
   for (const joint of skeleton.jointOfSource)
     if (skeleton.parents[joint] === noParent) return joint;

@@ -1,27 +1,30 @@
-/** A palette entry that follows no joint but stands still in the character's space. */
+/** A palette entry that follows no joint and never moves in the character's space. */
 export const noJoint = 0xffff;
 
-/** How normals follow: with the matrix that the vertex follows, or each joint turning them on its own. */
+/** How normals are transformed: by the vertex's blended matrix, or by each joint on its own. */
 export type NormalsId = 'blended' | 'joints';
 
 /**
- * Which joints move which point, and how much: compressed sparse rows of *palette entries*. An
- * entry is a joint with its inverse bind matrix. Rows have as many influences as the file gives.
+ * Which joints influence which point, and how much, in compressed sparse rows of *palette entries*.
+ * An entry is a joint with its inverse bind matrix. Rows have as many influences as the file gives.
  */
 export interface Skin {
   /** (entryCount) joint of each palette entry, or `noJoint`. */
   readonly paletteJoint: Uint16Array;
-  /** (entryCount × 16) column-major, float64: character space at bind → joint frame. */
+  /**
+   * (entryCount × 16) column-major, float64: from the character's space at bind time to the joint's
+   * frame.
+   */
   readonly jointFromBind: Float64Array;
-  /** (entryCount × 16) its inverses as the file has them, where it has these: for writers. */
+  /** (entryCount × 16) the inverses of `jointFromBind`, if the file stores these; for writers. */
   readonly bindFromJoint?: Float64Array;
   /** (pointCount + 1) where each point's influences start. */
   readonly start: Uint32Array;
   /** (start[pointCount]) palette entry of each influence. */
   readonly entries: Uint16Array;
-  /** (start[pointCount]) as the file has them: the courses' formula does not renormalize. */
+  /** (start[pointCount]) as the file has them; the courses' formula does not normalize them. */
   readonly weights: Float32Array;
-  /** How the programs of the file's own format turn normals. */
+  /** How the format's own programs transform normals. */
   readonly normals: NormalsId;
 }
 
@@ -33,7 +36,7 @@ export function largestInfluenceCount(skin: Skin): number {
   return largest;
 }
 
-/** Influences of some points, packed as a skin packs those of all. */
+/** Influences of some points, packed like those of a skin. */
 export interface InfluenceRows {
   /** (n + 1) where each row starts. */
   readonly start: ArrayLike<number>;
@@ -42,10 +45,11 @@ export interface InfluenceRows {
 }
 
 /**
- * The same skin with other rows at some points. It shares with the former one what stays, `start` too
- * where no row becomes longer or shorter, so that both can be told apart row by row.
+ * Returns the same skin with other rows at some points. It shares all unchanged arrays with the
+ * given skin, including `start` if no row changes its length, so that the two can be compared row
+ * by row.
  *
- * @param points (n) rising
+ * @param points (n) increasing
  */
 export function skinWithRows(skin: Skin, points: ArrayLike<number>, rows: InfluenceRows): Skin {
   const lengths = Uint32Array.from({ length: skin.start.length - 1 }, (_, p) => rowLength(skin, p));
@@ -73,8 +77,8 @@ export function skinWithRows(skin: Skin, points: ArrayLike<number>, rows: Influe
 }
 
 /**
- * The same skin with each row divided by its sum; rows that sum to nearly nothing, measured by their
- * own weights, stay as they are.
+ * Returns the same skin with each row divided by its sum. Rows whose sum is nearly zero, relative
+ * to the magnitudes of their weights, do not change.
  */
 export function normalizeSkin(skin: Skin): Skin {
   const points: number[] = [];

@@ -1,18 +1,18 @@
 import { firstEqualTuples } from './equal-tuples.ts';
 
-/** The render vertices of a mesh; the first `pointCount` are its points. */
+/** The render vertices of a mesh; the first `pointCount` of them are its points. */
 export interface SplitCorners {
   /** (vertexCount) */
   readonly pointOf: Uint32Array;
-  /** (vertexCount) the first corner of each render vertex, -1 where it is none. */
+  /** (vertexCount) the first corner of each render vertex, or -1 if no face uses it. */
   readonly cornerOf: Int32Array;
-  /** (cornerCount) render vertices. */
+  /** (cornerCount) the render vertex of each corner. */
   readonly indices: Uint32Array;
 }
 
 /**
- * A point's first corner takes the point's own vertex; each further one that differs in any of the
- * `values` (cornerCount each, equal ones by one index) adds a vertex.
+ * A point's first corner uses the point's own vertex. Each further corner that differs in any of
+ * the `values` (cornerCount each; equal values have equal indices) adds a vertex.
  */
 export function splitCorners(
   cornerPoints: Uint32Array,

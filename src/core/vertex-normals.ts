@@ -3,9 +3,10 @@ import { flushSubnormal } from './float32.ts';
 const up = [0, 1, 0];
 
 /**
- * Unit normals at points, from the triangles around them, each weighted by its corner's angle, so
- * that the outcome does not depend on how a face is cut (Thürmer and Wüthrich 1998, "Computing
- * vertex normals from polygonal facets"). A point without a proper triangle gets +y, never NaN.
+ * Computes unit normals at points from the triangles around them. Each triangle is weighted by the
+ * angle of its corner, so that the result does not depend on how a polygon is triangulated (Thürmer
+ * and Wüthrich 1998, "Computing vertex normals from polygonal facets"). A point without a proper
+ * triangle gets +y, never NaN.
  *
  * @param positions (pointCount × 3)
  * @param triangles (triangleCount × 3) indices of points

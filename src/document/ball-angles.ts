@@ -3,23 +3,27 @@ import { extractEuler } from '../core/euler.ts';
 import type { Skeleton } from '../core/skeleton.ts';
 import { type Quaternion, quaternionOf, type Triple } from '../formats/ball-values.ts';
 
-/** Of one ball. */
+/** The angles that are known for one ball joint. */
 interface KnownAngles {
   /** The angles last shown. */
   latest: Readonly<Triple>;
-  /** Those that quaternions were shown by, the oldest first. */
+  /** The angles at which each quaternion was shown, the oldest first. */
   readonly shown: Map<string, Readonly<Triple>>;
 }
 
-/** Quaternions of a ball whose angles are known: those of a long drag, and of the edits before it. */
+/**
+ * The number of quaternions per ball whose angles are kept: enough for a long drag and the edits
+ * before it.
+ */
 const mostKnown = 4096;
 
 /**
- * The three angles by which balls are shown, R = Rx · Ry · Rz. They belong to the session: the scene
- * has quaternions, of which angles can't be told without choice, least of all where the second is a
- * right angle and first and third turn about one axis. So a slider's angles are kept beside the
- * quaternion that they wrote, and are there again when it is (an undo, a canceled drag). Of one that
- * came from elsewhere the angles are found anew, nearest to those last shown.
+ * The three angles at which ball joints are shown, R = Rx · Ry · Rz. They belong to the session,
+ * because the scene stores quaternions, and the angles of a quaternion are ambiguous, most of all
+ * where the second is a right angle and the first and third rotate about the same axis. The angles
+ * of a slider are therefore stored with the quaternion that they gave, and return with that
+ * quaternion (after undo or a canceled drag). For a quaternion from elsewhere the angles are
+ * computed, nearest to those last shown.
  */
 export class BallAngles {
   private readonly known = new WeakMap<Skeleton, Map<number, KnownAngles>>();
@@ -33,7 +37,7 @@ export class BallAngles {
     return known.latest;
   }
 
-  /** The pose with one angle of a ball at a value and the others as they are shown. */
+  /** Returns the pose with one angle of a ball changed and its other two as they are shown. */
   withAngle(
     skeleton: Skeleton,
     q: Float64Array,
@@ -56,7 +60,7 @@ export class BallAngles {
     if (!balls) this.known.set(skeleton, (balls = new Map<number, KnownAngles>()));
     let known = balls.get(index);
     if (!known) {
-      // The file's pose is shown by small angles, whatever was shown before a reset.
+      // A reset shows the file's pose with small angles, whatever was shown before.
       const latest = anglesOf(skeleton.qRest, index, [0, 0, 0]);
       known = { latest, shown: new Map([[keyOf(skeleton.qRest, index), latest]]) };
       balls.set(index, known);
@@ -65,7 +69,9 @@ export class BallAngles {
   }
 }
 
-/** The key takes the last place; the first but the file's pose, which stays, makes room. */
+/**
+ * Moves the key to the end. The oldest key makes room, but the first one, the file's pose, stays.
+ */
 function remember({ latest, shown }: KnownAngles, key: string): void {
   const [rest, oldest] = shown.keys();
   if (key !== rest) shown.delete(key);

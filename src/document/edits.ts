@@ -11,8 +11,8 @@ export interface Edit {
 }
 
 /**
- * Sets one value of a character's pose. An edit is of what is shown: of a bound clip the pose of the
- * moment becomes the character's own, and the clip lets go.
+ * Sets one value of a character's pose. An edit applies to the pose that is shown: if a clip is
+ * bound, its pose of that moment becomes the character's own, and the clip is unbound.
  *
  * @param shown (qCount) the pose that is shown
  */
@@ -29,7 +29,7 @@ export function setValue(
   return setPose(id, q, label);
 }
 
-/** Puts a whole pose in the place of a character's. */
+/** Replaces a character's whole pose. */
 export function setPose(id: ActorId, q: Float64Array, label = 'Set the pose'): Edit {
   const own = q.slice();
   return editActor(id, label, (actor) => {
@@ -38,7 +38,7 @@ export function setPose(id: ActorId, q: Float64Array, label = 'Set the pose'): E
   });
 }
 
-/** Back to the file's pose and shape. */
+/** Restores the file's pose and shape. */
 export function resetPose(id: ActorId): Edit {
   return editActor(id, 'Reset the pose', (actor) => ({
     ...actor,
@@ -48,7 +48,7 @@ export function resetPose(id: ActorId): Edit {
   }));
 }
 
-/** One joint back to the file's pose; the others stay as they are shown. */
+/** Restores one joint's file pose; the other joints stay as they are shown. */
 export function resetJoint(
   { id, character: { skeleton } }: Actor,
   shown: Float64Array,
@@ -69,7 +69,7 @@ export function setMorphWeight(id: ActorId, index: number, weight: number, label
   });
 }
 
-/** Binds a clip, whose values are then shown over the pose; or none. */
+/** Binds a clip, which then determines the values that it animates, or unbinds it (null). */
 export function bindClip(id: ActorId, clip: number | null): Edit {
   return editActor(id, clip === null ? 'Let the clip go' : 'Bind a clip', (actor) => {
     assert(clip === null || clip < actor.clips.length, 'a clip of the character');
@@ -90,7 +90,7 @@ export function setNormalizeWeights(id: ActorId, normalizeWeights: boolean): Edi
   return editActor(id, label, (actor) => ({ ...actor, normalizeWeights }));
 }
 
-/** Takes an actor out of the scene. */
+/** Removes an actor from the scene. */
 export function removeActor({ id, character }: Actor): Edit {
   return {
     label: `Remove ${character.name}`,
@@ -98,7 +98,7 @@ export function removeActor({ id, character }: Actor): Edit {
   };
 }
 
-/** Puts, turns or sizes an actor in the scene. */
+/** Moves, rotates or scales an actor in the scene. */
 export function setTransform(id: ActorId, transform: Transform, label: string): Edit {
   return editActor(id, label, (actor) => ({ ...actor, transform }));
 }

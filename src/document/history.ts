@@ -2,14 +2,14 @@ import { buffersOf } from '../core/buffers-of.ts';
 import type { Character } from '../core/character.ts';
 import { type Actor, type Scene, skinInUse } from './scene.ts';
 
-/** One step of undo: the scenes before and after share all that did not change. */
+/** One step of undo. The scenes before and after share everything that did not change. */
 export interface HistoryEntry {
   readonly label: string;
   readonly before: Scene;
   readonly after: Scene;
 }
 
-/** What can be undone and redone, newest last; a value like the scene. */
+/** The steps that can be undone and redone, the newest last; a value like the scene. */
 export interface History {
   readonly past: readonly HistoryEntry[];
   readonly future: readonly HistoryEntry[];
@@ -19,7 +19,7 @@ export const emptyHistory: History = { past: [], future: [] };
 
 const defaultMemoryLimit = 256 * 1024 * 1024;
 
-/** Adds a step, forgets what was undone, and lets the oldest go past the memory limit. */
+/** Adds a step and clears the redo steps. Drops the oldest steps beyond the memory limit. */
 export function record(
   history: History,
   entry: HistoryEntry,
@@ -40,7 +40,7 @@ export function stepForward({ past, future }: History): History {
   return { past: [...past, ...future.slice(-1)], future: future.slice(0, -1) };
 }
 
-/** Puts a scene in the place of the present one, in the steps on both of its sides. */
+/** Replaces the present scene in the steps on both sides of it. */
 export function replacePresent({ past, future }: History, present: Scene): History {
   const [last, next] = [past.at(-1), future.at(-1)];
   return {
@@ -49,7 +49,7 @@ export function replacePresent({ past, future }: History, present: Scene): Histo
   };
 }
 
-/** Bytes that only this step keeps alive: buffers of `before` that `after` does not have. */
+/** The bytes that only this step keeps in memory: buffers of `before` that `after` does not use. */
 function sizeOf(entry: HistoryEntry): number {
   let size = knownSizes.get(entry);
   if (size === undefined) knownSizes.set(entry, (size = measure(entry)));
@@ -64,7 +64,7 @@ function measure({ before, after }: HistoryEntry): number {
   return [...own].reduce((sum, buffer) => sum + buffer.byteLength, 0);
 }
 
-/** Of its character all, with what was computed of it: the weights in use. */
+/** All buffers of an actor's character and of the weights that are computed from it. */
 function buffersOfActor(actor: Actor): ArrayBuffer[] {
   const { q, morphWeights, character } = actor;
   return [...buffersOf([q, morphWeights, skinInUse(actor)]), ...buffersOfCharacter(character)];

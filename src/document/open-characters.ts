@@ -3,7 +3,7 @@ import type { MethodId } from '../skinning/method.ts';
 import type { Edit } from './edits.ts';
 import { type ActorId, createActor, freeId, type KeptState } from './scene.ts';
 
-/** What an actor is made of. */
+/** The parts of an actor that is to be opened. */
 export interface NewActor {
   readonly character: Character;
   readonly method: MethodId;
@@ -11,9 +11,9 @@ export interface NewActor {
 }
 
 /**
- * Puts characters in the place of an actor, as their files have them but for what is given.
+ * Replaces an actor by characters in their files' state, except for the values that are given.
  *
- * @param replaced none adds them
+ * @param replaced the actor that is replaced; null adds the characters
  */
 export function openCharacters(replaced: ActorId | null, opened: readonly NewActor[]): Edit {
   const names = opened.map(({ character }) => character.name);

@@ -5,15 +5,15 @@ import { type Actor, type ActorId, actorById, type Scene } from './scene.ts';
 import type { Session } from './session.ts';
 
 /**
- * Drops from the session what the scene no longer has: a selected actor that is gone, joints and bones
- * of another skeleton, a clip that is not there, playing without a bound clip, what a check found of
- * another actor. It runs with every change
- * of the scene, undo and redo too, so that nothing that reads both has to ask.
+ * Removes from the session whatever the scene no longer has: a removed actor's selection, joints
+ * and bones of another skeleton, a clip that does not exist, playback without a bound clip, the
+ * verification of another actor. It runs with every change of the scene, including undo and redo,
+ * so that code that reads both does not need to check.
  */
 export function reconcile(session: Session, before: Scene, after: Scene): void {
   const { selectedActorId, playing } = session;
   const old = actorById(before, selectedActorId.value);
-  // What comes, by an opening or an undo, is what is looked at next; else the last is as good as any.
+  // Select an actor that has just come by opening or undo; otherwise any remaining one will do.
   const came = after.actors.find(({ id }) => !actorById(before, id));
   const now = came ?? actorById(after, selectedActorId.value) ?? after.actors.at(-1);
   selectedActorId.value = now?.id ?? null;
@@ -33,7 +33,7 @@ export function selectActor(session: Session, scene: Scene, id: ActorId): void {
 }
 
 function fitActor(session: Session, old?: Actor, now?: Actor): void {
-  // What was verified is of one actor as it was opened.
+  // A verification belongs to one actor as it was opened.
   if (old?.id !== now?.id || old?.character !== now?.character) session.verification.value = null;
   if (!haveSameJoints(old?.character, now?.character)) dropJoints(session);
   const { hoveredBone, clipIndex } = session;
@@ -42,7 +42,7 @@ function fitActor(session: Session, old?: Actor, now?: Actor): void {
   if (!now?.clips[clipIndex.value]) clipIndex.value = 0;
 }
 
-/** Lets go of joint, bone and degree of freedom. */
+/** Deselects the joint, bone and degree of freedom. */
 export function dropJoints(session: Session): void {
   session.selectedJoint.value = null;
   session.hoveredJoint.value = null;
@@ -51,7 +51,7 @@ export function dropJoints(session: Session): void {
   session.activeDof.value = null;
 }
 
-/** Whether an index of a joint, or of a value in q, means the same in both. */
+/** Whether indices of joints and of values in q mean the same in both. */
 function haveSameJoints(a: Character | undefined, b: Character | undefined): boolean {
   if (!a || !b) return false;
   return a.skeleton === b.skeleton || jointsOf(a.skeleton) === jointsOf(b.skeleton);

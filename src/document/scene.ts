@@ -7,8 +7,8 @@ import type { MethodId } from '../skinning/method.ts';
 import { defaultDeformation } from '../skinning/registry.ts';
 
 /**
- * All that is saved and undone, as a value: never changed in place, so that an older scene stays what it
- * was and undo restores the exact bits. Characters are shared by reference.
+ * Everything that is saved and undone, as a value. It is never changed in place, so that older
+ * scenes stay valid and undo restores the exact bits. Characters are shared by reference.
  */
 export interface Scene {
   readonly actors: readonly Actor[];
@@ -19,16 +19,19 @@ export type ActorId = number;
 /** Where a character came from; undo restores it with the actor. */
 export type Source = { readonly kind: 'bundled'; readonly id: string } | { readonly kind: 'files' };
 
-/** Where an actor was put, over the place where its character stands by itself; scene space. */
+/**
+ * The placement of an actor in the scene, applied after the character's normalized size and
+ * position; scene space.
+ */
 export interface Transform {
   readonly position: readonly [number, number, number];
   /** Unit quaternion xyzw. */
   readonly rotation: readonly [number, number, number, number];
-  /** Even in all directions, about the point between the feet. */
+  /** Uniform, about the point between the feet. */
   readonly scale: number;
 }
 
-/** A character in the scene, with all that its users made of it. */
+/** A character in the scene, with its editable state. */
 export interface Actor {
   readonly id: ActorId;
   readonly character: Character;
@@ -36,19 +39,22 @@ export interface Actor {
   readonly transform: Transform;
   /** (qCount) the pose; never written in place. */
   readonly q: Float64Array;
-  /** (morphCount) how much of each morph there is; never written in place. */
+  /** (morphCount) the weight of each morph; never written in place. */
   readonly morphWeights: Float64Array;
-  /** Compiled at need (`boundClip`). */
+  /** Clips are compiled on demand (`boundClip`). */
   readonly clips: readonly ClipParts[];
-  /** The bound clip, an index into `clips`; its values are shown over `q`. */
+  /** The bound clip, an index into `clips`; its values replace those of `q` in what is shown. */
   readonly clip: number | null;
   readonly method: MethodId;
   readonly normals: NormalsId;
-  /** Whether rows of weights are divided by their sum; the file's weights are used as they are. */
+  /**
+   * Whether each row of weights is divided by its sum; otherwise the file's weights are used
+   * unchanged.
+   */
   readonly normalizeWeights: boolean;
 }
 
-/** What of an actor may be other than as the files of its character have it. */
+/** The state of an actor that may differ from what its character's files give. */
 export type KeptState = Partial<
   Pick<
     Actor,
@@ -65,10 +71,10 @@ export type KeptState = Partial<
 
 export const emptyScene: Scene = { actors: [] };
 
-/** As a character stands by itself. */
+/** The identity: no placement by the user. */
 export const unmoved: Transform = { position: [0, 0, 0], rotation: [0, 0, 0, 1], scale: 1 };
 
-/** A character as its files have it but for what is given; its values are copied. */
+/** Makes an actor in its files' state, except for the values that are given, which are copied. */
 export function createActor(
   id: ActorId,
   character: Character,
@@ -91,7 +97,7 @@ export function createActor(
   };
 }
 
-/** The clip that plays on an actor, if any. */
+/** The compiled clip that is bound to an actor, if any. */
 export function boundClip({ clip, clips, character }: Actor): Clip | undefined {
   const parts = clip === null ? undefined : clips[clip];
   return parts && clipFor(parts, character.skeleton);
@@ -101,12 +107,12 @@ export function actorById({ actors }: Scene, id: ActorId | null): Actor | undefi
   return actors.find((actor) => actor.id === id);
 }
 
-/** An id that no actor of the scene has. */
+/** Returns an id that no actor of the scene has. */
 export function freeId({ actors }: Scene): ActorId {
   return 1 + actors.reduce((largest, { id }) => Math.max(largest, id), 0);
 }
 
-/** Whether two scenes hold the same, to the bit. */
+/** Whether two scenes are equal, bit by bit. */
 export function sameScene(a: Scene, b: Scene): boolean {
   if (a === b) return true;
   return (
@@ -136,7 +142,7 @@ function sameNumbers(a: ArrayLike<number>, b: ArrayLike<number>): boolean {
   return true;
 }
 
-/** The weights in use: the file's, or those divided by their sums. */
+/** The weights that are used: the file's, or those divided by their sums. */
 export function skinInUse({ character, normalizeWeights }: Actor): Skin {
   if (!normalizeWeights) return character.skin;
   let normalized = normalizedSkins.get(character.skin);

@@ -7,13 +7,13 @@ import type { PlayMode } from '../posing/playhead.ts';
 import type { Verification } from './verification.ts';
 
 export type Shading = 'smooth' | 'faceted';
-/** Where vertices are skinned. */
+/** The processor that skins the vertices. */
 export type SkinDevice = 'gpu' | 'cpu';
 
-/** A light far away; the first of them throws shadows. */
+/** A distant light; the first one casts shadows. */
 export interface Light {
   readonly name: string;
-  /** #rrggbb, as the display has it. */
+  /** #rrggbb, in the display's encoding. */
   readonly color: string;
   readonly intensity: number;
   /** Degrees about +y, from +z (where characters look) toward +x (their left). */
@@ -22,7 +22,7 @@ export interface Light {
   readonly elevation: number;
 }
 
-/** A warm key from the upper left, a cool fill, a rim from behind. */
+/** A warm key light from the upper left, a cool fill light, and a rim light from behind. */
 export const studioLights: readonly Light[] = [
   { name: 'Key', color: '#fff7ec', intensity: 1.45, azimuth: -18, elevation: 48 },
   { name: 'Fill', color: '#d9eaff', intensity: 0.22, azimuth: 88, elevation: 16 },
@@ -32,31 +32,33 @@ export const studioLights: readonly Light[] = [
 /** A degree of freedom as the interface names it: "Left elbow X". */
 export interface ActiveDof {
   readonly name: string;
-  /** Its place in q; of an angle of a ball where the ball's four values start. */
+  /** Its index in q; for an angle of a ball, where the ball's four values start. */
   readonly index: number;
   readonly isAngle: boolean;
-  /** Which of a ball's three angles it is; absent where it has a value of its own in q. */
+  /** Which of a ball's three angles it is; absent if it has a value of its own in q. */
   readonly ballAxis?: 0 | 1 | 2;
 }
 
-/** How a skeleton is drawn: spheres and bones, the boxes of its file, both, or a line a bone. */
+/**
+ * How a skeleton is drawn: spheres and bones, the boxes of its file, both, or one line per bone.
+ */
 export type SkeletonStyle = 'sticks' | 'boxes' | 'both' | 'lines';
 
-/** How a dragged bone turns: its grabbed point follows the pointer, or as CS354's program does it. */
+/** How a dragged bone turns: its grabbed point follows the pointer, or as in CS354's program. */
 export type BoneDrag = 'follow' | 'course';
 
-/** What is shown of characters, and how. */
+/** Which parts of characters are shown, and how. */
 export interface Look {
   readonly showSkin: boolean;
   readonly showSkeleton: boolean;
   readonly skeletonStyle: SkeletonStyle;
   readonly showAxes: boolean;
-  /** The skin lets the bones inside it show. */
+  /** Whether the skin is translucent, so that the bones inside are visible. */
   readonly translucent: boolean;
   readonly shading: Shading;
 }
 
-/** What is neither saved nor undone: how the scene is looked at. */
+/** The state that is neither saved nor undone: the way in which the scene is viewed. */
 export class Session {
   readonly showSkin = signal(true);
   readonly showSkeleton = signal(false);
@@ -64,41 +66,44 @@ export class Session {
   readonly showAxes = signal(false);
   readonly translucent = signal(false);
   readonly shading = signal<Shading>('smooth');
-  /** Shown beside each actor's own, or none. */
+  /** A kernel that is shown next to each actor's own for comparison, or null. */
   readonly comparedKernel = signal<KernelId | null>(null);
   readonly skinDevice = signal<SkinDevice>('gpu');
   readonly lights = signal<readonly Light[]>(studioLights);
   readonly selectedActorId = signal<ActorId | null>(null);
-  /** Of the selected actor. */
+  /** A joint of the selected actor. */
   readonly selectedJoint = signal<number | null>(null);
   /** The joint under the pointer. */
   readonly hoveredJoint = signal<number | null>(null);
-  /** The bone under the pointer, which is drawn as a cylinder; it starts at the hovered joint. */
+  /** The bone under the pointer, which is drawn as a cylinder. It starts at the hovered joint. */
   readonly hoveredBone = signal<Bone | null>(null);
-  /** Where the pointer is over the view, CSS pixels from its top left, while it lights a joint. */
+  /**
+   * The pointer's position over the view while it highlights a joint, in CSS pixels from the top
+   * left.
+   */
   readonly hoverPlace = signal<readonly [number, number] | null>(null);
-  /** Whether dragging a lit bone turns it. */
+  /** Whether dragging a highlighted bone turns it. */
   readonly boneMode = signal(false);
   readonly boneDrag = signal<BoneDrag>('follow');
-  /** The camera stands where it is and looks around. */
+  /** Whether the camera stays in place and looks around. */
   readonly firstPerson = signal(false);
-  /** The degree of freedom last touched, for the text in the view. */
+  /** The degree of freedom that was last changed, for the text in the view. */
   readonly activeDof = signal<ActiveDof | null>(null);
-  /** Of the character's clips, the one that Play binds. */
+  /** Which of the character's clips Play binds. */
   readonly clipIndex = signal(0);
-  /** Seconds of the bound clip. */
+  /** Time in the bound clip, in seconds. */
   readonly clipTime = signal(0);
   readonly playing = signal(false);
-  /** Seconds of the clip that pass in one. */
+  /** Seconds of the clip per second of real time. */
   readonly playSpeed = signal(1);
   readonly playMode = signal<PlayMode>('loop');
-  /** False on the way back of a ping-pong. */
+  /** False while ping-pong plays backwards. */
   readonly playForward = signal(true);
   /** Whether materials show their textures. */
   readonly showTextures = signal(true);
-  /** What a check found of the selected actor's numbers. */
+  /** The result of verifying the selected actor. */
   readonly verification = signal<Verification | null>(null);
-  /** What the last files had to say. */
+  /** The problems of the last files. */
   readonly problems = signal<readonly Diagnostic[]>([]);
 
   show(look: Look): void {

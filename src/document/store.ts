@@ -11,20 +11,20 @@ import {
   stepForward,
 } from './history.ts';
 
-/** A change that is still under way, a slider or bone drag: one step of undo in the end. */
+/** A change in progress, such as a slider or bone drag. It becomes one step of undo. */
 export interface Gesture {
-  /** False once committed or canceled, by whoever. */
+  /** False after it was committed or canceled, by any code. */
   readonly isOpen: boolean;
-  /** Shows the outcome of the edit on the scene as it was when the gesture began. */
+  /** Shows the result of the edit on the scene at which the gesture began. */
   preview(edit: Edit): void;
   commit(): void;
-  /** Restores the scene of the beginning, bit for bit. */
+  /** Restores the scene at which the gesture began, bit for bit. */
   cancel(): void;
-  /** Takes back what was committed, as if it had never been; not where something came after it. */
+  /** Removes the committed step as if it had never existed, unless another step followed. */
   withdraw(): void;
 }
 
-/** Holds the scene and its history; every change goes through here. */
+/** Holds the scene and its history. Every change goes through it. */
 export class Store {
   private readonly current = signal<Scene>(emptyScene);
   private readonly history = signal<History>(emptyHistory);
@@ -32,11 +32,11 @@ export class Store {
   private open: Gesture | null = null;
 
   readonly scene: ReadonlySignal<Scene> = this.current;
-  /** What Undo and Redo would do, or null. */
+  /** The labels of the steps that Undo and Redo would apply, or null. */
   readonly undoLabel = computed(() => this.history.value.past.at(-1)?.label ?? null);
   readonly redoLabel = computed(() => this.history.value.future.at(-1)?.label ?? null);
 
-  /** @param onChange runs with every change, undo and redo too, before anything that follows it */
+  /** @param onChange runs with every change, including undo and redo, before any subscriber */
   constructor(onChange: (before: Scene, after: Scene) => void = () => undefined) {
     this.onChange = onChange;
   }
@@ -48,8 +48,9 @@ export class Store {
   }
 
   /**
-   * Changes the scene without a step of undo, for what makes nothing of the user's: which clip plays. The
-   * steps on both sides then lead to the changed scene, so that undo and redo pass through what was shown.
+   * Changes the scene without a step of undo, for changes that are not the user's work, such as
+   * which clip plays. The steps on both sides then lead to the changed scene, so that undo and redo
+   * pass through what was shown.
    */
   amend(edit: Edit): void {
     this.open?.commit();
@@ -58,7 +59,7 @@ export class Store {
     this.history.value = replacePresent(this.history.value, amended);
   }
 
-  /** Begins a gesture; one that is still open is committed first. */
+  /** Begins a gesture. If one is still open, it is committed first. */
   begin(label: string): Gesture {
     this.open?.commit();
     const before = this.current.value;
@@ -75,12 +76,13 @@ export class Store {
         if (!isOpen()) return;
         this.open = null;
         const after = this.current.value;
-        // What changed nothing is no step, and leaves the very scene of before.
+        // A gesture without an effect adds no step and restores the identical scene.
         if (sameScene(before, after)) {
           this.show(before);
           return;
         }
-        // An empty page is nothing to go back to: the first character opens without a step of undo.
+        // Returning to an empty page is useless, so the first character opens without a step of
+        // undo.
         const isFirst = before.actors.length === 0 && this.history.value.past.length === 0;
         if (isFirst) return;
         entry = { label, before, after };
@@ -102,14 +104,14 @@ export class Store {
     return gesture;
   }
 
-  /** Cancels an open gesture; true where there was one. */
+  /** Cancels an open gesture; returns whether there was one. */
   cancelGesture(): boolean {
     const gesture = this.open;
     gesture?.cancel();
     return gesture !== null;
   }
 
-  /** Takes back the last step; gives what it was, or null where there was none. */
+  /** Undoes the last step and returns its label, or null if there was none. */
   undo(): string | null {
     this.open?.commit();
     const entry = this.history.value.past.at(-1);
@@ -119,7 +121,7 @@ export class Store {
     return entry.label;
   }
 
-  /** Does the step again that was taken back last; gives what it was, or null where there was none. */
+  /** Redoes the step that was undone last and returns its label, or null if there was none. */
   redo(): string | null {
     this.open?.commit();
     const entry = this.history.value.future.at(-1);
@@ -129,7 +131,7 @@ export class Store {
     return entry.label;
   }
 
-  /** In one batch, so that nobody meets a session that does not fit the scene. */
+  /** Uses one batch, so that no subscriber sees a session that does not match the scene. */
   private show(after: Scene): void {
     const before = this.current.value;
     if (after === before) return;

@@ -6,10 +6,10 @@ import { selectedActor } from './selected-actor.ts';
 import type { Session } from './session.ts';
 import type { Store } from './store.ts';
 
-/** Seconds of one step by hand: a frame of 30 a second. */
+/** The duration of one manual step in seconds: a frame at 30 frames per second. */
 const stepSeconds = 1 / 30;
 
-/** Plays, pauses and seeks the clips of the selected character; none of it is a step of undo. */
+/** Plays, pauses and seeks the clips of the selected character. None of this is a step of undo. */
 export class Transport {
   private readonly store: Store;
   private readonly session: Session;
@@ -20,8 +20,8 @@ export class Transport {
   }
 
   /**
-   * Of the character's clips, the one that is bound, or that Play would bind. What was chosen last may
-   * have been another character's, which undo took away: then it is the first.
+   * Which of the character's clips is bound, or would be bound by Play. The last choice may belong
+   * to a character that undo has removed; then it is the first clip.
    */
   get clipIndex(): number {
     const { state } = this;
@@ -29,7 +29,7 @@ export class Transport {
     return state?.clip ?? (state?.clips[chosen] ? chosen : 0);
   }
 
-  /** That clip; none where the character has none. */
+  /** The clip at `clipIndex`, or undefined if the character has none. */
   get clip(): Clip | undefined {
     const { state } = this;
     const parts = state?.clips[this.clipIndex];
@@ -52,7 +52,7 @@ export class Transport {
     playing.value = true;
   }
 
-  /** Shows the clip's pose at a time, and stays there. */
+  /** Shows the clip's pose at a time, and pauses. */
   seek(time: number): void {
     if (!this.bind()) return;
     this.session.playing.value = false;
@@ -66,7 +66,7 @@ export class Transport {
     this.seek(Math.min(Math.max(time, clip.start), clip.end));
   }
 
-  /** Takes another clip of the character, from its start. */
+  /** Chooses another clip of the character, from its start. */
   choose(index: number): void {
     const { session, state } = this;
     session.clipIndex.value = index;
@@ -75,14 +75,14 @@ export class Transport {
     session.clipTime.value = this.clip?.start ?? 0;
   }
 
-  /** Gives the character back to its own pose. */
+  /** Unbinds the clip, so that the character shows its own pose. */
   release(): void {
     const { state } = this;
     this.session.playing.value = false;
     if (state && state.clip !== null) this.store.amend(bindClip(state.id, null));
   }
 
-  /** So much time has passed while playing. */
+  /** Advances playback by an interval of real time. */
   pass(seconds: number): void {
     const { session } = this;
     const clip = this.isBound ? this.clip : this.otherBoundClip;
@@ -97,7 +97,7 @@ export class Transport {
     if (moved.ended) session.playing.value = false;
   }
 
-  /** Of an actor that plays while another is selected. */
+  /** The clip of an actor that plays while another actor is selected. */
   private get otherBoundClip(): Clip | undefined {
     const bound = this.store.scene.value.actors.find(({ clip }) => clip !== null);
     return bound && boundClip(bound);

@@ -1,8 +1,8 @@
-/** How far two skinnings of the same vertices are apart. */
+/** The difference between two results of skinning the same vertices. */
 export interface Difference {
   /** Largest |difference| of a coordinate, in the file's units. */
   readonly position: number;
-  /** Its vertex, one-based as OBJ files count; 0 where nothing differs. */
+  /** The vertex with that difference, counted from 1 as in OBJ files; 0 if nothing differs. */
   readonly vertex: number;
   /** Largest |difference| of a normal's component. */
   readonly normal: number;
@@ -10,13 +10,13 @@ export interface Difference {
   readonly identical: boolean;
 }
 
-/** What there is to say of a character's numbers. */
+/** The result of verifying a character's numbers. */
 export interface Verification extends Difference {
-  /** `position` over the diagonal of the character's bounds. */
+  /** `position` divided by the diagonal of the character's bounds. */
   readonly relative: number;
   /**
-   * 6.837's check: largest |T · B⁻¹ − I| at the file's pose. Null where the file has bindings of its own,
-   * for which the pose need not be the one at which they were made.
+   * 6.837's check: the largest |T · B⁻¹ − I| in the file's pose. Null if the file has its own
+   * bindings, which may have been made in another pose.
    */
   readonly bindError: number | null;
 }

@@ -15,8 +15,8 @@ interface Dressed {
 }
 
 /**
- * The character with the images that its materials name, from among the files, never fetched from where
- * a name points to; those that are not there stand among what is missing, by name.
+ * Returns the character with the images that its materials name. Images are taken from the given
+ * files and never fetched. The names of missing images are added to `missing`.
  *
  * @param from the file that has the materials
  */
@@ -54,7 +54,7 @@ export async function attachTextures(
   return { character: named.size === 0 ? character : dressed, used, diagnostics };
 }
 
-/** Once a character, however many images it has. */
+/** Reports guesses once per character, however many images it has. */
 function tellGuesses(from: FileEntry, guessed: readonly FileEntry[]): Diagnostic {
   const [first, ...others] = guessed.map(({ path }) => path);
   return {

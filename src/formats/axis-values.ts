@@ -5,11 +5,11 @@ import type { JsonValue } from './json/decoder.ts';
 const axisNames = ['x', 'y', 'z'];
 
 /**
- * Sets a joint's hinges or slides about x, y and z. Says so where a value is past its limits, which
- * is clamped, or where the joint has no freedom for it.
+ * Sets a joint's hinges or slides about x, y and z. Reports a value that exceeds its limits, which
+ * is clamped, and a value for an axis that the joint does not have.
  *
- * @param joint -1 where there is none
- * @param json the values where they were read, for what is said of them
+ * @param joint -1 if there is none
+ * @param json the values with their places in the text, for messages
  */
 export function setAxisValues(
   skeleton: Skeleton,

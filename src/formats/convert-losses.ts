@@ -4,8 +4,9 @@ import type { FormatShape } from './format.ts';
 import { lost } from './lost.ts';
 
 /**
- * What a character has and its files of the other shape do not, whatever its pose. Values are solved and
- * points are numbered anew, so that limits, morphs and clips, which are told in them, are left out of any.
+ * Returns what a character has but files of the other shape can't hold, independent of its pose.
+ * Values are solved again and points are renumbered, so limits, morphs and clips, which depend on
+ * them, are left out of every conversion.
  */
 export function partsLost(
   { name, skeleton, skin, morphs, clips, materials, extra }: Character,
@@ -37,7 +38,7 @@ export function partsLost(
   return losses;
 }
 
-/** Whether the linear part of any matrix is not the identity. */
+/** Whether the linear part of any matrix differs from the identity. */
 function isTurned(matrices: Float64Array): boolean {
   return matrices.some((value, i) => {
     const [row, column] = [i % 4, Math.floor((i % 16) / 4)];

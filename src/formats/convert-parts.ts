@@ -11,9 +11,10 @@ import type { FormatShape } from './format.ts';
 import type { Target } from './solve-pose.ts';
 
 /**
- * Loose parts in the shape of the other format; a point of the new mesh is a render vertex of the old.
+ * Returns loose parts in the shape of the other format. A point of the new mesh is a render vertex
+ * of the old one.
  *
- * @param restAngles (jointCount × 3) the file's pose, where the format has one
+ * @param restAngles (jointCount × 3) the file's pose, if the format has one
  */
 export function convertParts(
   { name, skeleton, mesh, skin, materials, missing }: Character,
@@ -31,7 +32,8 @@ export function convertParts(
       : skeleton.sourceIndex[parent]! + shift;
   });
   const allParents = insertRoot ? [noParent, ...parents] : parents;
-  // As the files will give them, so that a pose by name fits: words in the one, none in the other.
+  // Names as the files will give them, so that a pose refers to the right joints: one-word names,
+  // or none.
   const fileNames = Array.from(skeleton.jointOfSource, (joint) => oneWord(skeleton.names[joint]!));
   const names = shape.jointNames ? uniqueNames(fileNames) : jointNames(allParents);
   const joints: JointParts[] = Array.from(skeleton.jointOfSource, (joint, source) => {

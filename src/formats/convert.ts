@@ -17,19 +17,21 @@ import { lost } from './lost.ts';
 
 export interface Converted {
   readonly character: Character;
-  /** The same shape as the pose that was given, in the angles of the other course. */
+  /** The pose that looks the same as the given one, in the angles of the other format. */
   readonly pose: Pose;
   readonly losses: readonly Diagnostic[];
 }
 
 /**
- * The character as the other course's files can hold it, and the pose that looks the same there.
- * Rotations are carried, not numbers: equal angles turn differently in the two, so that they are
- * solved anew. A character that has the format's own shape is left as it is.
+ * Converts a character to what the files of another format can hold, together with the pose that
+ * looks the same. It preserves rotations, not numbers: equal angles are different rotations in the
+ * two formats, so the angles are solved again. A character that already has the format's shape is
+ * returned unchanged.
  *
- * Where the format has bindings of its own (CSE169) the frames of the joints stay, and the file's own rest
- * becomes the file's pose. Else (6.837) every joint is bound unturned where the mesh stands: frames are
- * taken from the binding there, and what the joints have turned since then is the pose.
+ * If the format has its own bindings (CSE169), the frames of the joints stay, and the rest of the
+ * source file becomes the pose of the new file. Otherwise (6.837) every joint is bound without
+ * rotation where the mesh is: frames are taken from the binding, and the rotation of the joints
+ * since then is the pose.
  */
 export function convertCharacter(character: Character, to: ConvertTarget, pose: Pose): Converted {
   const { skeleton, skin, name } = character;
@@ -79,7 +81,7 @@ function firstJointHasWeight({ skeleton, skin }: Character): boolean {
   });
 }
 
-/** (jointCount × 3) where each joint stands at bind; where the mesh has no weights, at rest. */
+/** (jointCount × 3) positions of the joints at bind time; at rest, if the mesh has no weights. */
 function bindPlaces({ skeleton, skin }: Character): Float64Array {
   const world = jointMatrices(skeleton, skeleton.qRest);
   const places = new Float64Array(skeleton.jointCount * 3);
@@ -91,7 +93,7 @@ function bindPlaces({ skeleton, skin }: Character): Float64Array {
   return places;
 }
 
-/** The solved angles and the root's movement as values of the new skeleton. */
+/** Converts the solved angles and the root's displacement to values of the new skeleton. */
 function poseOf(
   built: Skeleton,
   skeleton: Skeleton,
@@ -115,7 +117,9 @@ function poseOf(
   }
 }
 
-/** The largest difference between the skinning matrices of both, relative to their size. */
+/**
+ * The largest difference between the skinning matrices of both characters, relative to their size.
+ */
 function residual(
   old: Character,
   pose: Pose,

@@ -1,4 +1,6 @@
-/** The checksum of PNG chunks and of files in zip archives (PNG specification, annex D). */
+/**
+ * Computes the checksum of PNG chunks and of files in zip archives (PNG specification, annex D).
+ */
 export function crc32(bytes: Uint8Array): number {
   let crc = 0xffffffff;
   for (const byte of bytes) crc = table[(crc ^ byte) & 0xff]! ^ (crc >>> 8);

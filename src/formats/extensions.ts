@@ -1,6 +1,6 @@
 /**
- * The endings of each format's files, lower case with the dot. Apart from the readers, so that the
- * page can offer and sort files before it has loaded any reader.
+ * The extensions of each format's files, lower case with the dot. They are separate from the
+ * readers, so that the page can offer and sort files before it has loaded any reader.
  */
 export const formatExtensions = {
   mit: ['.skel', '.obj', '.attach'],
@@ -8,18 +8,18 @@ export const formatExtensions = {
   mmd: ['.pmd'],
 } as const;
 
-/** Endings of the images that materials may name. */
+/** Extensions of the images that materials may name. */
 export const textureExtensions: readonly string[] = ['.bmp', '.png', '.jpg', '.jpeg', '.tga'];
 
-/** Endings of files that add to a character that is open, whatever else it has. */
+/** Extensions of files that add something to a character that is already open. */
 export const companionExtensions: readonly string[] = ['.morph', '.anim', '.rig'];
 
 export const archiveExtension = '.zip';
 
-/** Endings of the files that make characters, each once. */
+/** Extensions of the files that make characters, without duplicates. */
 export const characterExtensions: readonly string[] = [
   ...new Set<string>([...Object.values(formatExtensions).flat(), archiveExtension]),
 ];
 
-/** Endings that are worth reading. */
+/** Extensions of all files that are read. */
 export const readableExtensions: readonly string[] = [...characterExtensions, ...textureExtensions];

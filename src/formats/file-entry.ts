@@ -2,7 +2,7 @@ import type { FileEntry } from './format.ts';
 
 export const headSize = 4096;
 
-/** A file whose bytes are at hand. */
+/** A file whose bytes are already in memory. */
 export function memoryFile(path: string, bytes: Uint8Array): FileEntry {
   return {
     path,
@@ -16,13 +16,13 @@ export function baseName(path: string): string {
   return path.slice(Math.max(path.lastIndexOf('/'), path.lastIndexOf('\\')) + 1);
 }
 
-/** Folder and file name without its last ending: "data/Model1" of "data/Model1.skel". */
+/** The path without its last extension: "data/Model1" for "data/Model1.skel". */
 export function pathStem(path: string): string {
   const extension = extensionOf(path);
   return extension === '' ? path : path.slice(0, -extension.length);
 }
 
-/** With the dot, lower case; empty where there is none. */
+/** The extension with the dot, in lower case; empty if there is none. */
 export function extensionOf(path: string): string {
   const name = baseName(path);
   const dot = name.lastIndexOf('.');

@@ -2,7 +2,7 @@ import type { Character } from '../core/character.ts';
 import { DofKind, noParent, type Skeleton } from '../core/skeleton.ts';
 import type { FormatShape } from './format.ts';
 
-/** Whether the character is already what files of that shape give. */
+/** Whether the character already has the shape of that format's files. */
 export function fitsShape({ skeleton, skin }: Character, shape: FormatShape): boolean {
   for (let joint = 0; joint < skeleton.jointCount; joint++) {
     if (!jointFits(skeleton, joint, shape)) return false;
@@ -29,7 +29,7 @@ function jointFits(skeleton: Skeleton, joint: number, shape: FormatShape): boole
 
 interface WantedDof {
   readonly kind: DofKind;
-  /** None of a ball. */
+  /** Absent for a ball. */
   readonly axis?: number;
 }
 
@@ -41,7 +41,7 @@ function axisDofs(kind: DofKind, axes: string): WantedDof[] {
   return Array.from(axes, (axis) => ({ kind, axis: 'xyz'.indexOf(axis) }));
 }
 
-/** Whether nothing is moved or turned at rest. A ball's identity is (0, 0, 0, 1). */
+/** Whether no joint is translated or rotated at rest. A ball's identity is (0, 0, 0, 1). */
 function isUnposed({ qRest, jointCount, dofStart, dofKind, dofQ }: Skeleton): boolean {
   const ones = new Set<number>();
   for (let dof = 0; dof < dofStart[jointCount]!; dof++) {

@@ -5,14 +5,14 @@ import type { EulerProduct } from '../core/euler.ts';
 import type { Limits } from '../core/limits.ts';
 import type { NormalsId } from '../core/skin.ts';
 
-/** A file that was dropped, fetched or named on the command line; its bytes come when asked for. */
+/** A file that was dropped, fetched or named on the command line; its bytes are read on request. */
 export interface FileEntry {
-  /** As given: perhaps with folders, `/` between them. */
+  /** The path as given, possibly with folders, separated by `/`. */
   readonly path: string;
   readonly size: number;
-  /** The first 4 KiB, so that a format can tell its dialect by content. */
+  /** The first 4 KiB, so that a format can recognize its files by content. */
   readonly head: Uint8Array;
-  /** Why it can't be read, where that is known before its bytes are asked for. */
+  /** The reason why it can't be read, if that is known before its bytes are requested. */
   readonly fault?: string;
   bytes(): Promise<Uint8Array>;
 }
@@ -21,7 +21,7 @@ export interface FileEntry {
 export interface FileGroup {
   readonly name: string;
   readonly files: readonly FileEntry[];
-  /** What was guessed in putting them together. */
+  /** Reports of guesses in grouping the files. */
   readonly diagnostics: readonly Diagnostic[];
 }
 
@@ -32,54 +32,60 @@ export interface OutputFile {
 
 export interface Written {
   readonly files: readonly OutputFile[];
-  /** What the character has and the files can't hold. */
+  /** What the character has but the files can't hold. */
   readonly losses: readonly Diagnostic[];
 }
 
-/** Half of a seam: from a format's files to loose parts. */
+/** Reads the files of a format into loose parts. */
 export interface FormatReader {
-  /** Puts the files of each character together. */
+  /** Groups the files of each character. */
   group(files: readonly FileEntry[]): Promise<readonly FileGroup[]>;
   read(group: FileGroup, limits: Limits): Promise<Parsed<CharacterParts>>;
 }
 
-/** The other half: a file for each part that there is. */
+/** Writes a file for each part of a character that exists. */
 export type FormatWriter = (character: Character) => Written;
 
 /**
- * What the files of a format can hold, as data: converting, `Save as` and the report of losses read it,
- * so that none of them knows a format by its name.
+ * What the files of a format can hold, as data. Conversion, `Save as` and the report of losses read
+ * it, so that none of them depends on a particular format.
  */
 export interface FormatShape {
-  /** The course or program whose files they are, for reports. */
+  /** The course or program that uses these files, for reports. */
   readonly owner: string;
-  /** Which joints can be moved, along x, y and z, before they turn. */
+  /** Which joints can be translated along x, y and z before they rotate. */
   readonly slides: 'roots' | 'any';
-  /** How each joint turns: by three hinges in the order of the product, or as a ball. */
+  /** How each joint rotates: by three hinges in the order of the product, or as a ball. */
   readonly turns: EulerProduct | 'ball';
-  /** Whether joints can be rotated at rest, apart from their values. */
+  /** Whether joints can have a rotation at rest, apart from their values. */
   readonly restRotations: boolean;
-  /** Whether values have a pose of the file's own, else zero or the identity. */
+  /** Whether the files have a pose of their own; otherwise it is zero or the identity. */
   readonly restPose: boolean;
   readonly limits: boolean;
   readonly jointNames: boolean;
   readonly jointBoxes: boolean;
-  /** Whether bindings are the file's own; else the mesh is bound to the joints as they stand at rest. */
+  /**
+   * Whether the files have bindings of their own; otherwise the mesh is bound to the joints at
+   * rest.
+   */
   readonly bindings: boolean;
   /** Whether points can follow the first joint. */
   readonly firstJointWeights: boolean;
-  /** The most that a vertex can have. */
+  /** The largest number of influences of a vertex. */
   readonly influences: number;
-  /** How the format's programs turn normals. */
+  /** How the format's programs transform normals. */
   readonly normals: NormalsId;
-  /** Whether the format's programs take normals from the files; else they compute them from the triangles. */
+  /**
+   * Whether the format's programs take normals from the files; otherwise they compute them from the
+   * triangles.
+   */
   readonly ownNormals: boolean;
   /** Whether materials name images, and whether they have colors. */
   readonly textures: boolean;
   readonly colors: boolean;
   readonly morphs: boolean;
   readonly clips: boolean;
-  /** Null where the format says nothing of it. */
+  /** Null if the format does not define its unit. */
   readonly metersPerUnit: number | null;
   readonly handedness: FileSpace;
 }

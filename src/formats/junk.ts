@@ -1,4 +1,4 @@
-/** Files that systems leave beside real ones: resource forks, folder settings, previews. */
+/** Whether a file was added by an operating system: resource forks, folder settings, previews. */
 export function isJunk(path: string): boolean {
   return path
     .split(/[/\\]/)

@@ -8,31 +8,32 @@ import { boundText } from './text/write-number.ts';
 import { DofKind, firstRoot, type Skeleton } from '../core/skeleton.ts';
 
 /**
- * A pose as people write and exchange it: angles x, y, z in radians by joint name or `#` and the
- * joint's index in the file; `root` displaces the first root from its place in the file. A ball joint
- * takes a quaternion x, y, z, w instead, or angles of R = Rx · Ry · Rz. In Sinew's right-handed space.
+ * A pose in the form that people write and exchange: angles x, y, z in radians by joint name, or by
+ * `#` and the joint's index in the file. `root` displaces the first root from its place in the
+ * file. A ball joint takes a quaternion x, y, z, w instead, or angles of R = Rx · Ry · Rz. All
+ * values are in Sinew's right-handed space.
  */
 export interface PoseJson {
-  /** Of this form; 1, the only one yet, where absent. */
+  /** The version of this form; 1, the only one so far, if absent. */
   version?: number;
   joints?: Record<string, BallJson>;
   root?: [number, number, number];
 }
 
 /**
- * The pose that a value describes, which comes from no text; joints it does not name keep the file's
- * pose. Values past a joint's limits are clamped, and those that it has no freedom for left out, each
- * with a warning.
+ * Returns the pose that a plain value describes. Joints that it does not name keep the file's pose.
+ * Values beyond a joint's limits are clamped, and values for an axis that the joint does not have
+ * are ignored, each with a warning.
  */
 export function poseFromJson(file: string, value: unknown, skeleton: Skeleton): Parsed<Pose> {
   const log = new DiagnosticLog(file);
   return decodePose(new JsonValue({ value }, { log, area: 'pose', effect: unused }), skeleton);
 }
 
-/** What becomes of a pose with an error. */
+/** The consequence of an error in a pose. */
 export const unused = 'the pose is not used';
 
-/** As `poseFromJson`, from a value that knows where it stands. */
+/** Like `poseFromJson`, from a value that knows its place in the text. */
 export function decodePose(json: JsonValue, skeleton: Skeleton): Parsed<Pose> {
   const { log } = json.source;
   const pose = restPose(skeleton);
@@ -80,7 +81,10 @@ export function decodePose(json: JsonValue, skeleton: Skeleton): Parsed<Pose> {
   }
 }
 
-/** As many numbers as one of the counts, none past what can be computed with. */
+/**
+ * Returns a list of numbers whose length is one of the counts, none larger than can be computed
+ * with.
+ */
 function boundedNumbers(
   json: JsonValue,
   counts: readonly number[],
@@ -96,7 +100,7 @@ function boundedNumbers(
   return undefined;
 }
 
-/** The joint of a name or of `#index`; or what was expected in its place. */
+/** The joint of a name or of `#index`, or the text that says what was expected. */
 function findJoint(skeleton: Skeleton, name: string): number | string {
   if (/^#\d+$/.test(name)) {
     const source = Number(name.slice(1));

@@ -19,10 +19,12 @@ export interface ReadOutcome {
   readonly diagnostics: readonly Diagnostic[];
 }
 
-/** What is being read, and how much of all the bytes came before it (0 to 1). */
+/** The current file, and the fraction of all bytes before it (0 to 1). */
 export type ReadProgress = (label: string, fraction: number) => void;
 
-/** From any files, in any order, to all the characters among them: the way of every caller. */
+/**
+ * Reads all characters from any files, in any order. All callers read files through this function.
+ */
 export async function readCharacters(
   given: readonly FileEntry[],
   onProgress: ReadProgress = () => undefined,
@@ -61,7 +63,7 @@ export async function readCharacters(
   return { characters, diagnostics };
 }
 
-/** Few users drop archives, so that the first picture does not wait for this. */
+/** Few users drop archives, so the first picture does not wait for this code. */
 async function expand(files: readonly FileEntry[]) {
   const { expandArchives } = await loadPart(import('./zip/expand-archives.ts'));
   return expandArchives(files);
@@ -69,11 +71,11 @@ async function expand(files: readonly FileEntry[]) {
 
 interface ReadGroup {
   readonly character: Character;
-  /** The file that has its mesh, whose materials name images. */
+  /** The file of its mesh, whose materials name images. */
   readonly from: FileEntry;
 }
 
-/** Most characters name none, so that the first picture does not wait for this. */
+/** Most characters name no images, so the first picture does not wait for this code. */
 async function withImages({ character, from }: ReadGroup, files: readonly FileEntry[]) {
   const named = character.materials.some(({ texture }) => texture !== undefined);
   if (!named && character.optionalImages.length === 0) {
@@ -99,7 +101,9 @@ async function readGroup(
   return built.value && { character: built.value, from };
 }
 
-/** The same files; asking one for its bytes reports progress, and fewer bytes than it should have. */
+/**
+ * Wraps the files: reading one reports progress, and reports if it gives fewer bytes than its size.
+ */
 function watched(
   files: readonly FileEntry[],
   onProgress: ReadProgress,
@@ -119,7 +123,7 @@ function watched(
   }));
 }
 
-/** A text cut between two lines, or within a number, may read well all the same. */
+/** A text that was cut between two lines, or within a number, may be read without errors. */
 function truncated({ path, size }: FileEntry, found: number): Diagnostic {
   return {
     severity: 'warning',
@@ -139,7 +143,7 @@ function isImage({ path }: FileEntry): boolean {
   return textureExtensions.includes(extensionOf(path));
 }
 
-/** Images are read well enough; none of the characters has a use for them. */
+/** The images can be read, but no character uses them. */
 function unnamedImages(images: readonly FileEntry[]): Diagnostic {
   const names = images.map(({ path }) => baseName(path));
   const others = names.length > 1 ? ` and ${names.length - 1} more` : '';
@@ -153,7 +157,7 @@ function unnamedImages(images: readonly FileEntry[]): Diagnostic {
   };
 }
 
-/** One warning for all of them: a folder may hold hundreds. */
+/** One warning for all of them, because a folder may hold hundreds. */
 function unknownFiles(files: readonly FileEntry[]): Diagnostic {
   const names = files.map(({ path }) => baseName(path));
   const others = names.length > 1 ? ` and ${names.length - 1} more` : '';

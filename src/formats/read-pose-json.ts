@@ -5,8 +5,8 @@ import { parseJson } from './json/parse-json.ts';
 import { decodePose, unused } from './pose-json.ts';
 
 /**
- * The pose that a text describes, as `poseFromJson`; what is said of it names line and column. Apart
- * from that, so that the first picture does not wait for a parser that knows places.
+ * Returns the pose that a text describes, like `poseFromJson`, with line and column in messages. It
+ * is separate, so that the first picture does not have to load a parser that records places.
  */
 export function readPoseJson(file: string, text: string, skeleton: Skeleton): Parsed<Pose> {
   const log = new DiagnosticLog(file);

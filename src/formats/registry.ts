@@ -10,14 +10,18 @@ import { mitShape } from './mit/shape.ts';
 import { mmdShape } from './mmd/shape.ts';
 
 /**
- * A seam: a format is a folder with a shape, a reader and a writer, and an entry here. The latter two are
- * loaded at first use, so that a page has none whose files it never meets.
+ * A format consists of a folder with a shape, a reader and optionally a writer, and an entry here.
+ * The reader and the writer are loaded at first use, so that a page does not load code for files
+ * that it never opens.
  */
 export interface FormatEntry {
   readonly id: FormatId;
   readonly label: string;
   readonly shape: FormatShape;
-  /** Whether a file is this format's by its beginning, for endings that others have too. */
+  /**
+   * Decides by the beginning of a file whether it is of this format, for extensions that other
+   * formats use too.
+   */
   readonly recognizes?: (file: FileEntry) => boolean;
   readonly loadReader: () => Promise<FormatReader>;
   readonly loadWriter?: () => Promise<FormatWriter>;
@@ -53,7 +57,7 @@ const entries = [
 /** Every format that Sinew reads. */
 export const formats: readonly FormatEntry[] = entries;
 
-/** A format that is written too, so that a character can be converted to it. */
+/** A format that can be written, so that a character can be converted to it. */
 export type ConvertTarget = Extract<
   (typeof entries)[number],
   { readonly loadWriter: unknown }
@@ -78,7 +82,10 @@ export async function loadWriter(id: FormatId): Promise<FormatWriter> {
   return load();
 }
 
-/** The format whose file it is: by its ending, and where several have that, the first that knows it. */
+/**
+ * The format of a file: by its extension and, if several formats use that, the first that
+ * recognizes it.
+ */
 export function formatOf(file: FileEntry): FormatId | undefined {
   const extension = extensionOf(file.path);
   const byEnding = formats.filter(({ id }) =>

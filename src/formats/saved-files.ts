@@ -3,8 +3,9 @@ import { plainName, withPlainPaths } from './belonging/plain-path.ts';
 import type { OutputFile } from './format.ts';
 
 /**
- * Files as they are saved, side by side, and images at the paths that the materials name. The names come from
- * files that anyone may have written, so that each becomes a plain path, and none is there twice.
+ * Returns files as they are saved, in one folder, with images at the paths that the materials name.
+ * The names come from files that anyone may have written, so each becomes a plain path, and no path
+ * occurs twice.
  */
 export function savedFiles(
   written: readonly OutputFile[],

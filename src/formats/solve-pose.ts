@@ -5,25 +5,28 @@ import { axisDofs } from '../core/pose.ts';
 import { DofKind, firstRoot, noParent, type Skeleton } from '../core/skeleton.ts';
 import { noJoint, type Skin } from '../core/skin.ts';
 
-/** What angles are solved for. */
+/** The skeleton for which angles are solved. */
 export interface Target {
   readonly product: EulerProduct;
-  /** Whether joints keep their own frames, or stand unturned where the mesh is bound. */
+  /** Whether joints keep their own frames, or are without rotation where the mesh is bound. */
   readonly frames: 'joint' | 'bind';
-  /** Whether a root at the origin is put above the others. */
+  /** Whether a new root at the origin is added above the others. */
   readonly insertRoot: boolean;
-  /** (jointCount × 3) where the joints are bound. */
+  /** (jointCount × 3) positions of the joints at bind time. */
   readonly bound: Float64Array;
 }
 
 export interface SolvedPose {
-  /** (jointCount × 3) x, y, z in the target's product. */
+  /** (jointCount × 3) x, y, z in the order of the target's product. */
   readonly angles: Float64Array;
-  /** How far the first root is from where it is bound or, with its own frames, from its offset. */
+  /**
+   * The displacement of the first root from its bind position or, with its own frames, from its
+   * offset.
+   */
   readonly root: readonly [number, number, number];
 }
 
-/** The angles that turn the target's joints as q turns the skeleton's. */
+/** Solves for the angles that rotate the target's joints as q rotates the skeleton's. */
 export function solvePose(
   skeleton: Skeleton,
   skin: Skin,
@@ -50,7 +53,7 @@ export function solvePose(
   return { angles, root: [moved[0]!, moved[1]!, moved[2]!] };
 }
 
-/** (jointCount × 16) W · B⁻¹, what each joint has turned since the mesh was bound. */
+/** (jointCount × 16) W · B⁻¹: the rotation of each joint since the mesh was bound. */
 function turnsSinceBind(skeleton: Skeleton, skin: Skin, world: Float64Array): Float64Array {
   const out = new Float64Array(world.length);
   const rest = jointMatrices(skeleton, skeleton.qRest);
@@ -66,7 +69,7 @@ function turnsSinceBind(skeleton: Skeleton, skin: Skin, world: Float64Array): Fl
   return out;
 }
 
-/** x, y, z of a joint's hinges: what the new angles should be near to. */
+/** x, y, z of a joint's hinges; the new angles should be near to them. */
 function hingeAngles(skeleton: Skeleton, joint: number, q: Float64Array): number[] {
   const angles = [0, 0, 0];
   for (const { kind, axis, index } of axisDofs(skeleton, joint)) {

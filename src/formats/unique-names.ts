@@ -1,8 +1,8 @@
 const longestName = 256;
 
 /**
- * Names to show and to write poses with: those of the file, cut where they are endless, "knee (2)"
- * for the second of a name, "joint 03" where there is none. Unique; same length and order.
+ * Returns unique names for display and for poses, in the same order: the file's names, cut if they
+ * are too long, with "knee (2)" for the second of a name and "joint 03" for a missing name.
  */
 export function uniqueNames(fileNames: readonly string[], kind = 'joint'): string[] {
   const digits = Math.max(2, String(fileNames.length - 1).length);

@@ -3,7 +3,7 @@ import { DofKind, firstRoot, type Skeleton } from '../core/skeleton.ts';
 import { ballValue, type BallJson, type Quaternion, type Triple } from './ball-values.ts';
 import type { PoseJson } from './pose-json.ts';
 
-/** The pose as JSON: only joints that differ from the file's pose, by name. */
+/** Returns the pose as JSON, with only the joints that differ from the file's pose, by name. */
 export function poseToJson(skeleton: Skeleton, pose: Pose): PoseJson {
   const joints: [string, BallJson][] = [];
   for (let joint = 0; joint < skeleton.jointCount; joint++) {
@@ -13,11 +13,11 @@ export function poseToJson(skeleton: Skeleton, pose: Pose): PoseJson {
   }
   const root = firstRoot(skeleton);
   const displacement = root >= 0 && axisValues(skeleton, pose, root, DofKind.slide);
-  // From entries, since a joint may have any name, "__proto__" too.
+  // Built from entries, because a joint may have any name, even "__proto__".
   return { joints: Object.fromEntries(joints), ...(displacement ? { root: displacement } : {}) };
 }
 
-/** The quaternion of a joint's ball, or nothing where it has none or it is as in the file. */
+/** The quaternion of a joint's ball; nothing if it has no ball or is as in the file. */
 function ballValues(skeleton: Skeleton, { q }: Pose, joint: number): Quaternion | undefined {
   const at = ballValue(skeleton, joint);
   const values = at < 0 ? [] : [...q.subarray(at, at + 4)];
@@ -26,7 +26,7 @@ function ballValues(skeleton: Skeleton, { q }: Pose, joint: number): Quaternion 
     : undefined;
 }
 
-/** x, y, z of a joint's hinges or slides, or nothing where they are as in the file. */
+/** x, y, z of a joint's hinges or slides; nothing if they are as in the file. */
 function axisValues(
   skeleton: Skeleton,
   pose: Pose,

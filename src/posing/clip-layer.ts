@@ -1,7 +1,9 @@
 import { evaluateClip } from '../core/clip.ts';
 import type { PoseLayer } from './pose-layer.ts';
 
-/** The values that the bound clip has at its time; others stay as they were edited. */
+/**
+ * Sets the values that the bound clip animates, at its time; other values keep their edited state.
+ */
 export const clipLayer: PoseLayer = {
   id: 'clip',
   isActive: ({ clip }) => clip !== null,

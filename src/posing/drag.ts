@@ -9,21 +9,21 @@ import { rollAxis, rollFrom } from './roll-joint.ts';
 import { nearestValue, radiusAbout } from './single-value.ts';
 import { turnAbout, turnJoint, type TurnStart, turnStart } from './turn-joint.ts';
 
-/** Where the pointer is. */
+/** The position of the pointer. */
 export interface DragPointer {
-  /** Of sight, in the character's space. */
+  /** The pointer's ray, in the character's space. */
   readonly ray: Ray;
-  /** CSS pixels, x to the right and y up, from anywhere. */
+  /** CSS pixels, x to the right and y up, from any origin. */
   readonly x: number;
   readonly y: number;
 }
 
 /**
  * What a drag does.
- * - `follow`: the joint turns so that the grabbed point stays under the pointer.
- * - `value`: one value of q alone is set, so that the grabbed point is nearest to the pointer.
- * - `course`: the joint turns about the axis across the view and the motion, as the course's program.
- * - `roll`: the joint turns about the line to `farEnd` (joint frame), which stays.
+ * - `follow`: the joint rotates so that the grabbed point stays under the pointer.
+ * - `value`: only one value of q changes, so that the grabbed point is nearest to the pointer.
+ * - `course`: the joint rotates about the axis across view and motion, as in CS354's program.
+ * - `roll`: the joint rotates about the line to `farEnd` (in its frame), which stays in place.
  */
 export type DragMode =
   | { readonly kind: 'follow' }
@@ -36,29 +36,32 @@ export interface DragStart {
   /** (qCount) the pose at the start; never written. */
   readonly q: Float64Array;
   readonly joint: number;
-  /** Of the joint or of what hangs on it, in the character's space. */
+  /** A point of the joint or of a descendant, in the character's space. */
   readonly grabbed: readonly [number, number, number];
   readonly pointer: DragPointer;
   readonly view: ViewAxes;
   readonly mode: DragMode;
   /**
-   * A point nearer than this to what it would turn about does not follow (a pixel would be a large
-   * turn); the motion of the pointer turns instead. Character units; 8 pixels' worth is good.
+   * A point that is nearer than this to its center or axis of rotation does not follow, because a
+   * pixel would be a large rotation; the motion of the pointer rotates the joint instead. In
+   * character units; a length of 8 pixels is a good value.
    */
   readonly leastReach?: number;
 }
 
-/** A drag under way: a function of where the pointer is, counted from the start alone. */
+/** A drag in progress: a function of the pointer's position that depends only on the start. */
 export interface Drag {
   /**
-   * The pose for a place of the pointer: a new array, and at the place of the start the very values
-   * of the start.
+   * Returns the pose for a position of the pointer as a new array. At the starting position it has
+   * exactly the values of the start.
    *
-   * @param present the pose shown now: of equivalent angles the nearest to these are taken, so that
-   *   sliders turn on past ±π; the start's where absent
+   * @param present the pose that is shown now. Of equivalent angles the nearest to these are taken,
+   *   so that sliders continue beyond ±π. If absent, the start's pose is used.
    */
   move(pointer: DragPointer, present?: Float64Array): Float64Array;
-  /** Where the grabbed point is in a pose, character space: where a drag in another mode goes on. */
+  /**
+   * The grabbed point in a pose, in the character's space: where a drag in another mode continues.
+   */
   grabbedAt(q: Float64Array): [number, number, number];
 }
 
@@ -68,7 +71,7 @@ export function beginDrag(drag: DragStart): Drag {
   const start = turnStart(skeleton, joint, q);
   const grabbed = Float64Array.from(drag.grabbed);
   const held = inFrame(start.frames.characterFromJoint, grabbed);
-  // What was grabbed beside the ray stays beside it, so that the first move does not jump.
+  // Keeps the offset between the grabbed point and the ray, so that the first move does not jump.
   const beside = vec3.subtract(new Float64Array(3), grabbed, closestOnRay(pointer.ray, grabbed));
   const moveTo = moveIn(mode);
 
@@ -122,7 +125,9 @@ export function beginDrag(drag: DragStart): Drag {
 
 type Move = (ray: Ray, motion: readonly [number, number], present: Float64Array) => Float64Array;
 
-/** CS354's program: points that face the eye go with the mouse, however far away they are. */
+/**
+ * As in CS354's program, points that face the viewer move with the mouse, however distant they are.
+ */
 function turnWithMotion(start: TurnStart, { right, up, look }: ViewAxes): Move {
   return (_, [x, y], present) => {
     const motion = vec3.scale(new Float64Array(3), right, x);

@@ -5,18 +5,24 @@ import { reachPoint } from './reach-point.ts';
 import { nearestValue } from './single-value.ts';
 import { shortestTurn, turnFreely, type TurnStart } from './turn-joint.ts';
 
-/** What a better solution from elsewhere must save, as a part of the reach, to be taken. */
+/**
+ * How much nearer a solution from another start must be, as a fraction of the reach, to be
+ * preferred.
+ */
 const better = 1e-3;
 
 /**
- * Turns a joint so that a point of it follows a ray, always from the start. The point can be anywhere
- * on the sphere about where the joint turns: it goes to where the ray meets the sphere, on the side,
- * near or far, on which it began; past the rim to the rim.
+ * Rotates a joint so that a point of it follows a ray, always from the start. The point can be
+ * anywhere on the sphere about the joint's pivot. It moves to where the ray meets the sphere, on
+ * the near or the far side, whichever it began on; if the ray misses, it moves to the sphere's
+ * silhouette.
  *
- * A ball, or three hinges, take the shortest turn there. Where limits stop that, and where there are
- * but two hinges, it comes as near as they let it; a single hinge goes nearest to the ray.
+ * A ball or three hinges take the shortest rotation that does this. If limits prevent it, or if
+ * there are only two hinges, the point comes as near as they allow. A single hinge moves the point
+ * nearest to the ray.
  *
- * @param grabbed at the start, character space; `held` is the same in the joint's frame
+ * @param grabbed the point at the start, in the character's space; `held` is the same in the
+ * joint's frame
  */
 export function followRay(
   start: TurnStart,
@@ -49,12 +55,13 @@ export function followRay(
     }
     const fromStart = reachPoint(start, held, target, q);
     if (free.length > 2) return fromStart.q;
-    // Two hinges have single solutions: the present ones may lie in another valley, and be better.
+    // Two hinges have isolated solutions: the one nearest to the present values may be a better
+    // minimum.
     const fromPresent = reachPoint(start, held, target, withOwn(present));
     return fromPresent.miss < fromStart.miss - better * reach ? fromPresent.q : fromStart.q;
   };
 
-  /** The start's values, but the free hinges' of the present. */
+  /** The start's values, with the present values of the free hinges. */
   function withOwn(present: Float64Array): Float64Array {
     const own = q.slice();
     for (const { index } of free) own[index] = present[index]!;
@@ -62,10 +69,12 @@ export function followRay(
   }
 }
 
-/** Where the ray meets the sphere on one side; where it does not, the rim's point nearest to it. */
+/**
+ * Where the ray meets the sphere on one side; if it misses, the nearest point of the silhouette.
+ */
 function onSphere(ray: Ray, center: vec3, radius: number, isFar: boolean): vec3 {
   const span = sphereSpan(ray, center, radius);
-  // From within the sphere only the far side is ahead.
+  // From within the sphere, only the far side is ahead.
   if (span && span[1] >= 0) return pointOnRay(ray, isFar || span[0] < 0 ? span[1] : span[0]);
   const offset = vec3.subtract(new Float64Array(3), center, ray.origin);
   const closest = pointOnRay(ray, Math.max(0, vec3.dot(offset, ray.direction)));

@@ -3,20 +3,20 @@ import { extractEuler } from '../core/euler.ts';
 import { DofKind } from '../core/skeleton.ts';
 import type { DofFrame, JointFrames } from './joint-frames.ts';
 
-/** How far from a right angle the axes of a triple may be, as a cosine. */
+/** How far the axes of a triple may be from a right angle, as a cosine. */
 const square = 1e-9;
 
-/** Three hinges, one right after the other, about axes at right angles: they can turn any way. */
+/** Three consecutive hinges about axes at right angles; they can reach any rotation. */
 export interface HingeTriple {
   readonly hinges: readonly [DofFrame, DofFrame, DofFrame];
-  /** World space, where the triple stands: columns are the axes before and after it turns. */
+  /** In world space: the columns are the axes before the triple's rotation. */
   readonly axesBefore: mat3;
   readonly axesAfter: mat3;
-  /** 1 where the axes, in their order, are right-handed (X, Y, Z); -1 else (Z, Y, X). */
+  /** 1 if the axes, in their order, are right-handed (X, Y, Z), otherwise -1 (Z, Y, X). */
   readonly handedness: 1 | -1;
 }
 
-/** The joint's three hinges, in whatever order they stand; null where it has no such three. */
+/** Returns the joint's three hinges, in any order, or null if it has no such triple. */
 export function hingeTriple(
   frames: JointFrames,
   dofAxis: Float64Array,
@@ -46,15 +46,15 @@ export function hingeTriple(
 }
 
 /**
- * The three angles that turn the triple by `turn` from where it stands; of the equivalent ones
- * (two triples, and whole turns of each angle), those nearest to `near`.
+ * Returns the three angles that rotate the triple by `turn` from its present state. Of the
+ * equivalent ones (two triples, and full turns of each angle) those nearest to `near` are taken.
  *
- * In the frame of the axes B the product of any three such hinges is Rx · Ry · Rz, up to the sign of
- * the angles where B is a reflection: B (Rx · Ry · Rz) Bᵀ = R₁ · R₂ · R₃. So one extraction does for
- * all orders.
+ * In the frame of the axes B, the product of any three such hinges is Rx · Ry · Rz, with reversed
+ * signs of the angles if B is a reflection: B (Rx · Ry · Rz) Bᵀ = R₁ · R₂ · R₃. One extraction
+ * therefore covers all orders.
  *
  * @param turn unit quaternion xyzw, world space
- * @param near q of the present, whose hinges' values count
+ * @param near the present q, of which the hinges' values are used
  */
 export function tripleAngles(triple: HingeTriple, turn: quat, near: Float64Array): number[] {
   const { hinges, axesBefore, axesAfter, handedness } = triple;
@@ -68,7 +68,7 @@ export function tripleAngles(triple: HingeTriple, turn: quat, near: Float64Array
   return extractEuler(rotation, 'xyz', from).map((angle) => handedness * angle);
 }
 
-/** 3 × 3, column-major: the vectors, turned by the matrix's rotation. */
+/** 3 × 3, column-major: the vectors, rotated by the matrix's rotation. */
 function columnsOf(matrix: ArrayLike<number>, vectors: readonly Float64Array[]): mat3 {
   const rotation = mat3.fromMat4(new Float64Array(9), matrix as Float64Array);
   const columns = Float64Array.from(vectors.flatMap((vector) => [...vector]));

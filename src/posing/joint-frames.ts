@@ -3,34 +3,34 @@ import { applyDof, jointMatrices, writeRestMatrix } from '../core/forward-kinema
 import { jointRange } from '../core/pose.ts';
 import { DofKind, noParent, type Skeleton } from '../core/skeleton.ts';
 
-/** A degree of freedom where it stands in a pose, in the character's space. */
+/** The frame of a degree of freedom in a pose, in the character's space. */
 export interface DofFrame {
   readonly kind: DofKind;
-  /** Its first place in q. */
+  /** The index of its first value in q. */
   readonly index: number;
-  /** Column-major: the frame in which it moves, before it does. */
+  /** Column-major: the frame in which it moves, before its own transform. */
   readonly worldFromDof: mat4;
-  /** Unit; without meaning for a ball. */
+  /** Unit vector; meaningless for a ball. */
   readonly axis: vec3;
-  /** A point on a hinge's axis, the center of a ball. */
+  /** A point on a hinge's axis, or the center of a ball. */
   readonly origin: vec3;
 }
 
-/** A joint with its degrees of freedom at some values of q. */
+/** A joint with its degrees of freedom for some values of q. */
 export interface JointFrames {
   /** In stored order, the outermost first. */
   readonly dofs: readonly DofFrame[];
   readonly characterFromJoint: mat4;
 }
 
-/** Where a joint's parent stands; the identity for a root. Column-major. */
+/** The matrix of a joint's parent, column-major; the identity for a root. */
 export function parentMatrix(skeleton: Skeleton, joint: number, q: Float64Array): mat4 {
   const parent = skeleton.parents[joint]!;
   if (parent === noParent) return mat4.identity(new Float64Array(16));
   return jointMatrices(skeleton, q).subarray(parent * 16, parent * 16 + 16);
 }
 
-/** Walks a joint's degrees of freedom, outermost first, as forward kinematics does. */
+/** Visits a joint's degrees of freedom, the outermost first, as forward kinematics does. */
 export function jointFrames(
   skeleton: Skeleton,
   joint: number,
@@ -55,12 +55,14 @@ export function jointFrames(
   return { dofs, characterFromJoint: world };
 }
 
-/** The hinges of a joint that limits do not lock. */
+/** The hinges of a joint that are not locked by their limits. */
 export function freeHinges({ qMin, qMax }: Skeleton, { dofs }: JointFrames): DofFrame[] {
   return dofs.filter(({ kind, index }) => kind === DofKind.hinge && qMin[index]! < qMax[index]!);
 }
 
-/** Whether a drag can turn the joint: it has a ball, or a hinge that limits do not lock. */
+/**
+ * Whether a drag can rotate the joint: it has a ball, or a hinge that is not locked by its limits.
+ */
 export function canTurn(skeleton: Skeleton, joint: number): boolean {
   for (let dof = skeleton.dofStart[joint]!; dof < skeleton.dofStart[joint + 1]!; dof++) {
     if (skeleton.dofKind[dof] === DofKind.ball) return true;
@@ -71,7 +73,7 @@ export function canTurn(skeleton: Skeleton, joint: number): boolean {
   return false;
 }
 
-/** The values with the joint's own moved to the nearest within their limits; a new array. */
+/** Returns a copy of q with the joint's values clamped to their limits. */
 export function withinLimits(skeleton: Skeleton, joint: number, q: Float64Array): Float64Array {
   const [from, to] = jointRange(skeleton, joint);
   const clamped = q.slice();

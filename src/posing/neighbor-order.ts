@@ -1,8 +1,9 @@
 import type { Mesh } from '../core/mesh.ts';
 
 /**
- * (triangleCount) the triangles of a mesh so that each half of the list, each half of a half and so on down
- * to runs of `runSize` holds neighbors: it is parted at the median, across its longest side.
+ * (triangleCount) orders the triangles of a mesh so that each half of the list, each half of a half
+ * and so on, down to runs of `runSize`, contains neighbors. Each part is split at the median along
+ * its longest side.
  */
 export function neighborOrder(mesh: Mesh, runSize: number): Uint32Array {
   const middles = middlesOf(mesh);
@@ -32,7 +33,7 @@ export function neighborOrder(mesh: Mesh, runSize: number): Uint32Array {
   }
 }
 
-/** Sums of the corners' coordinates, one array an axis; 0 for what is no number. */
+/** Sums of the corners' coordinates, one array per axis; 0 for NaN. */
 function middlesOf({ indices, positions }: Mesh): readonly Float32Array[] {
   return [0, 1, 2].map((axis) => {
     const sums = new Float32Array(indices.length / 3);
@@ -45,8 +46,8 @@ function middlesOf({ indices, positions }: Mesh): readonly Float32Array[] {
 }
 
 /**
- * Reorders a run so that at `target` stands what sorting by the keys would put there, nothing larger before
- * it and nothing smaller after it (Hoare 1961, "Find").
+ * Reorders a run so that the element at `target` is the one that sorting by the keys would put
+ * there, with no larger one before it and no smaller one after it (Hoare 1961, "Find").
  */
 function select(
   order: Uint32Array,

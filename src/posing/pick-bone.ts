@@ -11,31 +11,31 @@ export interface PosedBones {
   readonly characterFromJoint: Float64Array;
 }
 
-/** How thick things are for picking, in the character's units. */
+/** Radii for picking, in the character's units. */
 export interface PickSizes {
   readonly boneRadius: number;
-  /** Of the spheres at the joints; 0 leaves them out. */
+  /** Radius of the spheres at the joints; 0 excludes them. */
   readonly jointRadius: number;
-  /** Radii are at least this part of the distance: a number of pixels at any depth. */
+  /** The minimum radius as a fraction of the distance: a constant number of pixels at any depth. */
   readonly tolerance: number;
 }
 
-/** Where a ray meets a skeleton. */
+/** The intersection of a ray and a skeleton. */
 export interface BoneHit {
-  /** The joint that turns what was hit. */
+  /** The joint that rotates the bone or sphere that was hit. */
   readonly joint: number;
-  /** The bone, or null where the joint's sphere was hit. */
+  /** The bone, or null if the joint's sphere was hit. */
   readonly bone: Bone | null;
-  /** On the ray, in the joint's frame, model units. */
+  /** The point on the ray, in the joint's frame, in model units. */
   readonly point: readonly [number, number, number];
-  /** Along the ray, in the character's units. */
+  /** Distance along the ray, in the character's units. */
   readonly distance: number;
 }
 
 /**
- * The bone, as a capsule, or joint, as a sphere, that the ray meets first. What it meets at its own
- * thickness comes before what is only near enough, so that a slender bone does not take what is
- * pointed at beside it.
+ * Returns the bone (a capsule) or joint (a sphere) that the ray hits first. A hit within its own
+ * radius takes precedence over a hit only within the enlarged minimum radius, so that a slender
+ * bone does not catch a ray that is aimed at its neighbor.
  */
 export function pickBone(posed: PosedBones, ray: Ray, sizes: PickSizes): BoneHit | null {
   const { skeleton, bones } = posed;

@@ -3,20 +3,21 @@ import type { Ray } from '../core/ray.ts';
 import { noJoint, type Skin } from '../core/skin.ts';
 import type { TriangleTree } from './triangle-tree.ts';
 
-/** Where a ray meets a skin. */
+/** The intersection of a ray and a skin. */
 export interface SkinHit {
-  /** The joint with the most weight there; null where the skin follows none. */
+  /** The joint with the largest weight at that point, or null if the skin follows no joint. */
   readonly joint: number | null;
-  /** Counts triples of `Mesh.indices`. */
+  /** Index of the triangle: it counts triples of `Mesh.indices`. */
   readonly triangle: number;
-  /** What each corner of the triangle counts; they sum to 1. */
+  /** Weights of the triangle's corners; they sum to 1. */
   readonly barycentric: readonly [number, number, number];
-  /** Along the ray, in the character's units. */
+  /** Distance along the ray, in the character's units. */
   readonly distance: number;
 }
 
 /**
- * The nearest triangle that the ray meets, from either side, and the joint that owns that place.
+ * Returns the nearest triangle that the ray hits, from either side, and the joint with the largest
+ * weight there.
  *
  * @param tree of the mesh, fitted to the pose
  * @param ray in the character's space
@@ -29,7 +30,7 @@ export function pickSkin(mesh: Mesh, skin: Skin, tree: TriangleTree, ray: Ray): 
   return { joint: ownerOf(mesh, skin, triangle, barycentric), triangle, barycentric, distance };
 }
 
-/** The joint whose weights, summed over the corners as they count, are the largest. */
+/** The joint with the largest weight, summed over the corners with their barycentric weights. */
 function ownerOf(
   { indices, pointOf }: Mesh,
   skin: Skin,

@@ -1,20 +1,20 @@
 import type { Clip } from '../core/clip.ts';
 
 /**
- * What playing does at the end of a clip's range: stops, begins again, turns back, or goes on, where
- * each channel has its own extrapolation.
+ * What happens at the end of a clip's range: playback stops, starts again, reverses, or continues;
+ * then each channel uses its own extrapolation.
  */
 export type PlayMode = 'once' | 'loop' | 'ping-pong' | 'go on';
 
 export interface Playhead {
-  /** Seconds. */
+  /** In seconds. */
   readonly time: number;
-  /** False on the way back of a ping-pong. */
+  /** False while ping-pong plays backwards. */
   readonly forward: boolean;
   readonly ended: boolean;
 }
 
-/** Where the playhead is after so many seconds of the clip. */
+/** Returns the playhead after an interval of the clip's time, in seconds. */
 export function advance(
   { start, end }: Pick<Clip, 'start' | 'end'>,
   { time, forward }: Pick<Playhead, 'time' | 'forward'>,
@@ -36,8 +36,8 @@ export function advance(
 }
 
 /**
- * The time at which a clip is shown at a time of the scene, in which several play: within its range,
- * again and again, but where playing goes on past it.
+ * Converts a time of the scene, in which several clips may play, to a time of a clip: within its
+ * range, repeated, unless the play mode continues beyond the range.
  */
 export function timeInClip(
   { start, end }: Pick<Clip, 'start' | 'end'>,

@@ -1,14 +1,17 @@
 import type { Clip } from '../core/clip.ts';
 
-/** What pose layers read. */
+/** The input of pose layers. */
 export interface PoseContext {
   /** The clip that is bound, or null. */
   readonly clip: Clip | null;
-  /** Seconds of the clip. */
+  /** Time in the clip, in seconds. */
   readonly time: number;
 }
 
-/** A seam: a source of poses over the one that is edited. A new one is a file and a line here. */
+/**
+ * A source of values that are applied over the edited pose. To add one, write a file and add a line
+ * to layers.ts.
+ */
 export interface PoseLayer {
   readonly id: string;
   isActive(context: PoseContext): boolean;

@@ -5,19 +5,20 @@ import type { TurnStart } from './turn-joint.ts';
 
 const mostSteps = 60;
 const mostDamping = 1e6;
-/** Misses and steps smaller than this part of the whole are none. */
+/** Errors and steps below this fraction of the whole count as zero. */
 const exact = 1e-12;
 
-/** Values of a joint, and how far from its target they leave the point. */
+/** Values of a joint, and the distance that remains between the point and its target. */
 export interface Reached {
   readonly q: Float64Array;
   readonly miss: number;
 }
 
 /**
- * The values of the joint's free hinges, within their limits, that bring a point of it nearest to a
- * target, in the valley of `from`: Newton's method with Levenberg and Marquardt's damping, hinges at
- * a limit held there. What the target does not ask for, a roll, changes least.
+ * Returns the values of the joint's free hinges, within their limits, that bring a point of it
+ * nearest to a target, in the local minimum of `from`. It uses Newton's method with Levenberg and
+ * Marquardt's damping, and holds hinges at a limit. Rotations that do not affect the target, such
+ * as a roll, change least.
  *
  * @param point in the joint's frame
  * @param target in the character's space
@@ -44,7 +45,7 @@ export function reachPoint(
   return { q, miss: now.miss };
 }
 
-/** Half the squared miss at some values, and its derivatives by the hinges. */
+/** Half the squared distance for some values, and its derivatives by the hinges. */
 interface Look {
   readonly indices: readonly number[];
   readonly gradient: readonly number[];
@@ -64,7 +65,7 @@ function lookAt(start: TurnStart, q: Float64Array, point: vec3, target: vec3): L
   });
   const hessian = hinges.map((_, i) =>
     hinges.map((__, j) => {
-      // The outer hinge turns the slope of the inner one.
+      // The outer hinge rotates the derivative of the inner one.
       const [outer, inner] = i < j ? [i, j] : [j, i];
       const bend = vec3.cross(new Float64Array(3), hinges[outer]!.axis, slopes[inner]!);
       return vec3.dot(slopes[i]!, slopes[j]!) + vec3.dot(rest, bend);
@@ -79,8 +80,8 @@ function lookAt(start: TurnStart, q: Float64Array, point: vec3, target: vec3): L
 }
 
 /**
- * One damped step; null where there is none to take. Hinges that would go past a limit go to it, and
- * the others are solved anew.
+ * Takes one damped step, or returns null if there is none. Hinges that would exceed a limit go to
+ * it, and the others are solved again.
  */
 function stepWithin(
   { skeleton: { qMin, qMax } }: TurnStart,

@@ -4,15 +4,16 @@ import type { Skeleton } from '../core/skeleton.ts';
 import { withinLimits } from './joint-frames.ts';
 import { turnAbout, turnFreely, type TurnStart, turnStart } from './turn-joint.ts';
 
-/** Values this much past a limit are within it, but for rounding. */
+/** How far a value may exceed a limit by rounding and still count as within it. */
 const slack = 1e-10;
-/** The sine up to which a hinge's axis and a bone's are one. */
+/** Up to this sine, a hinge's axis and a bone count as parallel. */
 const parallel = 1e-9;
 
 /**
- * The values that roll a joint by `angle` about the line from where it turns to the far end of its
- * bone, which stays where it is; a positive angle is counter-clockwise seen from the far end. Limits
- * end the roll where they are met, and a joint that can't roll without moving its far end stays.
+ * Returns the values that roll a joint by `angle` about the line from its pivot to the far end of
+ * its bone, which stays in place. A positive angle is counter-clockwise seen from the far end. The
+ * roll ends at the joint's limits. A joint that can't roll without moving its far end does not
+ * move.
  *
  * @param farEnd of the bone, in the joint's frame
  * @param angle radians
@@ -27,7 +28,10 @@ export function rollJoint(
   return rollFrom(turnStart(skeleton, joint, q), farEnd, angle, q);
 }
 
-/** As `rollJoint`, for a joint whose turn has begun; of equivalent values those nearest to `near`. */
+/**
+ * Like `rollJoint`, for a turn that has begun; of equivalent values those nearest to `near` are
+ * taken.
+ */
 export function rollFrom(
   start: TurnStart,
   farEnd: readonly [number, number, number],
@@ -44,14 +48,14 @@ export function rollFrom(
   return withinLimits(start.skeleton, start.joint, reached);
 }
 
-/** Unit, in the character's space; null where the far end is where the joint turns. */
+/** Unit vector in the character's space, or null if the far end is at the joint's pivot. */
 export function rollAxis(start: TurnStart, farEnd: readonly [number, number, number]): vec3 | null {
   const end = vec3.transformMat4(new Float64Array(3), farEnd, start.frames.characterFromJoint);
   vec3.subtract(end, end, start.pivot);
   return vec3.length(end) > 0 ? vec3.normalize(end, end) : null;
 }
 
-/** The farthest roll toward `angle` whose values are within the limits, by halving. */
+/** The farthest roll toward `angle` whose values are within the limits, by bisection. */
 function farthest(
   start: TurnStart,
   rolled: (part: number) => Float64Array | null,
@@ -68,7 +72,7 @@ function farthest(
   return best;
 }
 
-/** One or two hinges roll a bone only where one of them runs along it. */
+/** One or two hinges can roll a bone only if one of them is parallel to it. */
 function rollHinge(start: TurnStart, axis: vec3, angle: number): Float64Array {
   const { skeleton, joint, q, free } = start;
   const next = q.slice();

@@ -4,15 +4,16 @@ import { DofKind } from '../core/skeleton.ts';
 import type { DofFrame } from './joint-frames.ts';
 
 const turn = 2 * Math.PI;
-/** How finely a circle is looked over for the places nearest to a ray. */
+/** The number of samples on a circle in the search for the points nearest to a ray. */
 const samples = 72;
 /**
- * What half a turn away from the start costs, as a part of the radius squared: it decides only between
- * places that are about equally near, as front and back of a circle seen edge on.
+ * The cost of half a turn away from the start, as a fraction of the squared radius. It decides only
+ * between points that are about equally near, such as the front and the back of a circle seen
+ * edge-on.
  */
 const pull = 0.02;
 
-/** A hinge or slide that is dragged alone. */
+/** A hinge or slide that is dragged on its own. */
 export interface SingleDof {
   readonly dof: DofFrame;
   /** Its value at the start, and its limits. */
@@ -21,16 +22,16 @@ export interface SingleDof {
   readonly max: number;
 }
 
-/** How far a point is from a hinge's axis: the radius on which a drag turns it. */
+/** The distance of a point from a hinge's axis: the radius at which a drag rotates it. */
 export function radiusAbout({ axis, origin }: DofFrame, point: vec3): number {
   return vec3.length(across(vec3.subtract(new Float64Array(3), point, origin), axis));
 }
 
 /**
- * The value, within the limits, that brings a point nearest to a ray, all other values as at the
- * start; for a hinge of the equivalent ones that nearest to `near`.
+ * Returns the value, within the limits, that brings a point nearest to a ray while all other values
+ * stay as at the start. For a hinge, the equivalent value nearest to `near` is taken.
  *
- * @param point where it is at the start, character space
+ * @param point its position at the start, in the character's space
  */
 export function nearestValue(single: SingleDof, point: vec3, ray: Ray, near: number): number {
   return single.dof.kind === DofKind.hinge
@@ -41,14 +42,15 @@ export function nearestValue(single: SingleDof, point: vec3, ray: Ray, near: num
 function nearestOffset({ dof, value, min, max }: SingleDof, point: vec3, ray: Ray): number {
   const direction = across(dof.axis, ray.direction);
   const length = vec3.squaredLength(direction);
-  if (length < 1e-12) return value; // the axis points at the eye: nothing to go by
+  if (length < 1e-12) return value; // the axis points at the viewer, so the ray determines nothing
   const gap = vec3.subtract(new Float64Array(3), ray.origin, point);
   return clamp(value + vec3.dot(gap, direction) / length, min, max);
 }
 
 /**
- * The squared distance of the circle's point c + u cos φ + v sin φ from the ray has up to two minima:
- * they are found by the sign of its derivative and halved down. With limits their ends count too.
+ * The squared distance of the circle's point c + u cos φ + v sin φ from the ray has up to two
+ * minima. They are found by the sign of its derivative and bisection. With limits, the ends of the
+ * range are candidates too.
  */
 function nearestAngle(single: SingleDof, point: vec3, ray: Ray, near: number): number {
   const { dof, value, min, max } = single;
@@ -58,7 +60,7 @@ function nearestAngle(single: SingleDof, point: vec3, ray: Ray, near: number): n
   const v = vec3.cross(new Float64Array(3), dof.axis, u);
   const center = vec3.subtract(new Float64Array(3), vec3.subtract(arm, arm, u), ray.origin);
   vec3.add(center, center, dof.origin);
-  // Everything as seen along the ray.
+  // All vectors projected along the ray.
   const [m, p, s] = [center, u, v].map((vector) => across(vector, ray.direction));
   const [mp, ms, ps] = [vec3.dot(m!, p!), vec3.dot(m!, s!), vec3.dot(p!, s!)];
   const bend = vec3.squaredLength(s!) - vec3.squaredLength(p!);
@@ -86,7 +88,10 @@ function nearestAngle(single: SingleDof, point: vec3, ray: Ray, near: number): n
   );
 }
 
-/** The angle plus the whole turns that bring it nearest to `near` within the limits, if any do. */
+/**
+ * The angle plus the full turns that bring it nearest to `near` within the limits, or null if none
+ * do.
+ */
 function equivalentWithin(angle: number, near: number, min: number, max: number): number | null {
   const lowest = Math.ceil((min - angle) / turn);
   const highest = Math.floor((max - angle) / turn);
@@ -94,7 +99,7 @@ function equivalentWithin(angle: number, near: number, min: number, max: number)
   return angle + turn * clamp(Math.round((near - angle) / turn), lowest, highest);
 }
 
-/** Where the function, negative at `low` and not at `high`, passes zero. */
+/** Bisection: where the function, negative at `low` and not negative at `high`, crosses zero. */
 function halve(slope: (angle: number) => number, low: number, high: number): number {
   for (let step = 0; step < 60; step++) {
     const middle = (low + high) / 2;
@@ -104,7 +109,7 @@ function halve(slope: (angle: number) => number, low: number, high: number): num
   return high;
 }
 
-/** What of a vector is across a unit direction. */
+/** The component of a vector that is perpendicular to a unit direction. */
 function across(vector: vec3, direction: ArrayLike<number>): vec3 {
   const unit = direction as vec3;
   return vec3.scaleAndAdd(new Float64Array(3), vector, unit, -vec3.dot(vector, unit));

@@ -1,5 +1,5 @@
 /**
- * Solves a small dense system by elimination with the largest pivot; null where it is singular.
+ * Solves a small dense linear system by elimination with partial pivoting; null if it is singular.
  *
  * @param matrix rows, and @param right the right-hand side; neither is written
  */

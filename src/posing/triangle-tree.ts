@@ -3,27 +3,27 @@ import type { Ray } from '../core/ray.ts';
 import { rayTriangle, type TriangleMeeting } from '../core/ray-triangle.ts';
 import { neighborOrder } from './neighbor-order.ts';
 
-/** About as many triangles are cheaper to try than to part. */
+/** Testing about this many triangles is faster than splitting them further. */
 const leafSize = 8;
 
-/** The triangle that a ray meets first; it counts triples of `Mesh.indices`. */
+/** The triangle that a ray hits first; its index counts triples of `Mesh.indices`. */
 export type TriangleHit = Readonly<MutableHit>;
 
 type MutableHit = TriangleMeeting & { triangle: number };
 
 /**
- * The triangles of a mesh in a tree of boxes, so that a ray is tried against few of them. The tree is that
- * of the mesh at rest; its boxes are fitted to the mesh as it is posed (`refit`).
+ * The triangles of a mesh in a tree of bounding boxes, so that a ray is tested against few of them.
+ * The tree is built from the mesh at rest; its boxes are fitted to the posed mesh (`refit`).
  *
  * Each node halves its run of triangles, so that node n has the children 2n + 1 and 2n + 2 and all
- * leaves stand in the last level; nothing but the boxes need be stored.
+ * leaves are in the last level. Only the boxes need to be stored.
  */
 export class TriangleTree {
   private readonly indices: Uint32Array;
   /** (triangleCount) */
   private readonly order: Uint32Array;
   private readonly firstLeaf: number;
-  /** (nodeCount × 6) least, then largest coordinates. */
+  /** (nodeCount × 6) minimum, then maximum coordinates. */
   private readonly boxes: Float32Array;
   private positions: Float32Array;
 
@@ -38,17 +38,20 @@ export class TriangleTree {
   }
 
   /**
-   * Fits the boxes to other positions of the vertices, which are kept and may not be written until the
-   * next fit. Nothing is allocated.
+   * Fits the boxes to other positions of the vertices. The array is kept and must not be written
+   * until the next call. Nothing is allocated.
    *
-   * @param positions (vertexCount × 3) character space
+   * @param positions (vertexCount × 3) in the character's space
    */
   refit(positions: Float32Array): void {
     this.positions = positions;
     this.fit(0, 0, this.order.length);
   }
 
-  /** The triangle that the ray meets first, of equally near ones the first of the mesh; from either side. */
+  /**
+   * Returns the triangle that the ray hits first, from either side; of equally near ones the first
+   * of the mesh.
+   */
   nearest(ray: Ray): TriangleHit | null {
     const nearest = { triangle: -1, distance: Infinity, second: 0, third: 0 };
     if (this.order.length > 0) this.visit(ray, nearest, 0, 0, this.order.length);
@@ -74,7 +77,7 @@ export class TriangleTree {
     }
   }
 
-  /** Coordinates that are no numbers are passed over: a ray meets no triangle that has some. */
+  /** NaN coordinates are skipped, because a ray hits no triangle that has any. */
   private includeTriangle(at: number, first: number): void {
     const { boxes, indices, positions } = this;
     for (let corner = 0; corner < 3; corner++) {
@@ -111,8 +114,8 @@ export class TriangleTree {
   }
 
   /**
-   * How far along the ray it enters a node's box, or Infinity: the slab test (Kay and Kajiya 1986),
-   * generous by rounding, since it only spares the triangles.
+   * The distance along the ray at which it enters a node's box, or Infinity: the slab test (Kay and
+   * Kajiya 1986). It may accept near misses by rounding, because it only avoids tests of triangles.
    */
   private entry({ origin, direction }: Ray, node: number): number {
     const { boxes } = this;
@@ -138,10 +141,10 @@ export class TriangleTree {
   }
 }
 
-/** Written by every try. */
+/** Written by every test. */
 const met: TriangleMeeting = { distance: 0, second: 0, third: 0 };
 
-/** Sorted once for a mesh, however many poses of it are picked. */
+/** Sorted once per mesh, however many of its poses are picked. */
 function orderOf(mesh: Mesh): Uint32Array {
   const known = orders.get(mesh)?.deref();
   if (known) return known;
@@ -150,5 +153,7 @@ function orderOf(mesh: Mesh): Uint32Array {
   return order;
 }
 
-/** Held by trees alone: the history may hold meshes that nobody picks any more. */
+/**
+ * Only trees keep these alive, because the history may contain meshes that nobody picks any more.
+ */
 const orders = new WeakMap<Mesh, WeakRef<Uint32Array>>();

@@ -10,16 +10,19 @@ import {
   withinLimits,
 } from './joint-frames.ts';
 
-/** A joint as it stands when it begins to turn: what all turns are counted from. */
+/** A joint at the start of a turn; all rotations are computed from it. */
 export interface TurnStart {
   readonly skeleton: Skeleton;
   readonly joint: number;
   readonly q: Float64Array;
   readonly worldFromParent: mat4;
   readonly frames: JointFrames;
-  /** The point about which it turns: its origin, but for slides that come after its hinges. */
+  /** The point about which it rotates: its origin, unless slides come after its hinges. */
   readonly pivot: vec3;
-  /** What takes any turn: a ball, or three hinges; null where there is neither. */
+  /**
+   * The degree of freedom that can take any rotation: a ball or three hinges; null if there is
+   * neither.
+   */
   readonly ball: DofFrame | null;
   readonly triple: HingeTriple | null;
   readonly free: readonly DofFrame[];
@@ -40,11 +43,11 @@ export function turnStart(skeleton: Skeleton, joint: number, q: Float64Array): T
 }
 
 /**
- * The values that turn the joint by `turn` about its pivot, or null where its degrees of freedom
- * can't take any turn. Limits are not looked at.
+ * Returns the values that rotate the joint by `turn` about its pivot, or null if its degrees of
+ * freedom can't take an arbitrary rotation. Limits are ignored.
  *
  * @param turn unit quaternion xyzw, in the character's space
- * @param near (qCount) of the equivalent values those nearest to these are given
+ * @param near (qCount) of the equivalent values those nearest to these are returned
  */
 export function turnFreely(start: TurnStart, turn: quat, near: Float64Array): Float64Array | null {
   const q = start.q.slice();
@@ -59,8 +62,8 @@ export function turnFreely(start: TurnStart, turn: quat, near: Float64Array): Fl
 }
 
 /**
- * As `turnFreely`, within the limits. Where the joint's hinges can't take the turn, each is moved so
- * that together they come nearest to it (least squares of the rotation vector).
+ * Like `turnFreely`, within the limits. If the joint's hinges can't take the rotation, they take
+ * the values that come nearest to it together (least squares of the rotation vector).
  */
 export function turnJoint(start: TurnStart, turn: quat, near: Float64Array): Float64Array {
   const { skeleton, free, q } = start;
@@ -69,7 +72,7 @@ export function turnJoint(start: TurnStart, turn: quat, near: Float64Array): Flo
   if (turned) return withinLimits(skeleton, start.joint, turned);
   const rest = rotationVector(turn);
   const next = q.slice();
-  // Gauss-Seidel: the axes are few, and the order of hinges is not to matter.
+  // Gauss-Seidel, because there are few axes and the order of the hinges must not matter.
   for (let sweep = 0; sweep < 64; sweep++) {
     for (const { axis, index } of free) {
       const before = next[index]!;
@@ -81,20 +84,20 @@ export function turnJoint(start: TurnStart, turn: quat, near: Float64Array): Flo
   return next;
 }
 
-/** The quaternion that turns by `angle` about a unit axis. */
+/** The quaternion that rotates by `angle` about a unit axis. */
 export function turnAbout(axis: vec3, angle: number): quat {
   return quat.setAxisAngle(new Float64Array(4), axis, angle);
 }
 
 /**
- * The least turn that takes one direction to another; neither need be unit, both are not zero. Exact
- * opposites turn about `fallback`, or what of it is across `from`.
+ * The smallest rotation that takes one direction to another; both are nonzero and need not be unit
+ * vectors. Exact opposites rotate about `fallback`, or its component perpendicular to `from`.
  */
 export function shortestTurn(from: ReadonlyVec3, to: ReadonlyVec3, fallback: ReadonlyVec3): quat {
   const [a, b] = [vec3.length(from), vec3.length(to)];
   const axis = vec3.cross(new Float64Array(3), from, to);
   const w = a * b + vec3.dot(from, to);
-  // sin and 1 + cos of nearly opposite directions: their direction is lost, their size is nothing.
+  // sin and 1 + cos of nearly opposite directions: both are nearly zero and their ratio is lost.
   if (Math.hypot(...axis, w) < 1e-9 * a * b) {
     vec3.scaleAndAdd(axis, fallback, from, -vec3.dot(fallback, from) / (a * a));
     return quat.normalize(new Float64Array(4), [axis[0], axis[1], axis[2], 0]);
@@ -102,9 +105,10 @@ export function shortestTurn(from: ReadonlyVec3, to: ReadonlyVec3, fallback: Rea
   return quat.normalize(new Float64Array(4), [axis[0], axis[1], axis[2], w]);
 }
 
-/** Of the two quaternions of a rotation the one nearest to the present. */
+/** Of the two quaternions of a rotation, returns the one nearest to the present. */
 function turnBall(ball: DofFrame, turn: quat, q: Float64Array, near: Float64Array): quat {
-  // turn · F · b = F · (F⁻¹ · turn · F) · b: a quaternion is taken to another frame by its vector.
+  // turn · F · b = F · (F⁻¹ · turn · F) · b: rotating its vector part takes a quaternion to another
+  // frame.
   const dofFromWorld = mat3.fromMat4(new Float64Array(9), ball.worldFromDof);
   mat3.transpose(dofFromWorld, dofFromWorld);
   const vector = vec3.transformMat3(new Float64Array(3), [turn[0], turn[1], turn[2]], dofFromWorld);
@@ -115,7 +119,7 @@ function turnBall(ball: DofFrame, turn: quat, q: Float64Array, near: Float64Arra
   return quat.dot(turned, present) < 0 ? quat.scale(turned, turned, -1) : turned;
 }
 
-/** Axis times angle, the angle from 0 to π. */
+/** The axis times the angle; the angle is from 0 to π. */
 function rotationVector(turn: quat): vec3 {
   const sign = turn[3] < 0 ? -1 : 1;
   const vector: vec3 = new Float64Array([turn[0] * sign, turn[1] * sign, turn[2] * sign]);

@@ -5,8 +5,8 @@ const { fround } = Math;
 
 /**
  * Applies the 3 × 4 matrix `rows` to a vertex: the point by its rows, the normal by its cofactors
- * (the inverse transpose times the determinant, whose sign alone is kept), then made unit. Mirrors
- * `transformVertex` of shaders/lib/affine.glsl, operation by operation, in float32.
+ * (the inverse transpose times the determinant, of which only the sign is kept), normalized.
+ * Mirrors `transformVertex` of shaders/lib/affine.glsl, operation by operation, in float32.
  */
 export function transformVertex(
   rows: Float32Array,
@@ -19,7 +19,7 @@ export function transformVertex(
   transformNormalBy(cofactors, 0, rest, vertex, out);
 }
 
-/** The point by the three rows of four at the start of `rows`. */
+/** Transforms the point by the three rows of four at the start of `rows`. */
 export function transformPoint(
   rows: Float32Array,
   rest: VertexStreams,
@@ -38,7 +38,10 @@ export function transformPoint(
   }
 }
 
-/** The normal by three rows of four (the fourth is not read) from `from` on, then made unit. */
+/**
+ * Transforms the normal by three rows of four, starting at `from` (the fourth number is not read),
+ * and normalizes it.
+ */
 export function transformNormalBy(
   rows: Float32Array,
   from: number,
@@ -67,7 +70,7 @@ export function transformNormalBy(
   }
 }
 
-/** The cofactors of the matrix's upper 3 × 3, negated where its determinant is negative. */
+/** Writes the cofactors of the matrix's upper 3 × 3, negated if its determinant is negative. */
 function writeCofactors(rows: Float32Array): void {
   writeCross(rows, 4, 8, 0);
   writeCross(rows, 8, 0, 4);
@@ -76,13 +79,13 @@ function writeCofactors(rows: Float32Array): void {
   for (let i = 0; i < 12; i++) cofactors[i] = -cofactors[i]!;
 }
 
-/** Below this a normal has no direction left; +y is put in its place. */
+/** A normal with a smaller squared length has no direction left; +y replaces it. */
 const smallestSquare = fround(1e-30);
 
 /** (3 × 4) rows of cofactors. */
 const cofactors = new Float32Array(12);
 
-/** The cross product of two rows of the matrix, as one row of cofactors. */
+/** Writes the cross product of two rows of the matrix as one row of cofactors. */
 function writeCross(rows: Float32Array, a: number, b: number, target: number): void {
   for (let i = 0; i < 3; i++) {
     const j = i === 2 ? 0 : i + 1;

@@ -2,9 +2,9 @@ import { noJoint, type Skin } from '../core/skin.ts';
 import { flushSubnormal } from '../core/float32.ts';
 
 /**
- * Packs, for every palette entry, the upper three rows of `characterFromJoint · jointFromBind`, row by
- * row (3 vec4s): the M = T · B⁻¹ of the 6.837 handout, part 4. Products in
- * float64, rounded once where the palette is of float32.
+ * Packs the upper three rows of `characterFromJoint · jointFromBind` for every palette entry, row
+ * by row (3 vec4s): the M = T · B⁻¹ of the 6.837 handout, part 4. Products are float64 and are
+ * rounded once if the palette is float32.
  */
 export function packAffinePalette(
   skin: Skin,
@@ -16,7 +16,7 @@ export function packAffinePalette(
   }
 }
 
-/** Writes the 12 numbers of one palette entry from `at` on. */
+/** Writes the 12 numbers of one palette entry, starting at `at`. */
 export function writeAffineRows(
   { paletteJoint, jointFromBind }: Skin,
   characterFromJoint: Float64Array,

@@ -3,8 +3,9 @@ import type { Skeleton } from '../core/skeleton.ts';
 import { noJoint, type Skin } from '../core/skin.ts';
 
 /**
- * The 6.837 handout's own check (4.4.1): with untouched sliders, T and B⁻¹ of every joint are each
- * other's inverse. Returns the largest |T · B⁻¹ − I| over all joints and elements, float64.
+ * The check that the 6.837 handout describes (4.4.1): with untouched sliders, T and B⁻¹ of every
+ * joint are each other's inverse. Returns the largest |T · B⁻¹ − I| over all joints and elements,
+ * in float64.
  */
 export function largestBindError(skeleton: Skeleton, skin: Skin): number {
   const characterFromJoint = jointMatrices(skeleton, skeleton.qRest);

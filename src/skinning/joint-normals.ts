@@ -8,9 +8,10 @@ import type { SkinningMethod, VertexStreams } from './method.ts';
 const { fround } = Math;
 
 /**
- * Linear blend as CSE169 (project 2) asks for it: positions `v' = Σ w W B⁻¹ v`, and normals likewise,
- * `n' = Σ w (W B⁻¹)⁻ᵀ n`, each joint turning the normal on its own. Where joints bend this is not
- * what `linearBlend` does, which turns by the blended matrix and follows the surface more closely.
+ * Linear blend as CSE169 (project 2) defines it: positions `v' = Σ w W B⁻¹ v`, and normals `n' = Σ
+ * w (W B⁻¹)⁻ᵀ n`, where each joint transforms the normal on its own. Where joints bend, this
+ * differs from `linearBlend`, which transforms normals by the blended matrix and follows the
+ * surface more closely.
  */
 export const jointNormals: SkinningMethod<'joint-normals'> = {
   id: 'joint-normals',
@@ -35,7 +36,10 @@ function packPalette(skin: Skin, characterFromJoint: Float64Array, palette: Floa
 /** (3 × 4) W B⁻¹ of one entry, float64. */
 const affine = new Float64Array(12);
 
-/** Cofactors of `affine` over its determinant, by rows of four; all zero where there is no inverse. */
+/**
+ * Writes the cofactors of `affine` divided by its determinant, in rows of four; zeros if it has no
+ * inverse.
+ */
 function writeInverseTranspose(out: Float32Array, at: number): void {
   let determinant = 0;
   for (let column = 0; column < 3; column++) determinant += affine[column]! * cofactor(0, column);

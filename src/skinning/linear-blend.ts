@@ -7,8 +7,9 @@ import type { SkinningMethod, VertexStreams } from './method.ts';
 const { fround } = Math;
 
 /**
- * Skeletal subspace deformation: `p' = Σ wᵢ Tᵢ Bᵢ⁻¹ p` over all influences of the file, weights as
- * they are. The matrices are blended first, left to right, then applied once.
+ * Skeletal subspace deformation: `p' = Σ wᵢ Tᵢ Bᵢ⁻¹ p` over all influences of the file, with
+ * unchanged weights. The matrices are blended first, from left to right, and the result is applied
+ * once.
  */
 export const linearBlend: SkinningMethod<'linear-blend'> = {
   id: 'linear-blend',

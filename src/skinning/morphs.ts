@@ -3,8 +3,9 @@ import type { RestLayer } from './rest-layer.ts';
 const { fround } = Math;
 
 /**
- * Morph targets: `p = base + Σ s · offset`, normals likewise (CSE169, project 2). Morphs in order, those
- * of weight 0 left out. Weights are 0 to 1 as a rule, or any number; float32.
+ * Morph targets: `p = base + Σ s · offset`, and normals likewise (CSE169, project 2). Morphs are
+ * added in order; those of weight 0 are skipped. Weights are usually 0 to 1, but may be any number;
+ * float32.
  */
 export const morphLayer: RestLayer = {
   id: 'morphs',

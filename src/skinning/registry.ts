@@ -5,7 +5,9 @@ import type { NormalsId } from '../core/skin.ts';
 import { linearBlend } from './linear-blend.ts';
 import type { KernelId, MethodId, SkinningMethod } from './method.ts';
 
-/** A kernel, a method with a way of normals, as data; its code comes when it is first wanted. */
+/**
+ * A kernel (a method with a way of normals) as data; its code is loaded when it is first needed.
+ */
 export interface KernelRow<Id extends KernelId = KernelId> {
   readonly id: Id;
   readonly label: string;
@@ -19,7 +21,7 @@ const linearBlendRow: KernelRow<'linear-blend'> = {
   label: 'Linear blend (SSD)',
   source:
     '6.837 handout, part 4; Magnenat-Thalmann et al. 1988, "Joint-dependent local deformations"',
-  // It stands in for the others until they are there, so it is there from the beginning.
+  // It replaces other kernels while they load, so it must always be available.
   load: () => Promise.resolve(linearBlend),
 };
 
@@ -40,10 +42,10 @@ const rigidRow: KernelRow<'rigid'> = {
 /** Every kernel. */
 export const kernels: readonly KernelRow[] = [linearBlendRow, jointNormalsRow, rigidRow];
 
-/** Every skinning method, as people choose it. */
+/** Every skinning method, as shown in the interface. */
 export const methods: readonly KernelRow<MethodId>[] = [linearBlendRow, rigidRow];
 
-/** Every way in which normals follow, as people choose it. */
+/** Every way of transforming normals, as shown in the interface. */
 export const normalWays: readonly { readonly id: NormalsId; readonly label: string }[] = [
   { id: 'blended', label: 'By the blended matrix' },
   { id: 'joints', label: 'By each joint (CSE169)' },
@@ -55,12 +57,12 @@ export interface Deformation {
   readonly normals: NormalsId;
 }
 
-/** As the programs of the character's own format deform it. */
+/** The deformation that the programs of the character's own format use. */
 export function defaultDeformation({ skin }: Pick<Character, 'skin'>): Deformation {
   return { method: 'linear-blend', normals: skin.normals };
 }
 
-/** A rigid part has one matrix, by which both ways turn its normals alike. */
+/** Under rigid parts a vertex has one matrix, so both ways give the same normals. */
 export function kernelOf({ method, normals }: Deformation): KernelRow {
   if (method === 'linear-blend' && normals === 'joints') return jointNormalsRow;
   return kernelById(method);

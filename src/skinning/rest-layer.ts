@@ -1,22 +1,27 @@
 import type { Character } from '../core/character.ts';
 import type { Pose } from '../core/pose.ts';
 
-/** Rows of deltas of some render vertices, times a weight. */
+/** Sparse offsets for some render vertices, with a weight. */
 export interface RestTerm {
   readonly weight: number;
-  /** (n) render vertices, and (n × 3) what is added to their positions, model units. */
+  /** (n) render vertices, and (n × 3) offsets of their positions, in model units. */
   readonly vertices: Uint32Array;
   readonly offsets: Float32Array;
-  /** (m) render vertices, and (m × 3) what is added to their unit normals. */
+  /** (m) render vertices, and (m × 3) offsets of their unit normals. */
   readonly normalVertices: Uint32Array;
   readonly normalOffsets: Float32Array;
 }
 
-/** A seam: what changes the mesh at rest, before it is skinned. A new one is a file and a line. */
+/**
+ * A change of the mesh at rest, before skinning. To add one, write a file and add a line to
+ * rest-mesh.ts.
+ */
 export interface RestLayer {
   readonly id: string;
-  /** What its terms are a function of, each compared by identity: an unchanged key costs nothing. */
+  /**
+   * The inputs of the terms, compared by identity: nothing is recomputed while they are unchanged.
+   */
   key(character: Character, pose: Pose): readonly unknown[];
-  /** In the order in which they are added; none where it changes nothing. */
+  /** The terms, in the order in which they are added; empty if nothing changes. */
   terms(character: Character, pose: Pose): readonly RestTerm[];
 }

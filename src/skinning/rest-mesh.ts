@@ -10,17 +10,20 @@ const { fround } = Math;
 /** Every rest layer, in the order of application. */
 const restLayers: readonly RestLayer[] = [morphLayer];
 
-/** Below this a blend of normals has no direction left; the mesh's own is put in its place. */
+/**
+ * A blended normal with a smaller squared length has no direction left; the mesh's own normal
+ * replaces it.
+ */
 const smallestSquare = fround(1e-30);
 
-/** What the mesh at rest is a function of, each compared by identity. */
+/** The inputs of the mesh at rest, compared by identity. */
 export function restKey(character: Character, pose: Pose): readonly unknown[] {
   return restLayers.flatMap((layer) => layer.key(character, pose));
 }
 
 /**
- * The mesh that is skinned: the character's own, or a copy with the sum of what the rest layers add, in
- * float32, one term after the other; normals are made unit again.
+ * Returns the mesh that is skinned: the character's own, or a copy to which the terms of the rest
+ * layers have been added in float32, one after the other. Its normals are normalized again.
  */
 export function restMesh(character: Character, pose: Pose): Mesh {
   const { mesh } = character;
@@ -52,7 +55,7 @@ function addScaled(
   }
 }
 
-/** A normal that two terms change comes here twice; the second time it is unit already. */
+/** A normal that two terms change is visited twice; the second time it already has unit length. */
 function makeUnit(normals: Float32Array, base: Float32Array, at: number): void {
   const [x, y, z] = [normals[at]!, normals[at + 1]!, normals[at + 2]!];
   const squared = fround(fround(fround(x * x) + fround(y * y)) + fround(z * z));

@@ -5,8 +5,8 @@ import { packAffinePalette } from './affine-palette.ts';
 import type { SkinningMethod, VertexStreams } from './method.ts';
 
 /**
- * Every vertex follows its heaviest joint alone (the first of equals): the handout's figure of parts
- * that collide, to show what blending is for.
+ * Every vertex follows only the joint with its largest weight (the first one if several are equal).
+ * This is the handout's figure of colliding parts; it shows what blending is for.
  */
 export const rigid: SkinningMethod<'rigid'> = {
   id: 'rigid',

@@ -5,7 +5,10 @@ export function formatDegrees(radians: number): string {
   return `${degrees === 0 ? 0 : degrees}°`;
 }
 
-/** A typed number: radians (or a length) as it stands, degrees with ° or deg; NaN if neither. */
+/**
+ * Parses a typed number: radians (or a length) without a unit, degrees with ° or deg; NaN if it is
+ * neither.
+ */
 export function parseTyped(text: string): number {
   const match = /^\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?)\s*(°|deg)?\s*$/i.exec(text);
   if (!match) return NaN;

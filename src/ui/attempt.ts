@@ -1,14 +1,18 @@
 import type { Signal } from '@preact/signals-core';
 import { Failure } from '../core/failure.ts';
 
-/** What a user is told of something that was thrown; a fault of Sinew goes to the console as well. */
+/**
+ * The message for the user about a thrown error. A fault of Sinew is also logged to the console.
+ */
 export function failureText(error: unknown): string {
   if (error instanceof Failure) return error.message;
   reportError(error);
   return 'Sinew itself failed at this; the page is as it was';
 }
 
-/** Lets go of what a user started: where it fails, the status line says so. */
+/**
+ * Starts an action of the user without awaiting it; if it fails, the status line shows the message.
+ */
 export function attempt(
   { notice }: { readonly notice: Signal<string> },
   work: Promise<unknown>,

@@ -3,14 +3,17 @@ import { boneWeights } from '../core/bone-weights.ts';
 import type { Character } from '../core/character.ts';
 import type { Skeleton } from '../core/skeleton.ts';
 
-/** All bones of a skeleton; kept. */
+/** All bones of a skeleton; computed once per skeleton. */
 export function framesOf(skeleton: Skeleton): readonly BoneFrame[] {
   let frames = knownFrames.get(skeleton);
   if (!frames) knownFrames.set(skeleton, (frames = boneFrames(skeleton)));
   return frames;
 }
 
-/** The bones that a joint turns; of a joint without child the one that ends at it. Index among all. */
+/**
+ * The indices of the bones that a joint rotates; for a joint without a child, of the bone that ends
+ * at it.
+ */
 export function bonesAt(frames: readonly BoneFrame[], joint: number): number[] {
   const withEnd = (end: 'source' | 'destination'): number[] =>
     frames.flatMap((frame, bone) => (frame[end] === joint ? [bone] : []));
@@ -18,7 +21,7 @@ export function bonesAt(frames: readonly BoneFrame[], joint: number): number[] {
   return starting.length > 0 ? starting : withEnd('destination');
 }
 
-/** How many vertices a bone has a weight for. */
+/** The number of vertices for which a bone has a weight. */
 export function weighedCount({ skeleton, skin }: Character, bone: number): number {
   const frames = framesOf(skeleton);
   let starts = knownStarts.get(frames);

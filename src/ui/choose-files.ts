@@ -3,10 +3,10 @@ import type { Opening } from './editor.ts';
 import { fileEntry } from './file-entry.ts';
 
 /**
- * Asks for files with the browser's dialog, and opens what is chosen.
+ * Opens the browser's file dialog, and then the files that the user chooses.
  *
- * @param extensions what to offer; null asks for a folder
- * @param add beside the others; else in the place of the selected one
+ * @param extensions offered by the dialog; null asks for a folder
+ * @param add keeps the other characters; otherwise the selected one is replaced
  */
 export function chooseFiles(
   editor: Pick<Opening, 'openFiles' | 'notice'>,

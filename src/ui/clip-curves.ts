@@ -3,27 +3,33 @@ import type { Clip } from '../core/clip.ts';
 import { axisDofs } from '../core/pose.ts';
 import { DofKind, type Skeleton } from '../core/skeleton.ts';
 
-/** A point of a curve: seconds, and its height between the least and the largest value of its kind. */
+/**
+ * A point of a curve: the time in seconds, and the height relative to the range of its kind of
+ * value.
+ */
 interface CurvePoint {
   readonly time: number;
   /** From 0 to 1. */
   readonly part: number;
 }
 
-/** What a clip does with one degree of freedom, ready to be drawn. */
+/** A clip's curve for one degree of freedom, ready to be drawn. */
 export interface Curve {
   /** "X", or "Move X". */
   readonly name: string;
   readonly axis: 'x' | 'y' | 'z';
   readonly isAngle: boolean;
   readonly samples: readonly CurvePoint[];
-  /** Those of its keys that lie in the range that is played. */
+  /** The keys within the range that is played. */
   readonly keys: readonly CurvePoint[];
 }
 
 const sampleCount = 160;
 
-/** The curves of a joint's degrees of freedom, angles and moves each drawn to their own scale. */
+/**
+ * The curves of a joint's degrees of freedom. Angles and translations each have a scale of their
+ * own.
+ */
 export function clipCurves(clip: Clip, skeleton: Skeleton, joint: number): readonly Curve[] {
   const { start, end, channels, targets } = clip;
   if (joint < 0) return [];

@@ -3,7 +3,7 @@ import type { FileEntry } from '../formats/format.ts';
 import { attempt } from './attempt.ts';
 import type { Opening } from './editor.ts';
 
-/** The whole window takes dropped files; an outline says so while some are held over it. */
+/** Accepts files that are dropped anywhere in the window; an outline is shown during the drag. */
 export function listenToDrops(opening: Pick<Opening, 'openFiles' | 'notice'>): void {
   let depth = 0;
   const setOver = (over: boolean): void => {
@@ -25,7 +25,7 @@ export function listenToDrops(opening: Pick<Opening, 'openFiles' | 'notice'>): v
     setOver(false);
     const { dataTransfer } = event;
     if (!dataTransfer) return;
-    // Both lists are emptied when the event is over, so they are read before anything waits.
+    // Both lists are emptied after the event, so they are read before any await.
     const files = Array.from(dataTransfer.files);
     const entries = Array.from(dataTransfer.items, (item) => item.webkitGetAsEntry());
     const hasFiles = files.length > 0 || entries.some((entry) => entry !== null);

@@ -2,13 +2,14 @@ import type { FileEntry } from '../formats/format.ts';
 import { isJunk } from '../formats/junk.ts';
 import { fileEntry, unreadableEntry } from './file-entry.ts';
 
-/** A folder may hold a whole disk. */
+/** Limits the listing, because a dropped folder may be the root of a disk. */
 const largestCount = 10_000;
 
 /**
- * The files of a drop, those in folders too; what can't be read is among them, and says so.
+ * Returns the files of a drop, including those in folders. Entries that can't be read are included
+ * and report why.
  *
- * @param entries of the same drop, which tell folders
+ * @param entries of the same drop; they distinguish folders from files
  */
 export function droppedFiles(
   files: readonly File[],
@@ -36,7 +37,8 @@ async function walk(entries: readonly FileSystemEntry[]): Promise<FileEntry[]> {
   return found;
 }
 
-// Browsers have no constructors of these names to ask with `instanceof`; the entries tell themselves.
+// Browsers do not expose constructors of these types for `instanceof`, so the entries' own flags
+// are used.
 function isFolder(entry: FileSystemEntry): entry is FileSystemDirectoryEntry {
   return entry.isDirectory;
 }
@@ -51,7 +53,7 @@ function fileOf(entry: FileSystemFileEntry): Promise<File> {
   });
 }
 
-/** A reader gives a folder's entries in batches, and an empty one at the end. */
+/** A directory reader returns entries in batches, with an empty batch at the end. */
 async function listFolder(folder: FileSystemDirectoryEntry): Promise<FileSystemEntry[]> {
   const reader = folder.createReader();
   const all: FileSystemEntry[] = [];

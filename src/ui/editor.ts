@@ -12,20 +12,20 @@ import type { PictureFormat } from '../view/picture.ts';
 import type { CaptureSize, Viewer } from '../view/viewer.ts';
 import type { Workspace, WorkspaceId } from './workspace.ts';
 
-/** A character that comes with the app. */
+/** A character that is bundled with the app. */
 export interface BundledCharacter {
   readonly id: string;
   readonly label: string;
   readonly credit: string;
 }
 
-/** Light or dark as the system has it, or as the user wants. */
+/** The theme: the system's, or the user's choice. */
 export type ThemeChoice = 'system' | 'light' | 'dark';
 
-/** The panel that is out, where panels are drawers. */
+/** The panel that is open on narrow pages, where panels are drawers. */
 export type Drawer = 'left' | 'right';
 
-/** What is being read, and how far it is (0 to 1). */
+/** The current activity of reading, and the fraction that is done (0 to 1). */
 export interface Progress {
   readonly label: string;
   readonly fraction: number;
@@ -33,101 +33,101 @@ export interface Progress {
 
 export interface PictureOptions {
   readonly format: PictureFormat;
-  /** Pixels; the view's size where absent. */
+  /** In pixels; the view's size if absent. */
   readonly size?: CaptureSize;
-  /** Floor and backdrop; without them a PNG is transparent. */
+  /** Whether floor and backdrop are drawn; without them a PNG is transparent. */
   readonly background: boolean;
   readonly target: 'file' | 'clipboard';
 }
 
-/** The scene, how it is looked at, and what is seen. */
+/** The scene and the state of the view. */
 export interface Looking {
   readonly store: Store;
   readonly session: Session;
-  /** The scene as it is shown at the moment. */
+  /** The computed state of the scene as it is shown now. */
   readonly evaluations: Evaluations;
   readonly viewer: Viewer;
 }
 
-/** A list that is there, or is being made. */
+/** A list, or a promise of one. */
 type Listed<T> = readonly T[] | Promise<readonly T[]>;
 
-/** Where characters come from. */
+/** The sources of characters. */
 export interface Gallery {
   readonly bundled: ReadonlySignal<readonly BundledCharacter[]>;
-  /** Characters of the user's own files, those opened last at the end; earlier ones stay. */
+  /** Characters from the user's own files, the last opened at the end; earlier ones stay. */
   readonly own: ReadonlySignal<readonly ReadCharacter[]>;
-  /** Id of the bundled character that is selected, or null. */
+  /** The id of the bundled character that is selected, or null. */
   readonly openedId: ReadonlySignal<string | null>;
-  /** Shown for work that takes more than a moment. */
+  /** Shown during work that takes longer than a moment. */
   readonly progress: ReadonlySignal<Progress | null>;
   /**
-   * Takes over from what is being opened at once, also while the files themselves are still being listed.
+   * Replaces a running opening at once, even while the new files are still being listed.
    *
-   * @param add beside the others; else in the place of the selected one
+   * @param add keeps the other characters; otherwise the selected one is replaced
    */
   openFiles(files: Listed<FileEntry>, add?: boolean): Promise<void>;
   openBundled(id: string, add?: boolean): Promise<void>;
   openOwn(character: ReadCharacter, add?: boolean): void;
   cancelOpening(): void;
-  /** Settles when nothing is being opened. */
+  /** Resolves when nothing is being opened. */
   whenOpened(): Promise<void>;
 }
 
-/** Ways of working. */
+/** The workspaces. */
 export interface Courses {
   readonly workspaces: readonly Workspace[];
   readonly workspaceId: ReadonlySignal<WorkspaceId>;
   setWorkspace(id: WorkspaceId): void;
-  /** Frames what came into the scene, where the workspace does so. */
+  /** Frames the new characters of the scene, if the workspace does that. */
   frameOpened(): void;
 }
 
-/** What the page tells. */
+/** The messages of the page. */
 export interface Telling {
-  /** A word on what was just done, for the status line. */
+  /** A short message about the last action, for the status line. */
   readonly notice: Signal<string>;
 }
 
-/** How the page itself is, apart from the scene. */
+/** The state of the page itself, apart from the scene. */
 export interface PageState {
   readonly theme: Signal<ThemeChoice>;
   readonly helpOpen: Signal<boolean>;
-  /** Whether single letters act; speech input and cats may want them off. */
+  /** Whether single-letter keys act; users of speech input, for example, may turn them off. */
   readonly letterKeys: Signal<boolean>;
   readonly drawer: Signal<Drawer | null>;
-  /** Endings that the file dialog offers. */
+  /** The file extensions that the file dialog offers. */
   readonly fileExtensions: readonly string[];
 }
 
-/** What shows and plays poses. */
+/** The parts that show and play poses. */
 export interface Posing {
   readonly transport: Transport;
-  /** By which balls are shown. */
+  /** The angles at which ball joints are shown. */
   readonly ballAngles: BallAngles;
 }
 
-/** What a user can do with the selected character, beside edits of single values. */
+/** What a user can do with the selected character, apart from editing single values. */
 export interface Actions {
   /** Selects an actor of the scene. */
   select(id: ActorId): void;
   removeSelected(): void;
-  /** Adds a copy of the selected actor, as it is posed, beside the others. */
+  /** Adds a copy of the selected actor, in the same pose, next to the others. */
   duplicateSelected(): void;
   resetAll(): void;
-  /** Selects a joint and takes the keyboard to its first slider. */
+  /** Selects a joint and moves the keyboard focus to its first slider. */
   editJoint(joint: number): void;
   copyPose(): Promise<void>;
   savePose(): void;
-  /** Saves the character in a course's format, converted as far as it can hold it. */
+  /** Saves the character in a course's format, converted as far as that format allows. */
   saveAs(format: ConvertTarget): Promise<void>;
   exportMesh(): Promise<void>;
   savePicture(options: PictureOptions): Promise<void>;
   verify(): Promise<void>;
 }
 
-/** What opens characters: all that a page needs before its panels are there. */
+/** The parts that open characters: all that the page needs before its panels are loaded. */
 export type Opening = Looking & Gallery & Courses & Telling & Pick<PageState, 'theme'>;
 
-/** All of it, put together in app; each panel asks for the parts that it needs. */
+/** All parts, assembled in src/app. Each panel declares only those that it needs. */
 export type Editor = Opening & PageState & Posing & Actions;

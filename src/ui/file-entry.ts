@@ -1,7 +1,7 @@
 import { headSize } from '../formats/file-entry.ts';
 import type { FileEntry } from '../formats/format.ts';
 
-/** A file of the browser; only its head is read until its bytes are asked for. */
+/** Wraps a file of the browser. Only its head is read until its bytes are requested. */
 export async function fileEntry(file: File, path?: string): Promise<FileEntry> {
   const named = path ?? (file.webkitRelativePath || file.name);
   try {
@@ -16,14 +16,14 @@ export async function fileEntry(file: File, path?: string): Promise<FileEntry> {
   }
 }
 
-/** Stands for a file or folder that can't be read, so that its user is told. */
+/** Represents a file or folder that can't be read, so that the user is told. */
 export function unreadableEntry(path: string, error: unknown): FileEntry {
   const empty = new Uint8Array(0);
   const bytes = () => Promise.resolve(empty);
   return { path, size: 0, head: empty, bytes, fault: readFault(error) };
 }
 
-/** Why the browser does not hand out a file, in words. */
+/** The reason why the browser can't read a file, in words. */
 export function readFault(error: unknown): string {
   const isGone = error instanceof DOMException && error.name === 'NotFoundError';
   return isGone ? 'nothing there any more' : 'one that the browser may not read, or that changed';

@@ -1,4 +1,4 @@
-/** Takes the keyboard to a joint's first slider, once its folder is open. */
+/** Moves the keyboard focus to a joint's first slider after its folder has opened. */
 export function focusJoint(joint: number): void {
   const slider = `.controls [data-joint="${joint}"] [role="slider"]`;
   document.querySelector<HTMLElement>(slider)?.focus();

@@ -2,7 +2,7 @@ import type { BoneTarget } from '../view/pick.ts';
 import type { Looking } from './editor.ts';
 import type { ToolPlace } from './tool.ts';
 
-/** Lights what is under the pointer, or nothing. */
+/** Highlights the joint and bone under the pointer, or nothing. */
 export function showHover(
   { session }: Looking,
   place: ToolPlace | null,

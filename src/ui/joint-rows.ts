@@ -4,13 +4,13 @@ import { noParent, type Skeleton } from '../core/skeleton.ts';
 /** A line of the joint tree. */
 export interface TreeRow {
   readonly joint: number;
-  /** From 1, as ARIA counts. */
+  /** Counted from 1, as in ARIA. */
   readonly level: number;
   readonly hasChildren: boolean;
   readonly isFolded: boolean;
 }
 
-/** The joints to show, depth first; a search shows all that match, as a flat list. */
+/** The joints to show, depth first. A search shows all matching joints as a flat list. */
 export function visibleRows(
   { jointCount, parents, depths, names }: Skeleton,
   folded: ReadonlySet<number>,
@@ -36,7 +36,7 @@ export function visibleRows(
   return rows;
 }
 
-/** From the joint's parent up to its root. */
+/** The ancestors of a joint, from its parent to its root. */
 export function ancestorsOf({ parents }: Skeleton, joint: number): number[] {
   assert(joint in parents, 'a joint of the skeleton');
   const ancestors: number[] = [];

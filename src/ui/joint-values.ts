@@ -2,11 +2,11 @@ import { axisDofs } from '../core/pose.ts';
 import { DofKind, type Skeleton } from '../core/skeleton.ts';
 import { ballValue } from '../formats/ball-values.ts';
 
-/** A number of a joint as people set it: a slide, a hinge, or one of the three angles of a ball. */
+/** A number of a joint that users set: a slide, a hinge, or one of the three angles of a ball. */
 export interface JointValue {
   readonly isAngle: boolean;
   readonly axis: 0 | 1 | 2;
-  /** Its place in q; of an angle of a ball where the ball's four values start. */
+  /** Its index in q; for an angle of a ball, where the ball's four values start. */
   readonly index: number;
   readonly ofBall: boolean;
 }
@@ -14,7 +14,7 @@ export interface JointValue {
 const axes = [0, 1, 2] as const;
 export const axisNames = ['X', 'Y', 'Z'] as const;
 
-/** Slides before angles, each by axis, whatever the order in which they act. */
+/** Lists slides before angles, each by axis, regardless of the order in which they are applied. */
 export function jointValues(skeleton: Skeleton, joint: number): JointValue[] {
   const ball = ballValue(skeleton, joint);
   const values = axisDofs(skeleton, joint).map(({ kind, axis, index }): JointValue => {
@@ -26,7 +26,7 @@ export function jointValues(skeleton: Skeleton, joint: number): JointValue[] {
   return values.sort((a, b) => Number(a.isAngle) - Number(b.isAngle) || a.axis - b.axis);
 }
 
-/** "X", "Move Y". */
+/** The name in the interface, such as "X" or "Move Y". */
 export function valueName({ isAngle, axis }: JointValue): string {
   return `${isAngle ? '' : 'Move '}${axisNames[axis]}`;
 }

@@ -2,10 +2,10 @@ import { type ContextId, type KeyPress, runCommand } from './commands/command.ts
 import { contexts, keysOf } from './commands/contexts.ts';
 import type { Editor } from './editor.ts';
 
-/** What has keys of its own: there only those with Ctrl or Cmd act. */
+/** Elements with keys of their own; there, only keys with Ctrl or Cmd apply. */
 const ownKeys = 'input, select, textarea, dialog, [role="tree"], [role="slider"]';
 
-/** Runs the command of the first key that a press matches. */
+/** Runs a command for each key press that matches one of its keys. */
 export function listenToKeys(editor: Editor): void {
   const onKey = (event: KeyboardEvent): void => {
     const active = contexts.filter((context) => context.isActive(editor));
@@ -17,11 +17,12 @@ export function listenToKeys(editor: Editor): void {
     );
   };
   window.addEventListener('keydown', onKey);
-  // lil-gui lets no key press out of its rows, where undo must act too: they are met on the way in.
+  // lil-gui stops key events inside its rows, but undo must work there too, so they are handled in
+  // the capture phase.
   window.addEventListener('keydown', (event) => isInRow(event.target) && onKey(event), true);
 }
 
-/** Runs the first command of the contexts, in their order, that has the key. */
+/** Runs the first command, in the order of the contexts, whose key matches. */
 export function runKey(editor: Editor, event: KeyboardEvent, ids: readonly ContextId[]): void {
   if (event.defaultPrevented) return;
   const binding = ids.flatMap(keysOf).find(({ press }) => matches(press, event));
@@ -38,7 +39,8 @@ function matches({ key, control = false, shift }: KeyPress, event: KeyboardEvent
   const pressed = event.key.length === 1 ? event.key.toLowerCase() : event.key;
   if (pressed !== key || event.altKey) return false;
   if (control !== (event.ctrlKey || event.metaKey)) return false;
-  // "?" needs Shift on many keyboards; where a key says so, and with Ctrl or Cmd, it counts.
+  // "?" needs Shift on many keyboards, so Shift is compared only if a key names it, or with Ctrl or
+  // Cmd.
   return shift === true ? event.shiftKey : !control || !event.shiftKey;
 }
 
@@ -46,10 +48,10 @@ function isLetter({ key, control }: KeyPress): boolean {
   return key.length === 1 && key !== ' ' && !control;
 }
 
-/** Space and Enter belong to a button that has the focus, all keys to fields and lists. */
+/** Space and Enter belong to a focused button, and all keys to text fields and lists. */
 function hasOwnKeys({ key, target }: KeyboardEvent): boolean {
   if (!(target instanceof Element)) return false;
-  // A slider is dragged with the pointer too: Escape takes that back.
+  // A slider is also dragged with the pointer, and Escape cancels that drag.
   if (target.closest(ownKeys)) return key !== 'Escape' || !target.matches('[role="slider"]');
   return (key === ' ' || key === 'Enter') && target.closest('button, summary, a') !== null;
 }

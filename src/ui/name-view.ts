@@ -3,7 +3,7 @@ import { printable } from '../core/diagnostics.ts';
 import { selectedActor } from '../document/selected-actor.ts';
 import type { Looking } from './editor.ts';
 
-/** Names the view by what it shows, for those who can't see it, and says how it is operated. */
+/** Gives the view an accessible name and description: what it shows, and how to operate it. */
 export function nameView(canvas: HTMLCanvasElement, { store, session }: Looking): void {
   canvas.setAttribute(
     'aria-description',

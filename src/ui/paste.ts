@@ -4,7 +4,7 @@ import type { FileEntry } from '../formats/format.ts';
 import { attempt } from './attempt.ts';
 import type { Opening } from './editor.ts';
 
-/** Pasted files, or a pose as text, open as if they were dropped. */
+/** Opens pasted files, or a pose as text, as if they were dropped. */
 export function listenToPaste(opening: Pick<Opening, 'openFiles' | 'notice'>): void {
   window.addEventListener('paste', (event) => {
     if (event.target instanceof HTMLInputElement) return;

@@ -9,15 +9,16 @@ import { tools } from './tools/registry.ts';
 const zoomPerWheelPixel = 0.0012;
 const pixelsPerLine = 24;
 const panButton = 1;
-/** Less than this is a click, not a drag; CSS pixels. */
+/** A pointer that moves less has clicked, not dragged; CSS pixels. */
 const stillDistance = 4;
 const mouseTolerance = 6;
 const touchTolerance = 20;
 
 /**
- * Feeds drags on the canvas to the first tool that takes them, and the wheel to the camera. Hovering
- * lights a joint, a click selects it. One finger drags like the left button; two pan with their middle
- * and zoom with their distance, whatever the first had begun.
+ * Sends drags on the canvas to the first tool that accepts them, and the wheel to the camera.
+ * Hovering highlights a joint, and a click selects it. One finger drags like the left button. Two
+ * fingers pan with their midpoint and zoom with their distance, whatever the first finger had
+ * begun.
  */
 export function listenToPointer(canvas: HTMLCanvasElement, editor: Looking): void {
   const { camera } = editor.viewer;
@@ -85,7 +86,10 @@ export function listenToPointer(canvas: HTMLCanvasElement, editor: Looking): voi
     return null;
   }
 
-  /** Where neither bones nor bone mode are on, nothing lights: the pointer is for looking. */
+  /**
+   * If neither bones nor bone mode are on, nothing is highlighted, because the pointer moves the
+   * camera.
+   */
   function hover(place: ToolPlace): void {
     const lights = session.showSkeleton.value || session.boneMode.value;
     showHover(
@@ -108,7 +112,7 @@ export function listenToPointer(canvas: HTMLCanvasElement, editor: Looking): voi
 function placeOf(event: PointerEvent, canvas: HTMLCanvasElement, viewCount: number): ToolPlace {
   const { left, top, width, height } = canvas.getBoundingClientRect();
   const [pixelX, pixelY] = [event.clientX - left, event.clientY - top];
-  // Of views side by side each has its own left and right.
+  // Views side by side each have their own left and right edge.
   const each = width / viewCount;
   const within = pixelX - each * Math.min(viewCount - 1, Math.max(0, Math.floor(pixelX / each)));
   return {
@@ -126,7 +130,7 @@ function distance(a: ToolPlace, b: ToolPlace): number {
   return Math.hypot(a.pixelX - b.pixelX, a.pixelY - b.pixelY);
 }
 
-/** The middle of all pointers, and their mean distance from it; CSS pixels. */
+/** The midpoint of all pointers and their mean distance from it, in CSS pixels. */
 function gather(
   places: ReadonlyMap<number, ToolPlace>,
 ): [{ readonly x: number; readonly y: number }, number] {

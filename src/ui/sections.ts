@@ -9,18 +9,21 @@ import { WorkspacePanel } from './panels/workspace-panel.tsx';
 
 export type SectionComponent = FunctionComponent<{ readonly editor: Editor }>;
 
-/** A seam: a part of the page beside the view. A new one is one file and one row below. */
+/** A part of the page next to the view. To add one, write a file and add a row below. */
 export interface Section {
   readonly id: string;
   readonly place: 'left' | 'foot';
-  /** Whether it has something to show; it is loaded when it first has. */
+  /** Whether the section has something to show; it is loaded when it first has. */
   readonly when: (editor: Editor) => boolean;
   readonly load: () => Promise<SectionComponent>;
 }
 
 const always = (): boolean => true;
 
-/** Every section, each place's from top to bottom. What every visit shows comes along at once. */
+/**
+ * Every section, each place's from top to bottom. Sections that every visit shows are loaded at
+ * once.
+ */
 export const sections: readonly Section[] = [
   {
     id: 'characters',
@@ -61,7 +64,8 @@ export const sections: readonly Section[] = [
   {
     id: 'timeline',
     place: 'foot',
-    // Selecting one without clips leaves the view as high as it is.
+    // The timeline stays while a character without clips is selected, so that the view keeps its
+    // height.
     when: ({ store }) => store.scene.value.actors.some(({ clips }) => clips.length > 0),
     load: async () => (await loadPart(import('./panels/timeline.tsx'))).Timeline,
   },

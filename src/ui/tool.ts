@@ -1,9 +1,9 @@
 import type { PickPlace } from '../view/pick.ts';
 import type { Looking } from './editor.ts';
 
-/** A place of the pointer on the view. */
+/** A position of the pointer on the view. */
 export interface ToolPlace extends PickPlace {
-  /** CSS pixels from the view's left, and from its top. */
+  /** CSS pixels from the view's left and top edge. */
   readonly pixelX: number;
   readonly pixelY: number;
   /** Whether Alt is held. */
@@ -17,17 +17,22 @@ export interface ToolMove {
   readonly deltaY: number;
 }
 
-/** A drag under way. */
+/** A drag in progress. */
 export interface ToolDrag {
   move(move: ToolMove): void;
   end(): void;
-  /** Takes everything back: the pointer was lost, or a second finger came. */
+  /** Undoes the whole drag, because the pointer was lost or a second finger touched. */
   cancel(): void;
 }
 
-/** A seam: what a pointer does on the view. A new tool is one file and one line in the registry. */
+/**
+ * An action of the pointer on the view. To add one, write a file and add a line to the registry.
+ */
 export interface Tool {
   readonly id: string;
-  /** Begins a drag, or leaves it to the next tool. @param button 0 left, 1 middle, 2 right */
+  /**
+   * Begins a drag, or returns null to leave it to the next tool. @param button 0 left, 1 middle, 2
+   * right
+   */
   press(place: ToolPlace, button: number, editor: Looking): ToolDrag | null;
 }

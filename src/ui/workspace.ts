@@ -3,12 +3,12 @@ import type { Camera } from '../view/camera.ts';
 
 export type WorkspaceId = 'studio' | '6.837' | 'cse169' | 'mannequin';
 
-/** A way of working for a course or a purpose: data, no program of its own. */
+/** A way of working for a course or a purpose; it consists of data only. */
 export interface Workspace {
   readonly id: WorkspaceId;
   readonly label: string;
   readonly camera: Camera;
-  /** Whether distance and target are fitted to the character, or stand as they are. */
+  /** Whether the camera's distance and target are fitted to the character, or used unchanged. */
   readonly framed: boolean;
   readonly look: Look;
 }

@@ -3,7 +3,7 @@ import type { Diagnostic } from '../core/diagnostics.ts';
 import { memoryFile } from '../formats/file-entry.ts';
 import { readCharacters, type ReadProgress } from '../formats/read-characters.ts';
 
-/** A file as it crosses between threads; its bytes are handed over, not copied. */
+/** A file as it is passed between threads; its bytes are transferred, not copied. */
 export interface LooseFile {
   readonly path: string;
   readonly bytes: Uint8Array;
@@ -17,7 +17,7 @@ export interface LooseOutcome {
   readonly diagnostics: readonly Diagnostic[];
 }
 
-/** `readCharacters` with files as they cross between threads. */
+/** Runs `readCharacters` on files that were passed between threads. */
 export async function run(
   files: readonly LooseFile[],
   onProgress: ReadProgress,

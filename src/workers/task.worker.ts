@@ -3,7 +3,7 @@ import { Failure } from '../core/failure.ts';
 import { taskTable } from './task-table.ts';
 import type { TaskReply, TaskRequest } from './tasks.ts';
 
-/** The shell of every task: runs the one that it is asked for, and hands over what came of it. */
+/** The worker of every task: runs the requested task and transfers its result. */
 addEventListener('message', ({ data }: MessageEvent<TaskRequest>) => void answer(data));
 
 async function answer({ name, input }: TaskRequest): Promise<void> {

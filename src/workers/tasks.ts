@@ -1,13 +1,16 @@
 import type { LooseFile, LooseOutcome } from './read-characters-task.ts';
 
-/** What each task takes and gives; both cross between threads, their buffers handed over. */
+/**
+ * The input and output of each task. Both are passed between threads, and their buffers are
+ * transferred.
+ */
 export interface TaskTypes {
   'read-characters': { readonly input: readonly LooseFile[]; readonly output: LooseOutcome };
 }
 
 export type TaskName = keyof TaskTypes;
 
-/** How far a task is: what it is at, and how much came before (0 to 1). */
+/** Reports progress: the current activity, and the fraction that is done (0 to 1). */
 export type TaskProgress = (label: string, fraction: number) => void;
 
 /** A pure function that may run on another thread. */
@@ -18,13 +21,16 @@ export interface TaskModule<Name extends TaskName> {
   ): Promise<TaskTypes[Name]['output']>;
 }
 
-/** What the worker is asked, once in its life. */
+/** The request to the worker; each worker gets exactly one. */
 export interface TaskRequest<Name extends TaskName = TaskName> {
   readonly name: Name;
   readonly input: TaskTypes[Name]['input'];
 }
 
-/** What the worker answers: progress any number of times, then one of the others; a `Failure` stays one. */
+/**
+ * The reply of the worker: progress any number of times, then one of the others. A `Failure` stays
+ * a `Failure`.
+ */
 export type TaskReply =
   | { readonly kind: 'progress'; readonly label: string; readonly fraction: number }
   | { readonly kind: 'done'; readonly output: unknown }

@@ -40,7 +40,7 @@ function run(name: string, contents: FileContents, ...words: string[]) {
   return { folder, code: commands.find((command) => command.name === name)!.run(words) };
 }
 
-/** The posed points of files above, rounded. */
+/** The posed points of the files above, rounded. */
 async function posed(...options: string[]): Promise<number[]> {
   const { folder, code } = run('pose', files, ...names, '--pose', 'p.json', ...options);
   expect(await code).toBe(0);
@@ -60,7 +60,7 @@ describe('pose', () => {
   });
 
   it('divides weights by their sum with --normalize', async () => {
-    // Both joints turn alike, so that only the sum of the second row shows, in the translation.
+    // Both joints rotate alike, so that only the sum of the second row matters, in the translation.
     const raw = await posed('--out', 'raw.obj');
     const moved = { ...files, 'p.json': '{"root": [4, 0, 0]}' };
     const words = [...names, '--pose', 'p.json', '--normalize', '--out', 'o.obj'];
@@ -123,7 +123,7 @@ describe('pose', () => {
     expect(() => readFileSync(join(folder, 'o.obj'))).toThrow('ENOENT');
   });
 
-  it('has a code of its own for what can not be written', () => {
+  it('has its own diagnostic code for files that cannot be written', () => {
     expect(unwritable('o.obj', new Error('full'))).toMatchObject({
       code: 'file/unwritable',
       file: 'o.obj',
@@ -131,7 +131,7 @@ describe('pose', () => {
     });
   });
 
-  it('ends with 1 where it cannot write', async () => {
+  it('exits with 1 if it cannot write', async () => {
     const words = [...names, '--pose', 'p.json', '--out', 'no/such/folder/o.obj'];
     expect(await run('pose', files, ...words).code).toBe(1);
     expect(errors).toContain(
@@ -154,7 +154,7 @@ describe('pose', () => {
     await expect(code).rejects.toBeInstanceOf(UsageError);
   });
 
-  it('takes the files of one character only', async () => {
+  it('accepts the files of only one character', async () => {
     const two = { 'a.obj': files['a.obj'], 'b.obj': files['a.obj'], 'p.json': '{}' };
     const words = ['a.obj', 'b.obj', '--pose', 'p.json', '--out', 'o.obj'];
     await expect(run('pose', two, ...words).code).rejects.toBeInstanceOf(UsageError);
@@ -190,7 +190,7 @@ describe('info', () => {
     expect(first!['weights']).toEqual([1, 0.25]);
     expect(first!['length']).toBeCloseTo(Math.hypot(1, 0.5), 12);
     expect((first!['T'] as number[]).slice(12)).toEqual([0, 0, -2, 1]);
-    // Joint 2, without child, gives its weights to the bone that ends at it.
+    // Joint 2 has no child, so its weights go to the bone that ends at it.
     expect(second).toMatchObject({ source: 1, destination: 2, parent: 0, vertices: [1, 2, 3] });
     expect((second!['T'] as number[])[12]).toBeCloseTo(Math.hypot(1, 0.5), 12);
     expect(second!['R']).toHaveLength(16);
@@ -207,7 +207,7 @@ describe('info', () => {
     ]);
   });
 
-  it('ends with 0 as soon as one character came, and tells what is missing', async () => {
+  it('exits with 0 if there is a character, and lists what is missing', async () => {
     expect(await run('info', files, 'a.skel', 'p.json').code).toBe(0);
     expect(out[0]).toContain('without .obj, .attach');
     expect(errors[0]).toContain('warning: p.json: expected files that Sinew reads');
@@ -229,7 +229,7 @@ describe('info', () => {
     expect(errors.slice(-2)).toEqual([missing('x/y/b'), missing('x/none')]);
   });
 
-  it('says so of an empty folder, and of a packed file that is none', async () => {
+  it('reports an empty folder, and a .gz file that is not packed', async () => {
     const { folder, code } = run('info', { 'a.obj.gz': 'no gzip' }, 'a.obj.gz');
     expect(await code).toBe(1);
     mkdirSync(join(folder, 'empty'));
@@ -240,7 +240,7 @@ describe('info', () => {
     );
   });
 
-  it('shows names of files harmlessly', async () => {
+  it('makes names from files safe to print', async () => {
     expect(await run('info', {}, 'a\u001b[2J\u202e.skel').code).toBe(1);
     expect(errors.join('')).not.toMatch(/[\p{Cc}\p{Cf}]/u);
     const joined = { 'a\u202e.skel': files['a.skel'], 'b.obj': files['a.obj'] };
@@ -298,7 +298,7 @@ describe('convert', () => {
     await expect(run('convert', files, ...words).code).rejects.toThrow(message);
   });
 
-  it('ends with 1 where a file is bad', async () => {
+  it('exits with 1 for a bad file', async () => {
     const words = ['a.skel', '--to', 'mit', '--out', 'o'];
     expect(await run('convert', { 'a.skel': 'balljoint a {' }, ...words).code).toBe(1);
   });

@@ -4,7 +4,7 @@ import { join } from 'node:path';
 import { expect, it, onTestFinished } from 'vitest';
 import { existingPath } from '../../src/cli/existing-path.ts';
 
-it('finds composed names by decomposed ones and the other way round, folders too', () => {
+it('finds composed names by decomposed ones and the other way round, also of folders', () => {
   const folder = mkdtempSync(join(tmpdir(), 'sinew-'));
   onTestFinished(() => rmSync(folder, { recursive: true }));
   const [composed, decomposed] = ['ガ'.normalize('NFC'), 'ガ'.normalize('NFD')];

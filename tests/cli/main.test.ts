@@ -19,8 +19,8 @@ function floatsOf(path: string): number[] {
   return Array.from({ length: view.byteLength / 4 }, (_, i) => view.getFloat32(i * 4, true));
 }
 
-// A process each, a second long: these go side by side, and most of the command line is tested
-// without one in the other files here.
+// Each test starts a process and takes about a second, so these run in parallel. The other files of
+// this folder test most of the command line without a process.
 describe.concurrent('sinew, as a process', () => {
   it('poses to .f32: points in file order, little-endian, raw weights', async ({
     expect,
@@ -38,7 +38,10 @@ describe.concurrent('sinew, as a process', () => {
     posed.forEach((value, i) => expect(value).toBeCloseTo(expected[i]!, 6));
   });
 
-  it('tells what is in files, packed ones too, as JSON', async ({ expect, onTestFinished }) => {
+  it('lists the content of files as JSON, also of packed ones', async ({
+    expect,
+    onTestFinished,
+  }) => {
     const contents = golden(...oddities);
     const packed = gzipSync(contents['oddities.obj'] as Uint8Array);
     const folder = folderWith({ ...contents, 'oddities.obj.gz': packed }, onTestFinished);
@@ -65,7 +68,7 @@ describe.concurrent('sinew, as a process', () => {
     ]);
   });
 
-  it('ends with 1 and a line for each problem where a file is bad', async ({
+  it('exits with 1 and prints a line for each problem of a bad file', async ({
     expect,
     onTestFinished,
   }) => {
@@ -81,7 +84,7 @@ describe.concurrent('sinew, as a process', () => {
     });
   });
 
-  it('tells every command with what it does', async ({ expect }) => {
+  it('lists every command and what it does', async ({ expect }) => {
     const { code, out, errors } = await runSinew('.', 'help');
     expect({ code, errors }).toEqual({ code: 0, errors: '' });
     for (const { usage, summary } of commands) {
@@ -89,7 +92,7 @@ describe.concurrent('sinew, as a process', () => {
     }
   });
 
-  it('ends with 2 and the usage where it is called wrongly', async ({ expect }) => {
+  it('exits with 2 and prints the usage for wrong usage', async ({ expect }) => {
     const { code, out, errors } = await runSinew('.', 'bend', 'a.skel');
     expect({ code, out }).toEqual({ code: 2, out: '' });
     expect(errors).toMatch(/^expected a command, found "bend"\nUsage:\n {2}sinew info FILES/);

@@ -13,7 +13,7 @@ export interface Ending {
   readonly errors: string;
 }
 
-/** Runs the command line as a user does, standing in `folder` while npm stands in the project. */
+/** Runs the command line as a user does, from `folder`, while npm runs in the project's folder. */
 export function runSinew(folder: string, ...words: readonly string[]): Promise<Ending> {
   return new Promise((settle, fail) => {
     const child = spawn(process.execPath, ['--import', 'tsx', 'src/cli/main.ts', ...words], {
@@ -29,8 +29,8 @@ export function runSinew(folder: string, ...words: readonly string[]): Promise<E
 }
 
 /**
- * A folder with these files that goes when the test has ended. Tests that run side by side pass the
- * hook of their own context.
+ * Makes a folder with these files that is removed when the test ends. Tests that run in parallel
+ * pass the hook of their own context.
  */
 export function folderWith(contents: FileContents, whenDone = onTestFinished): string {
   const folder = mkdtempSync(join(tmpdir(), 'sinew-'));

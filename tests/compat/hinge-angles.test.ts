@@ -29,7 +29,7 @@ describeWithShared('three hinges that take a rotation', [path], () => {
         const angles = Array.from(order, (axis) => row[axis as 'x' | 'y' | 'z']);
         const zero = rig.q.slice().fill(0, 4);
         const [w, ...axis] = row.quat_wxyz[name]!;
-        // The rotation of the file stands in the joint's frame; a turn, in the character's.
+        // The file's rotation is in the joint's frame, but a turn is in the character's space.
         const frame = worldOf(rig, zero);
         const vector = [0, 1, 2].map((r) => axis.reduce((sum, v, c) => sum + frame[r]![c]! * v, 0));
         const near = Float64Array.from([...zero.subarray(0, 4), ...angles]);

@@ -16,7 +16,7 @@ import { describeWithShared, modelFiles, sharedFloats, sharedJson } from './shar
 
 interface ReferencePose {
   readonly index: number;
-  /** A triple a joint, file order. */
+  /** Three angles per joint, in file order. */
   readonly angles_xyz: readonly (readonly number[])[];
   readonly root_translation: readonly number[];
   readonly files: { readonly lbs: string };
@@ -76,7 +76,7 @@ describeWithShared('Model1 of 6.837, posed', [data, reference], () => {
     expect(largestBindError(skeleton, skin)).toBeLessThan(tolerances.bindError);
     for (const method of loadedKernels) {
       const { positions } = skinVertices(character, skin, { q: skeleton.qRest }, method);
-      // Four decimals a weight: sums are 0.9996 … 1.0003.
+      // Weights have four decimals, so sums are 0.9996 … 1.0003.
       expect(largestDifference(positions, mesh.positions)).toBeLessThan(4e-4);
     }
   });

@@ -32,7 +32,7 @@ interface Kaito {
 const data = 'data/pmd/KAITO.pmd';
 const reference = 'reference/pmd';
 
-/** x y z of the file's left-handed space in Sinew's, or back. */
+/** Converts x y z between the file's left-handed space and Sinew's. */
 function mirrored(positions: ArrayLike<number>): Float64Array {
   return Float64Array.from(positions, (value, i) => (i % 3 === 2 ? -value : value));
 }
@@ -76,7 +76,7 @@ describeWithShared('KAITO of the Virtual Mannequin', [data, `${reference}/KAITO.
     expect(mmd!.english!.boneNames).toHaveLength(106);
     expect(mmd!.toons[9]).toBe('toon10.bmp');
     expect(mmd!.physics).toBeUndefined();
-    // The base morph stands where the mesh does.
+    // The base morph equals the mesh at rest.
     mmd!.morphs.basePoints.forEach((point, index) => {
       const position = mesh.positions.subarray(point * 3, point * 3 + 3);
       expect(mmd!.morphs.basePositions.subarray(index * 3, index * 3 + 3)).toEqual(position);
@@ -184,7 +184,8 @@ describeWithShared('bone frames of the Virtual Mannequin', ['reference/pmd_frame
     const { expected, frames } = read();
     const turned = (bone: number, angle: number, axis: [number, number, number]): mat4 =>
       mat4.rotate(new Float64Array(16), frames[bone]!.rotation, angle, axis);
-    // The bone from joint 1 to joint 2 by 40° about its b, the one from 2 to 5 by 30° about its t.
+    // Rotates the bone from joint 1 to joint 2 by 40° about its b, and the one from 2 to 5 by 30°
+    // about its t.
     const rotations = frames.map(({ rotation }) => rotation);
     rotations[1] = turned(1, (40 * Math.PI) / 180, [0, 0, 1]);
     rotations[4] = turned(4, (30 * Math.PI) / 180, [1, 0, 0]);

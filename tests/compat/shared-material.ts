@@ -3,12 +3,12 @@ import { basename, resolve } from 'node:path';
 import { describe, it } from 'vitest';
 import type { FileContents } from '../support/files.ts';
 
-/** Real files and expected results that lie beside the project, where they do; never within it. */
+/** Real course files and reference results, in a folder next to the project if it exists. */
 const shared = resolve(import.meta.dirname, '../../../shared');
 
 /**
- * A suite over material that may be absent: then it is skipped, and its name says why. Its body is
- * not even collected, since it may read the material while it names its tests.
+ * A suite that reads this material. If the folder is missing, the suite is skipped and its name
+ * says why. Its body is not even collected, because it may read files while it names its tests.
  */
 export function describeWithShared(
   title: string,
@@ -20,7 +20,7 @@ export function describeWithShared(
     describe(title, body);
   } else {
     const skipped = `${title} (skipped: ../shared/${absent} is not there)`;
-    process.stdout.write(`${skipped}\n`); // reporters do not name what they skip
+    process.stdout.write(`${skipped}\n`); // reporters do not name skipped suites
     it.skip(skipped, () => undefined);
   }
 }
@@ -40,13 +40,13 @@ export function sharedFloats(path: string): Float32Array {
   return Float32Array.from({ length: bytes.length / 4 }, (_, i) => view.getFloat32(i * 4, true));
 }
 
-/** `.skel`, `.obj` and `.attach` of a model of 6.837. */
+/** The `.skel`, `.obj` and `.attach` of a model of 6.837. */
 export function modelFiles(model: string): FileContents {
   const paths = ['.skel', '.obj', '.attach'].map((ending) => `data/mit-6837/${model}${ending}`);
   return Object.fromEntries(paths.map((path) => [basename(path), sharedBytes(path)]));
 }
 
-/** Files of a folder's, by their own names. */
+/** Files of a folder, under their own names. */
 export function sharedFiles(folder: string, ...names: readonly string[]): FileContents {
   return Object.fromEntries(names.map((name) => [name, sharedBytes(`${folder}/${name}`)]));
 }

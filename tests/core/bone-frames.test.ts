@@ -77,8 +77,8 @@ describe('tangentAxes', () => {
 });
 
 describe('boneFrames', () => {
-  it('has a bone for each joint but the roots, its parent the one that ends where it starts', () => {
-    // The second tree stands first in the file; its child before it.
+  it('has a bone for each joint except the roots; its parent is the bone that ends at its source', () => {
+    // The second tree comes first in the file, and its child before it.
     const skeleton = skeletonOf([
       ...[joint(1, 0, 1, 0), joint(-1, 5, 0, 0), joint(-1, 0, 0, 0)],
       ...[joint(2, 0, 2, 0), joint(3, 3, 0, 0), joint(3, 0, 0, 4)],
@@ -138,11 +138,11 @@ describe('posedRotation', () => {
     }
   });
 
-  it('puts the bones where a joint turns them, all that start there and all below', async () => {
+  it('places the bones that start at a rotated joint, and all bones below them', async () => {
     const { skeleton } = await readOne({ 'a.pmd': squarePmd });
     const frames = boneFrames(skeleton);
     const q = skeleton.qRest.slice();
-    // Every ball by its own angle.
+    // Rotates every ball by a different angle.
     for (let at = 0, turned = 1; at + 3 < q.length; at++) {
       if (q[at + 3] !== 1) continue;
       const angle = turned++ * 0.4;
@@ -171,8 +171,8 @@ describe('boneWeights', () => {
     });
   }
 
-  it("shares a joint's weight among the bones that start there; a leaf's goes to the bone to it", () => {
-    // 0 with children 1 and 2; 1 with child 3; 4 alone.
+  it("divides a joint's weight among the bones that start there; a leaf's goes to the bone that ends there", () => {
+    // Joint 0 has children 1 and 2, joint 1 has child 3, and joint 4 is alone.
     const joints = [
       ...[joint(-1, 0, 0, 0), joint(0, 1, 0, 0), joint(0, 0, 1, 0), joint(1, 1, 0, 0)],
       joint(-1, 9, 9, 9),
@@ -201,7 +201,7 @@ describe('boneWeights', () => {
         ],
       ],
     });
-    // Bones to 1, to 2, to 3.
+    // The bones to joints 1, 2 and 3.
     expect(dense(boneFrames(skeleton), skin)).toEqual([
       [0.25, 0, 0],
       [0.25, 0.75, 0],
@@ -209,7 +209,7 @@ describe('boneWeights', () => {
     ]);
   });
 
-  it('keeps the sum of each row where no joint is alone', () => {
+  it('keeps the sum of each row if no joint is without bones', () => {
     for (const rig of Object.values(allRigs)) {
       const { skeleton, skin } = characterOfRig(rig());
       const frames = boneFrames(skeleton);

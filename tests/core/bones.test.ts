@@ -81,12 +81,12 @@ describe('deriveBones', () => {
   });
 
   it('tells vectors in the frame of their joint, turned as it may be', () => {
-    // The second joint is turned by 90° about z: the character's +y is its own +x.
+    // The second joint is rotated by 90° about z, so the character's +y is its own +x.
     const joints = [joint(-1, [0, 0, 0]), joint(0, [1, 0, 0], quarterTurn), joint(1, [0, 2, 0])];
     const withSkin = bonesOf(joints.slice(0, 2), { points: [[1, 3, 0]], rows: [[[1, 1]]] });
     expect(largestDifference(withSkin[1]!.vector, [2.7, 0, 0])).toBeLessThan(tolerances.float32);
     expect(bonesOf(joints, noSkin)[1]!.vector).toEqual([0, 2, 0]);
-    // Without skin it goes on in its parent's direction, the character's +x, its own −y.
+    // Without a skin, the tip continues in its parent's direction: the character's +x, its own −y.
     const extended = bonesOf(joints.slice(0, 2), noSkin);
     expect(largestDifference(extended[1]!.vector, [0, -0.6, 0])).toBeLessThan(1e-12);
   });

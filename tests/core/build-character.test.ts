@@ -23,7 +23,7 @@ describe('buildCharacter', () => {
     expect(isEmpty(value!.bounds)).toBe(false);
   });
 
-  it('shows a mesh without skeleton, standing still', () => {
+  it('shows a mesh without a skeleton, which never moves', () => {
     const { value } = buildCharacter({ ...common, mesh: mesh!, skin: skin! });
     expect(value).toMatchObject({ skeleton: { jointCount: 0 }, mesh: { pointCount: 62 } });
     expect(value!.skin.weights.every((weight) => weight === 1)).toBe(true);
@@ -36,7 +36,7 @@ describe('buildCharacter', () => {
     expect(diagnostics).toMatchObject([{ severity: 'error', code: 'character/root' }]);
   });
 
-  it('gives nothing where all there is has an error', () => {
+  it('gives nothing if every part has an error', () => {
     const { value, diagnostics } = buildCharacter({ ...common, skeleton: brokenSkeleton });
     expect(value).toBeUndefined();
     expect(diagnostics).toHaveLength(1);
@@ -44,7 +44,7 @@ describe('buildCharacter', () => {
 });
 
 describe('bounds', () => {
-  it('hold all positions, and have no size while empty', () => {
+  it('contain all positions, and have no size while empty', () => {
     const bounds = emptyBounds();
     expect(isEmpty(bounds)).toBe(true);
     expect(diagonal(bounds)).toBe(0);

@@ -23,7 +23,7 @@ function expectSound(mesh: Mesh): void {
 }
 
 describe('buildMesh', () => {
-  it('keeps a vertex a point where nothing parts them', () => {
+  it('makes one render vertex per point if there are no seams', () => {
     const mesh = buildMesh(square);
     expectSound(mesh);
     expect(mesh).toMatchObject({ pointCount: 5, vertexCount: 5, uvs: null });
@@ -56,11 +56,11 @@ describe('buildMesh', () => {
     expect(mesh.vertexCount).toBe(6);
     expect(numbersAt(mesh.normals, 1, 3)).toEqual([0, 0, 1]);
     expect(numbersAt(mesh.normals, 5, 3)).toEqual([0, 1, 0]);
-    // A normal without length gives way to the one of the faces.
+    // A normal of length zero is replaced by that of the faces.
     expect(numbersAt(mesh.normals, 3, 3)).toEqual([0, 0, 1]);
   });
 
-  it('splits only where values part, not where a file repeats them', () => {
+  it('splits only where values differ, not where a file repeats equal ones', () => {
     const mesh = buildMesh({
       ...square,
       uvs: Float32Array.of(0, 0, 1, 0, 0, 1, 0, 1, 1, 0, 1, 1),
@@ -73,7 +73,7 @@ describe('buildMesh', () => {
   });
 
   it('splits one point at thousands of seams in time that does not grow with their square', async () => {
-    // A fan: each of its triangles gives the middle another texture coordinate.
+    // A fan in which each triangle gives the center another texture coordinate.
     const count = 40_000;
     const fan: MeshParts = {
       file: 'a.obj',
@@ -84,7 +84,8 @@ describe('buildMesh', () => {
       uvs: Float32Array.from({ length: count * 2 }, (_, i) => i),
       cornerUvs: Int32Array.from({ length: count * 3 }, (_, i) => (i % 3 ? 0 : i / 3)),
     };
-    // Some 20 times what it takes; the square of the seams would take a minute.
+    // About 20 times the usual time; an algorithm that is quadratic in the seams would take a
+    // minute.
     expect(await cpuTime(() => buildMesh(fan))).toBeLessThan(3000);
     expect(buildMesh(fan).vertexCount).toBe(count + 2 + count - 1);
   });

@@ -150,7 +150,7 @@ function reachesRoot(joint: number, parents: readonly number[]): boolean {
   return false;
 }
 
-/** Parents of a random forest under a random numbering. */
+/** Parents of a random forest whose joints are numbered randomly. */
 const shuffledForest = fc
   .array(fc.nat(), { minLength: 1, maxLength: 40 })
   .chain((choices) => {

@@ -6,12 +6,12 @@ import { forest, manyInfluences, oddWeights, rotatedTree, unitWeights } from '..
 import type { Rig } from '../fixtures/rig.ts';
 import type { Influence } from '../reference/skinning.ts';
 
-/** The rig with these rows for its first points; the others follow joint 0. */
+/** The rig with these rows for its first points; all other points follow joint 0. */
 function withRows(rig: Rig, rows: readonly (readonly Influence[])[]): Rig {
   return { ...rig, rows: rig.points.map((_, point) => rows[point] ?? [[0, 1]]) };
 }
 
-/** [joint of the file, weight] of a point, as built. */
+/** The row of a built point, as [file index of the joint, weight]. */
 function rowOf(rig: Rig, point: number): number[][] {
   const { skeleton, skin } = characterOfRig(rig);
   return Array.from({ length: skin.start[point + 1]! - skin.start[point]! }, (_, i) => {
@@ -73,7 +73,7 @@ describe('buildSkin', () => {
     ]);
   });
 
-  it('does without a skin that names a joint which is not there', () => {
+  it('makes no skin if a row names a joint that does not exist', () => {
     const rig = withRows(unitWeights(), [[[0, 1]], [[2, 1]], [[9, 1]], [[300, 1]]]);
     const { value, diagnostics } = buildCharacter(partsOfRig(rig));
     expect([...value!.skin.paletteJoint]).toEqual([noJoint]);
@@ -101,7 +101,7 @@ describe('buildSkin', () => {
     ]);
   });
 
-  it('does without a skin whose rows are not the points', () => {
+  it('makes no skin if the number of rows is not that of the points', () => {
     const rig = rotatedTree();
     const { value, diagnostics } = buildCharacter(partsOfRig({ ...rig, rows: rig.rows.slice(1) }));
     expect(value?.mesh.pointCount).toBe(62);
@@ -136,7 +136,7 @@ describe('normalizeSkin', () => {
     expect([...weights.subarray(0, 2)]).toEqual([a, b]);
   });
 
-  it('takes rows of small weights for what they are', () => {
+  it('normalizes rows of small weights too', () => {
     const row: Influence[] = [
       [0, 3e-6],
       [1, 1e-6],

@@ -61,7 +61,8 @@ describe('a channel', () => {
   it.each<[Extrapolation, number[]]>([
     ['constant', [2, 2, 6, 6]],
     ['linear', [-3, 0, 7, 13]],
-    // Periods of 2 from time 1: -1.5 is 1.5 in its period, 0 is 1, 3.5 is 0.5, 6.5 is 1.5.
+    // The period is 2 and starts at time 1: -1.5 corresponds to 1.5, 0 to 1, 3.5 to 0.5 and 6.5 to
+    // 1.5.
     ['cycle', [5, 4, 3, 5]],
     ['cycle_offset', [-3, 0, 7, 13]],
     ['bounce', [5, 4, 5, 5]],
@@ -85,7 +86,7 @@ describe('a channel', () => {
 });
 
 describe('a clip', () => {
-  it('writes its values where they belong in q, within the limits, and leaves the others', async () => {
+  it('writes its values to their places in q, within the limits, and no others', async () => {
     const { skeleton, clips } = await readOne(leg);
     const clip = clipFor(clips[0]!, skeleton);
     expect(clipFor(clips[0]!, skeleton), 'compiled once').toBe(clip);
@@ -97,7 +98,7 @@ describe('a clip', () => {
     const q = skeleton.qRest.slice();
     evaluateClip(clip, 0, q);
     expect([0, 1, 2].map((axis) => q[slides[axis]!])).toEqual([0.5, 0.5, 0]);
-    // The hip is locked about y: its channel says 0.25.
+    // The hip is locked about y, while its channel has 0.25.
     expect(hinges.map((index) => q[index])).toEqual([0, 0, ...Array<number>(7).fill(0.25)]);
     expect([clip.start, clip.end, clip.name]).toEqual([0, 2, 'leg_walk']);
   });

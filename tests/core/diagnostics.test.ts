@@ -20,7 +20,7 @@ describe('formatDiagnostic', () => {
     expect(formatDiagnostic({ ...problem, ...place })).toBe(message);
   });
 
-  it('cuts what was found and makes it, the file and the expected harmless', () => {
+  it('shortens the found text, and makes it, the file and the expected text printable', () => {
     const message = formatDiagnostic({
       ...problem,
       file: 'a\u001b[2J.skel',
@@ -65,7 +65,7 @@ describe('DiagnosticLog', () => {
     });
   });
 
-  it('lists an error in the place of a warning where there are too many', () => {
+  it('lists an error instead of a warning when there are too many', () => {
     const log = new DiagnosticLog('a.skel');
     for (let i = 0; i < 101; i++) log.warn(details);
     log.error({ ...details, found: 'the error' });
@@ -76,7 +76,7 @@ describe('DiagnosticLog', () => {
     expect(log.finish('value')).not.toHaveProperty('value');
   });
 
-  it('knows of an error that it does not list', () => {
+  it('remembers an error that it does not list', () => {
     const log = new DiagnosticLog('a.skel');
     for (let i = 0; i < 102; i++) log.error(details);
     expect(log.diagnostics).toHaveLength(101);

@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { cpuTime } from '../support/cpu-time.ts';
 import { firstEqualFloats, firstEqualTuples } from '../../src/core/equal-tuples.ts';
 
-/** By comparing each with all before it. */
+/** The oracle: compares each tuple with all before it. */
 function byComparing(tuples: readonly (readonly number[])[]): number[] {
   return tuples.map((tuple) =>
     tuples.findIndex((other) => other.every((value, i) => value === tuple[i])),
@@ -25,8 +25,8 @@ describe('firstEqualTuples', () => {
     );
   });
 
-  it('looks into as many slots as there are tuples, nearly, for grids and for one shared part', async () => {
-    // What meshes have: running numbers, a point in many corners, all of a kind.
+  it('probes about as many slots as there are tuples, for grids and for one shared element', async () => {
+    // Like meshes: consecutive numbers, one point in many corners, all tuples equal.
     const patterns = [
       (i: number) => [i, i, i],
       (i: number) => [7, i, 0],
@@ -36,14 +36,14 @@ describe('firstEqualTuples', () => {
     for (const pattern of patterns) {
       const values = Int32Array.from(Array.from({ length: 60_000 }, (_, i) => pattern(i)).flat());
       expect(firstEqualTuples(values, 3).every((first, i) => first === i)).toBe(true);
-      // Some 20 times what it takes; one long run of slots would take many times more.
+      // About 20 times the usual time; a long run of occupied slots would take many times longer.
       expect(await cpuTime(() => firstEqualTuples(values, 3))).toBeLessThan(500);
     }
   });
 });
 
 describe('firstEqualFloats', () => {
-  it('takes 0 and -0 for one value', () => {
+  it('treats 0 and -0 as equal', () => {
     expect([...firstEqualFloats(Float32Array.of(0, 1, -0, 1, 0.5, 1), 2)]).toEqual([0, 0, 2]);
   });
 });

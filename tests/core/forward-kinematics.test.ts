@@ -12,7 +12,10 @@ import { tolerances } from '../tolerances.ts';
 
 const rigs = { 'rotated tree': rotatedTree, forest, 'many influences': manyInfluences };
 
-/** Every joint but the first has its parent after it in the file, 4,096 deep. */
+/**
+ * A chain of 4,096 joints in which every joint except the first has its parent after it in the
+ * file.
+ */
 function deepChain(): Rig {
   const random = randomSource(5);
   const count = 4096;

@@ -37,7 +37,7 @@ describe('axisDofs', () => {
       [hinge, 1],
       [hinge, 0],
     ]);
-    // Balls and oblique axes are no number that a slider could show.
+    // A slider can't show balls and oblique axes as one number.
     expect(shown(1)).toEqual([]);
     expect(shown(3)).toEqual([]);
     expect(shown(4)).toEqual([[slide, 1]]);
@@ -51,7 +51,7 @@ describe('axisDofs', () => {
     ]);
   });
 
-  it('tell where in q they stand', () => {
+  it('have their index in q', () => {
     const q = skeleton.qRest.map((_, index) => index);
     for (let joint = 0; joint < skeleton.jointCount; joint++) {
       const [start, end] = jointRange(skeleton, joint);

@@ -13,7 +13,7 @@ import { randomBetween, randomSource, randomUnitVector } from '../support/random
 
 type Triple = [number, number, number];
 
-/** The oracle: how far a point is from a segment, by the definition. */
+/** The oracle: the distance of a point from a segment, by definition. */
 function distanceToSegment(point: ArrayLike<number>, from: Triple, to: Triple): number {
   const axis = [0, 1, 2].map((i) => to[i]! - from[i]!);
   const offset = [0, 1, 2].map((i) => point[i]! - from[i]!);
@@ -23,7 +23,7 @@ function distanceToSegment(point: ArrayLike<number>, from: Triple, to: Triple): 
   return Math.hypot(...offset.map((value, i) => value - kept * axis[i]!));
 }
 
-/** Steps along the ray by how far away the capsule still is, until it is met (Hart 1996). */
+/** Marches along the ray by the distance to the capsule until it is hit (Hart 1996). */
 function march(origin: Triple, direction: Triple, from: Triple, to: Triple, radius: number) {
   let t = 0;
   for (let step = 0; step < 3000 && t < 50; step++) {
@@ -35,7 +35,7 @@ function march(origin: Triple, direction: Triple, from: Triple, to: Triple, radi
 }
 
 describe('a ray', () => {
-  it('meets a capsule where marching along it does', () => {
+  it('hits a capsule at the same distance as marching along the ray', () => {
     const random = randomSource(5);
     const place = (size: number): Triple => {
       const [x, y, z] = [0, 1, 2].map(() => randomBetween(random, -size, size));
@@ -53,7 +53,7 @@ describe('a ray', () => {
       const direction = away.map((value) => value / length) as Triple;
       const expected = march(origin, direction, from, end, radius);
       const found = rayCapsule({ origin, direction }, from, end, radius);
-      // A ray that only just touches is both.
+      // A ray that barely touches may count as a hit or a miss.
       const gap = distanceToSegment(
         pointOnRay({ origin, direction }, distanceOfClosest({ origin, direction }, from, end)),
         from,
@@ -67,19 +67,19 @@ describe('a ray', () => {
     expect(hits).toBeGreaterThan(250);
   });
 
-  it('misses a cylinder that it looks along, and meets the capsule', () => {
+  it('misses the side of a cylinder when parallel to it, and hits the capsule', () => {
     const ray = { origin: [0, 0, 5], direction: [0, 0, -1] } as const;
     expect(rayCylinder(ray, [0, 0, 0], [0, 0, 1], 0.5)).toBe(Infinity);
     expect(rayCapsule(ray, [0, 0, 0], [0, 0, 1], 0.5)).toBe(3.5);
   });
 
-  it('does not meet what is behind it, and meets from within what is around it', () => {
+  it('does not hit what is behind it, and hits what is around it from within', () => {
     const ray = { origin: [0, 0, 5], direction: [0, 0, 1] } as const;
     expect(rayCapsule(ray, [-1, 0, 0], [1, 0, 0], 0.5)).toBe(Infinity);
     expect(raySphere(ray, [0, 0, 4.5], 1)).toBe(0.5);
   });
 
-  it('is closest to a segment where no other place of it is closer', () => {
+  it('is closest to a segment where no other point of it is closer', () => {
     const random = randomSource(6);
     for (let i = 0; i < 300; i++) {
       const [origin, direction] = [randomUnitVector(random), randomUnitVector(random)];

@@ -22,7 +22,7 @@ function skinOf(rows: readonly Row[]): Skin {
 
 const row = fc.array(fc.tuple(fc.nat(9), fc.float({ noNaN: true })), { maxLength: 4 });
 
-it('has the rows that are given, and of the others those of before', () => {
+it('has the given rows, and the old ones for all other points', () => {
   const points = fc.array(fc.tuple(row, fc.option(row, { nil: null })), { maxLength: 12 });
   fc.assert(
     fc.property(points, (pairs) => {
@@ -38,7 +38,7 @@ it('has the rows that are given, and of the others those of before', () => {
   );
 });
 
-it('shares with the former skin what stays', () => {
+it('shares unchanged arrays with the given skin', () => {
   const skin = skinOf([[[0, 1]], [[1, 0.5], [2, 0.5]]]); // prettier-ignore
   const lighter = skinWithRows(skin, [1], packed([[[1, 0.25], [2, 0.5]]])); // prettier-ignore
   expect([lighter.start, lighter.entries]).toEqual([skin.start, skin.entries]);

@@ -64,7 +64,8 @@ describe('computeVertexNormals', () => {
       [0, 0, 1],
       [1, 0, 0],
     ];
-    // A large face that looks to +z and a small one to −y meet at the first point, both at 90°.
+    // A large face that faces +z and a small one that faces −y meet at the first point, both at
+    // 90°.
     const [x, y, z] = normalsOf(points, [0, 1, 2, 0, 4, 3]);
     expect(largestDifference([x!, y!, z!], unit([0, -1, 1]))).toBeLessThan(tolerances.float32);
   });
@@ -79,7 +80,7 @@ describe('computeVertexNormals', () => {
     expect(normalsOf(line, [0, 1, 2, 0, 0, 1])).toEqual([0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0]);
   });
 
-  it('stay finite for the smallest and the largest coordinates', () => {
+  it('are finite for the smallest and the largest coordinates', () => {
     for (const size of [1e-40, 1e-19, 1e19, 3e38]) {
       const points = cube.map((point) => point.map((value) => value * size));
       const normals = normalsOf(

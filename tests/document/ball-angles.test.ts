@@ -12,7 +12,7 @@ const slide = { kind: DofKind.slide, axis: [1, 0, 0] } as const;
 const ball = { kind: DofKind.ball, axis: [0, 0, 0] } as const;
 const joint = { name: 'a', parent: -1, restOffset: [0, 0, 0], dofs: [slide, ball] } as const;
 const skeleton = buildSkeleton({ file: 'a', joints: [joint] }, new DiagnosticLog('a'))!;
-/** After the slide. */
+/** The ball comes after the slide. */
 const index = 1;
 
 function poseOf(...angles: Triple): Float64Array {
@@ -75,7 +75,7 @@ describe('the angles of a ball', () => {
   it('of a quaternion from elsewhere are the nearest to those shown: nothing jumps', () => {
     const angles = new BallAngles();
     angles.withAngle(skeleton, skeleton.qRest, index, 1, 1.5);
-    // On past the right angle, where the triple of a plain extraction jumps by half turns.
+    // Continues past the right angle, where a plain extraction of the triple jumps by half a turn.
     for (let y = 1.5; y < 8; y += 0.05) {
       expectAngles(angles.of(skeleton, poseOf(0.2, y, -0.3), index), [0.2, y, -0.3]);
     }
@@ -103,7 +103,7 @@ describe('the angles of a ball', () => {
     const first = angles.withAngle(skeleton, skeleton.qRest, index, 0, 10);
     let q = first;
     for (let step = 0; step < 5000; step++) q = angles.withAngle(skeleton, q, index, 0, step / 1e4);
-    // Found anew, nearest to what is shown.
+    // Computed again, nearest to what is shown.
     expectAngles(angles.of(skeleton, first, index), [10 - 4 * Math.PI, 0, 0]);
     expect(angles.of(skeleton, skeleton.qRest, index)).toEqual([0, 0, 0]);
   });

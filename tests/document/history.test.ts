@@ -12,7 +12,7 @@ function documentWith(values: number): Scene {
   return { actors: [state] };
 }
 
-/** Steps of 80 bytes each: ten values of a pose. */
+/** Steps of 80 bytes each: a pose of ten values. */
 function historyOf(count: number, memoryLimit?: number) {
   let history = emptyHistory;
   for (let i = 0; i < count; i++) {
@@ -68,7 +68,7 @@ describe('the history', () => {
   });
 });
 
-/** Bytes, by bisection. */
+/** Finds a limit in bytes by bisection. */
 function smallestLimit(fits: (limit: number) => boolean): number {
   let [low, high] = [0, 1 << 24];
   while (high - low > 1) {

@@ -27,7 +27,7 @@ import { allRigs } from '../fixtures/rigs.ts';
 
 const characters = Object.values(allRigs).map((rig) => withMorphAndClip(rig()));
 
-/** The rig with a shape to add and a curve to follow. */
+/** The rig with a morph and a clip. */
 function withMorphAndClip(rig: Rig): Character {
   const parts = partsOfRig(rig);
   const file = 'made';
@@ -35,7 +35,7 @@ function withMorphAndClip(rig: Rig): Character {
   const offset = Float32Array.of(0, 1, 0);
   const shape = { points: point, offsets: offset, normalPoints: point, normalOffsets: offset };
   const key = { tangentIn: 'smooth', tangentOut: 'smooth' } as const;
-  // The root of the first rig, 'rotated tree'; no other is posed by it.
+  // The root of the first rig, 'rotated tree'; the clip moves no other rig.
   const target = { joint: 8, kind: DofKind.hinge, axis: 0 } as const;
   const keys = [
     { time: 0, value: 0, ...key },
@@ -64,7 +64,7 @@ function turn(store: Store, index: number, value: number, label = 'turn'): Edit 
   return setValue(id, q, index, value, label);
 }
 
-/** Everything that a scene holds, to the bit: floats as hexadecimal bytes. */
+/** Everything in a scene, to the bit: floats as hexadecimal bytes. */
 function bits({ actors }: Scene): string {
   const parts = actors.map(
     ({ id, character, transform, q, morphWeights, clip, method, normalizeWeights }) => [
@@ -81,12 +81,12 @@ function bits({ actors }: Scene): string {
   return JSON.stringify(parts);
 }
 
-/** −0 is another place than 0, as it is for the store. */
+/** −0 and 0 are different positions, as for the store. */
 function placeOf({ position, rotation, scale }: Transform): Float64Array {
   return Float64Array.of(...position, ...rotation, scale);
 }
 
-/** A command of any kind for the character that is selected. */
+/** An edit of any kind for the selected character. */
 function commandOf(store: Store, kind: number, amount: number): Edit {
   const { id, q, character } = selected(store);
   const index = Math.abs(Math.trunc(amount * 1e6)) % q.length;
@@ -121,7 +121,7 @@ describe('the store', () => {
         const seen = [bits(store.scene.value)];
         for (const [kind, amount] of steps) {
           store.dispatch(commandOf(store, kind, amount));
-          // What changes nothing is no step.
+          // An edit that changes nothing is not a step.
           const now = bits(store.scene.value);
           if (now !== seen.at(-1)) seen.push(now);
         }

@@ -7,12 +7,15 @@ import { expectSound } from '../support/check-character.ts';
 import type { FileContents } from '../support/files.ts';
 import { readSoon } from '../support/read-soon.ts';
 
-/** A row of a table of bad files: files, what is said of them, and what is left. */
+/**
+ * A row of a table of bad files: the files, the expected messages, and what remains of the
+ * character.
+ */
 export interface BadInput {
-  /** The number of the case and what it is: "A13 parent past the end". */
+  /** The number and the description of the case: "A13 parent past the end". */
   readonly title: string;
   readonly files: FileContents;
-  /** Smaller ones than Sinew's own, where a case would be large. */
+  /** Smaller limits than Sinew's own, for cases that would otherwise be large. */
   readonly limits?: Partial<Limits>;
   /** Every message, `severity: FILE:LINE:COL: expected …, found "…" [code]`. */
   readonly messages: readonly string[];
@@ -20,7 +23,7 @@ export interface BadInput {
   readonly check?: (character: Character) => void;
 }
 
-/** What can be shown of the files. */
+/** The parts of a character that can be shown. */
 export interface Left {
   readonly joints: number;
   readonly vertices: number;
@@ -29,12 +32,12 @@ export interface Left {
   readonly bound: boolean;
 }
 
-/** A table of bad files, its kinds numbered from 1 behind a letter. */
+/** A table of bad files, whose kinds are numbered from 1 after a letter. */
 export interface BadInputTable {
   readonly letter: string;
   readonly kinds: number;
   readonly cases: readonly BadInput[];
-  /** How messages are written in the table. */
+  /** How the messages are written in the table. */
   readonly say: (diagnostics: readonly Diagnostic[]) => string[];
 }
 
@@ -47,7 +50,7 @@ function leftOf({ skeleton, mesh, skin }: Character): Left {
   };
 }
 
-/** Tests that a table has all its kinds, and each of its cases; no case fetches anything. */
+/** Tests that a table has all its kinds, and tests each of its cases. No case fetches anything. */
 export function testBadInputs(label: string, { letter, kinds, cases, say }: BadInputTable): void {
   const numberOf = ({ title }: BadInput): number =>
     Number(new RegExp(`^${letter}(\\d+) `).exec(title)?.[1]);

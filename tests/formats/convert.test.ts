@@ -30,7 +30,10 @@ function randomPose({ skeleton }: Character, seed: number): Pose {
   };
 }
 
-/** Written to the other course's files and read again, with the pose as POSE.json. */
+/**
+ * Writes the character as the other course's files, with the pose as POSE.json, and reads them
+ * again.
+ */
 async function through(character: Character, pose: Pose, to: 'mit' | 'cse169') {
   const converted = convertCharacter(character, to, pose);
   const files =
@@ -42,7 +45,7 @@ async function through(character: Character, pose: Pose, to: 'mit' | 'cse169') {
   return { character: again, pose: read.value!, losses: shown(converted.losses) };
 }
 
-/** A body over the course's joints; every point between two of them. */
+/** A body on the course's joints, with every point influenced by two of them. */
 function course() {
   const joints = courseSkel.trimEnd().split('\n');
   const points = joints.map((_, i) => `v ${i % 3} ${5 - i / 3} ${(i * 7) % 5}`);
@@ -56,7 +59,7 @@ function course() {
   });
 }
 
-/** Bound rigidly, where the skeleton's joints are, as real skins are: but turned. */
+/** Bound rigidly at the skeleton's joints, like real skins, but with rotations. */
 const rigidSkin = legSkin.replace(
   /bindings[^]*$/,
   `bindings 3 {

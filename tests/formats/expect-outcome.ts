@@ -4,7 +4,9 @@ import { expectPosable, expectSound } from '../support/check-character.ts';
 import type { FileContents } from '../support/files.ts';
 import { readSoon } from '../support/read-soon.ts';
 
-/** Reads without throwing and soon, and gives sound characters or says why not. */
+/**
+ * Expects that reading neither throws nor hangs, and returns valid characters or reports why not.
+ */
 export async function expectOutcome(contents: FileContents): Promise<void> {
   const { characters, diagnostics } = await readSoon(contents);
   for (const { character } of characters) {

@@ -21,7 +21,7 @@ const names: Readonly<Record<string, string>> = {
 };
 
 describe.each(Object.entries(names))('a name %s', (_, name) => {
-  it('is the name of its character, as it stands, alone and in an archive', async () => {
+  it('is the name of its character, unchanged, alone and in an archive', async () => {
     for (const contents of [
       { [`x/${name}.obj`]: obj },
       { [`${name}.OBJ`]: obj },
@@ -33,7 +33,7 @@ describe.each(Object.entries(names))('a name %s', (_, name) => {
     }
   });
 
-  it('acts on no page and no terminal in a message, and is cut there', async () => {
+  it('affects neither page nor terminal in a message, and is shortened there', async () => {
     const contents = [
       { [`${name}.obj`]: 'f' },
       { [`${name}.txt`]: '' },
@@ -54,7 +54,7 @@ describe.each(Object.entries(names))('a name %s', (_, name) => {
     }
   });
 
-  it('is a material, and read over as group and object', async () => {
+  it('is read as a material, and ignored as a group or object', async () => {
     const text = `o ${name}\ng ${name}\n${obj.replace('f', `usemtl ${name}\nf`)}`;
     const { characters, diagnostics } = await readContents({ 'a.obj': text });
     expect(diagnostics).toEqual([]);
@@ -62,13 +62,13 @@ describe.each(Object.entries(names))('a name %s', (_, name) => {
     expect(mesh.submeshes).toEqual([{ material: name, firstIndex: 0, indexCount: 3 }]);
   });
 
-  it('is a joint of a pose, and one that is not there', () => {
+  it('is found as a joint of a pose, and reported if there is no such joint', () => {
     const axis = [1, 0, 0] as const;
     const dofs = [{ kind: DofKind.hinge, axis }];
     const joint = { name, parent: -1, restOffset: [0, 0, 0] as const, dofs };
     const log = new DiagnosticLog('a');
     const skeleton = buildSkeleton({ file: 'a', joints: [joint] }, log)!;
-    // Made as text, since an object written out would set its prototype.
+    // Parsed from text, because an object literal would set its prototype.
     const text = `{"joints": {${JSON.stringify(name)}: [2, 0, 0]}}`;
     const { value } = readPoseJson('p.json', text, skeleton);
     expect([...value!.q]).toEqual([2]);

@@ -29,11 +29,14 @@ function messages(text: string, of: Skeleton = skeleton): string[] {
   return shown(diagnostics);
 }
 
-/** The course's values: three slides and three hinges of the root, then three hinges a joint. */
+/**
+ * The values of the course's skeleton: three slides and three hinges of the root, then three hinges
+ * per joint.
+ */
 const rest = new Array<number>(3 + 18 * 3).fill(0);
 
 describe('readPoseJson', () => {
-  it('keeps the pose of the file where nothing is said', () => {
+  it('keeps the pose of the file for an empty pose', () => {
     expect(q({})).toEqual(rest);
     expect(q({ joints: {} })).toEqual(rest);
     const rig = characterOfRig(rotatedTree()).skeleton;
@@ -45,7 +48,8 @@ describe('readPoseJson', () => {
     const posed = rest.with(0, 0.1).with(1, 0.2).with(2, 0.3);
     const root = q({ root: [0.1, 0.2, 0.3], joints: { Root: [1, 2, 3] } });
     expect(root).toEqual(posed.with(3, 1).with(4, 2).with(5, 3));
-    // Depth first, "Waist" is the third joint and "Left foot", #11 in the file, the eleventh.
+    // In depth-first order, "Waist" is the third joint and "Left foot", #11 in the file, the
+    // eleventh.
     expect(q({ joints: { Waist: [4, 5, 6] } })).toEqual(rest.with(9, 4).with(10, 5).with(11, 6));
     const foot = skeleton.names.indexOf('Left foot');
     const byIndex = q({ joints: { '#11': [7, 8, 9] } });
@@ -146,9 +150,9 @@ describe('readPoseJson', () => {
     ]);
   });
 
-  it('says which values a joint has no freedom for', () => {
+  it('reports values for axes that a joint does not have', () => {
     const rig = characterOfRig(rotatedTree()).skeleton;
-    // Joint 7 turns about z alone, joint 6 not at all.
+    // Joint 7 has only a hinge about z, joint 6 has none.
     const text = '{"joints":{"#7":[1,0,2],"#6":[0,0,3]}}';
     const { value, diagnostics } = readPoseJson('p.json', text, rig);
     const missing = (place: string, axis: string, joint: number, found: number): string =>
@@ -184,7 +188,7 @@ describe('readPoseJson', () => {
     ]);
   });
 
-  it('gives a pose or says why not, for any text and any value', () => {
+  it('gives a pose or reports why not, for any text and any value', () => {
     fc.assert(
       fc.property(fc.oneof(fc.string(), fc.json()), (text) => {
         const { value, diagnostics } = readPoseJson('p.json', text, skeleton);
@@ -203,7 +207,7 @@ describe('ball joints', async () => {
   const ofChild = (json: unknown): number[] => q({ joints: { '#1': json } }, balls).slice(7, 11);
   const [half, cosine] = [Math.sin(0.25), Math.cos(0.25)];
 
-  it('take a quaternion, made unit', () => {
+  it('take a quaternion, which is normalized', () => {
     expect(ofChild([0, half, 0, cosine])).toEqual([0, half, 0, cosine]);
     expect(ofChild([0, 0, -3, 4])).toEqual([0, 0, -0.6, 0.8]);
     expect(ofChild([1e-300, 0, 0, 0])).toEqual([1, 0, 0, 0]);
@@ -253,7 +257,7 @@ describe('ball joints', async () => {
     ]);
   });
 
-  it('are needed for four numbers', () => {
+  it('are the only joints that accept four numbers', () => {
     expect(messages('{"joints":{"Neck":[0,0,0,1]}}')[0]).toContain('three numbers for "Neck"');
   });
 
@@ -280,7 +284,7 @@ describe('ball joints', async () => {
     );
   });
 
-  it('of other trees than the first keep their places: "root" is the first root\'s', () => {
+  it('of other trees keep their positions, because "root" moves only the first root', () => {
     const moved = q({ root: [1, 2, 3] }, balls);
     const changed = moved.flatMap((value, i) => (value === balls.qRest[i] ? [] : [i]));
     expect(changed).toEqual([0, 1, 2]);
@@ -288,7 +292,7 @@ describe('ball joints', async () => {
 });
 
 describe('poseFromJson', () => {
-  it('tells the path alone, since a value has no line', () => {
+  it('reports only the path, because a value has no line', () => {
     const { diagnostics } = poseFromJson('pose', { joints: { 'Left elbow': [0, 'x'] } }, skeleton);
     expect(diagnostics).toEqual([
       {
@@ -326,7 +330,7 @@ describe('poseToJson', () => {
       fc.property(poses, (json) => {
         const pose = poseFromJson('p.json', json, skeleton).value!;
         const text = JSON.stringify(poseToJson(skeleton, pose));
-        // JSON has no −0; adding 0 makes it one with 0.
+        // JSON has no −0; adding 0 makes it 0.
         const again = readPoseJson('p.json', text, skeleton).value!.q.map((value) => value + 0);
         expect(again).toEqual(pose.q.map((value) => value + 0));
       }),

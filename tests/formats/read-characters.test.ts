@@ -24,7 +24,7 @@ describe('readCharacters', () => {
     ]);
   });
 
-  it('reads what lies beside an archive that it can not', async () => {
+  it('reads the files next to an archive that it cannot read', async () => {
     const { characters, diagnostics } = await readContents({ 'a.obj': obj, 'b.zip': 'no zip' });
     expect(characters).toHaveLength(1);
     expect(said(diagnostics)).toEqual([
@@ -32,7 +32,7 @@ describe('readCharacters', () => {
     ]);
   });
 
-  it('passes over junk without a word and tells of all unknown files in one', async () => {
+  it('skips junk silently and reports all unknown files in one message', async () => {
     const contents = {
       '._a.obj': 'junk',
       'x/.DS_Store': 'junk',
@@ -48,7 +48,7 @@ describe('readCharacters', () => {
     ]);
   });
 
-  it('says so where a file gives fewer bytes than it has', async () => {
+  it('reports a file that gives fewer bytes than its size', async () => {
     const cut = { ...memoryFile('a.obj', bytesOf(obj)), size: 100 };
     const { characters, diagnostics } = await readCharacters([cut]);
     expect(characters).toHaveLength(1);
@@ -69,7 +69,7 @@ describe('readCharacters', () => {
     ]);
   });
 
-  it('makes nothing of nothing', async () => {
+  it('returns nothing without files', async () => {
     expect(await readCharacters([])).toEqual({ characters: [], diagnostics: [] });
   });
 });

@@ -13,7 +13,7 @@ function filesOf(write: FormatWriter, character: Character): FileContents {
   return Object.fromEntries(write(character).files.map(({ path, bytes }) => [path, bytes]));
 }
 
-/** All but what the files are called. */
+/** Everything except the names of the files. */
 function content(character: Character) {
   return { ...character, name: '' };
 }
@@ -27,7 +27,7 @@ async function expectRoundTrip(write: FormatWriter, character: Character): Promi
 
 const written = formats.filter(({ loadWriter }) => loadWriter !== undefined);
 
-// From the registry, so that a new format cannot skip it.
+// Taken from the registry, so that no format can be forgotten.
 describe.each(written)('what $id writes', ({ id }) => {
   const samples = formatSamples[id];
 

@@ -4,13 +4,13 @@ import type { FileContents } from '../support/files.ts';
 import { golden, oddities } from '../support/golden.ts';
 import { pmdFile, square as squareContent, squarePmd } from '../support/pmd-files.ts';
 
-/** What a format is tested with; every format of the registry needs an entry here. */
+/** The samples with which a format is tested; every format of the registry needs an entry here. */
 export interface FormatSamples {
-  /** Whole characters, small, for every cut and change. */
+  /** Small complete characters, for tests of truncation and mutation. */
   readonly characters: Readonly<Record<string, FileContents>>;
-  /** Words that its readers know, to make nonsense of. */
+  /** Words that its readers know, for random texts. */
   readonly tokens: readonly string[];
-  /** Numbers, and what looks like some, that are at or past what its readers take. */
+  /** Numbers, and text that looks like numbers, at or beyond the limits of its readers. */
   readonly oddNumbers: readonly string[];
 }
 

@@ -7,7 +7,7 @@ import { formats } from '../../src/formats/registry.ts';
 import { readOne } from '../support/files.ts';
 import { formatSamples } from './samples.ts';
 
-// From the registry, so that a new format cannot skip it.
+// Taken from the registry, so that no format can be forgotten.
 describe.each(formats)('the shape of $id', ({ id, shape }) => {
   it.each(Object.entries(formatSamples[id]!.characters))(
     'holds what its reader gives: %s',

@@ -14,7 +14,7 @@ async function told(files: Record<string, string | Uint8Array>): Promise<string>
 }
 
 describe('the message names the cause', () => {
-  it('of a pointer of Git LFS in the place of a file', async () => {
+  it('of a Git LFS pointer instead of a file', async () => {
     const pointer = 'version https://git-lfs.github.com/spec/v1\noid sha256:46\nsize 8\n';
     for (const name of ['a.obj', 'a.skel', 'a.skin', 'a.anim']) {
       expect(await told({ ...whole, [name]: pointer }), name).toContain(
@@ -38,7 +38,7 @@ describe('the message names the cause', () => {
     expect(await told({ ...whole, 'a.skel': text })).toContain(message);
   });
 
-  it('but such characters in comments and names are nobody’s fault', async () => {
+  it('but accepts such characters in comments and names', async () => {
     const named = `# 1\u00a0000 faces, 3\u2212x\nusemtl a\u00a0b \u2212 c\n${obj}`;
     expect(await told({ ...whole, 'a.obj': named })).not.toContain('only looks like');
   });

@@ -10,7 +10,7 @@ const pixel = fc.double({ min: -300, max: 300, noNaN: true });
 const turn = 2 * Math.PI;
 const held = [0.3, 0.4, -0.1] as const;
 
-/** All triples of the same rotation near a place: by the identity, and by whole turns. */
+/** All triples of the same rotation near given angles: by the identity, and by full turns. */
 function equivalents([a, b, c]: readonly number[]): number[][] {
   const turns = [-2, -1, 0, 1, 2].map((k) => k * turn);
   return [
@@ -43,7 +43,7 @@ describe.each(['xyz', 'zyx', 'sxyz', 'zxy', 'yzx'])('angles of a dragged joint "
     );
   });
 
-  it('do not jump along a smooth way, away from the gimbal', () => {
+  it('do not jump along a smooth path away from gimbal lock', () => {
     let steps = 0;
     fc.assert(
       fc.property(seeds, pixel, pixel, (seed, x, y) => {
@@ -64,7 +64,8 @@ describe.each(['xyz', 'zyx', 'sxyz', 'zxy', 'yzx'])('angles of a dragged joint "
           const world = worldOf(rig, next);
           const turned = angleBetween(before, world);
           const slack = Math.abs(Math.cos(next[from + 1]!));
-          // Near a gimbal angles go as the rotation's over the cosine of the middle one.
+          // Near gimbal lock, angles change like the rotation divided by the cosine of the middle
+          // angle.
           if (slack > 0.2 && turned < 0.05) {
             steps++;
             const jump = Math.max(
@@ -80,7 +81,7 @@ describe.each(['xyz', 'zyx', 'sxyz', 'zxy', 'yzx'])('angles of a dragged joint "
     expect(steps).toBeGreaterThan(500);
   });
 
-  it('go on through a gimbal and keep the point under the pointer', () => {
+  it('continue through gimbal lock and keep the point under the pointer', () => {
     const rig = dragRig(kind, 3);
     const from = rig.q.length - 3;
     const q = rig.q.slice();
@@ -134,10 +135,10 @@ describe('the value of one degree of freedom', () => {
     fc.assert(
       fc.property(seeds, pixel, pixel, (seed, x, y) => {
         const best = bestOnGrid(kind, seed, x, y, [-1.2, 0.7]);
-        // But for the small pull to the start, that decides between front and back.
+        // Except for the small preference for the start, which decides between front and back.
         const radius = Math.hypot(...held);
         expect(best.found ** 2).toBeLessThan(best.least ** 2 + 0.02 * radius ** 2 + 1e-9);
-        // And there a place of least distance, or a limit.
+        // There, the distance has a minimum, or a limit is reached.
         if (best.value > best.low + 1e-4 && best.value < best.high - 1e-4) {
           expect(best.gap(best.value + 1e-4)).toBeGreaterThan(best.found - 1e-9);
           expect(best.gap(best.value - 1e-4)).toBeGreaterThan(best.found - 1e-9);
@@ -186,7 +187,7 @@ describe('the value of one degree of freedom', () => {
   });
 });
 
-describe('hinges that cannot take every turn', () => {
+describe('hinges that cannot take every rotation', () => {
   it.each([
     ['two hinges', 'xy'],
     ['three with limits', 'xyz'],
@@ -206,7 +207,7 @@ describe('hinges that cannot take every turn', () => {
         Math.hypot(...transform(worldOf(rig, values), held).map((v, axis) => v - target[axis]!));
       const best = bestInBox(rig.q.length, kind.length, rig.skeleton, rig.q, miss);
       if (miss(q) <= best + 0.03) near++;
-      // Wherever it ended, no small step within the limits comes nearer.
+      // From the result, no small step within the limits comes nearer.
       for (let step = q.length - kind.length; step < q.length; step++) {
         for (const change of [-1e-4, 1e-4]) {
           const other = q.slice();
@@ -217,12 +218,13 @@ describe('hinges that cannot take every turn', () => {
         }
       }
     }
-    // The others are far out of reach and stay in the valley of the start: elsewhere is a jump away.
+    // The other starts are far out of reach and stay in the local minimum of the start: elsewhere
+    // is a jump away.
     expect(near / count).toBeGreaterThan(0.8);
   });
 });
 
-/** The oracle: where on the sphere of the grabbed point the pointer asks it to be. */
+/** The oracle: the position on the sphere of the grabbed point that the pointer demands. */
 function sphereTarget(
   ray: { readonly origin: ArrayLike<number>; readonly direction: ArrayLike<number> },
   pivot: readonly number[],
@@ -234,13 +236,14 @@ function sphereTarget(
   const middle = pivot.reduce((sum, v, i) => sum + (v - ray.origin[i]!) * ray.direction[i]!, 0);
   const beside = pivot.map((v, i) => ray.origin[i]! + middle * ray.direction[i]! - v);
   const gap = Math.hypot(...beside);
-  // By Pythagoras: from the place beside the pivot along the ray, or straight out to the rim.
+  // By Pythagoras: along the ray from its point next to the pivot, or straight out to the
+  // silhouette.
   const deep = side * Math.sqrt(Math.max(0, radius * radius - gap * gap));
   const out = Math.min(1, radius / gap);
   return pivot.map((v, i) => v + beside[i]! * out + deep * ray.direction[i]!);
 }
 
-/** The least miss over a grid of the last `hinges` values within their limits. */
+/** The least distance over a grid of the last `hinges` values within their limits. */
 function bestInBox(
   size: number,
   hinges: number,

@@ -11,7 +11,7 @@ const seeds = fc.nat(1e6);
 const motion = fc.double({ min: -200, max: 200, noNaN: true });
 const held = [0.05, 0.4, -0.1] as const;
 
-/** The oracle: turned from the picture's up for motion to the right, from its left for motion up. */
+/** The oracle for the axis: the picture's up for motion to the right, its left for motion up. */
 function axisOf({ up, right }: TestView, x: number, y: number): number[] {
   return unit([0, 1, 2].map((i) => up[i]! * x - right[i]! * y));
 }
@@ -43,11 +43,11 @@ describe("the course program's drag", () => {
     );
   });
 
-  it('takes points that face the eye along with the mouse', () => {
+  it('moves points that face the viewer with the mouse', () => {
     const rig = dragRig('b', 5);
     const { start, view, pivot, world } = startOver(rig, held, 6);
     const toward = unit(view.eye.map((value, i) => value - pivot[i]!));
-    // In the joint's frame: the rotation's transpose.
+    // Converted to the joint's frame by the transpose of its rotation.
     const facing = [0, 1, 2].map(
       (c) =>
         0.3 *
@@ -79,14 +79,14 @@ describe("the course program's drag", () => {
     );
   });
 
-  it('is what a point does that is too near to the joint to be followed', () => {
+  it('applies to a point that is too near to the joint to follow the pointer', () => {
     const rig = dragRig('xyz', 5);
     const { start, view } = startOver(rig, [0.001, 0, 0], 6);
     const to = view.pointerAt(start.pointer.x + 3, start.pointer.y - 2);
     const course = beginDrag({ ...start, mode: { kind: 'course' } }).move(to);
     const follow = { ...start, mode: { kind: 'follow' }, leastReach: 0.01 } as const;
     expect(beginDrag(follow).move(to)).toEqual(course);
-    const index = rig.q.length - 3; // the hinge about x, on whose axis the point is
+    const index = rig.q.length - 3; // the hinge about x; the point is on its axis
     const knob = { ...start, mode: { kind: 'value', index }, leastReach: 0.01 } as const;
     const change = beginDrag(knob).move(to)[index]! - rig.q[index]!;
     expect(Math.abs(change)).toBeLessThan(0.04);

@@ -17,10 +17,12 @@ type Triple = readonly [number, number, number];
 
 const axes = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] } as const;
 
-/** The kinds of joint that formats have: letters are hinges, `s` three slides, `b` a ball. */
+/**
+ * The kinds of joints that formats have: letters are hinges, `s` is three slides, `b` is a ball.
+ */
 export const turningKinds = ['b', 'sb', 'xyz', 'zyx', 'sxyz', 'zxy', 'yzx'] as const;
 
-/** A parent and the joint that is dragged, both turned at rest and posed. */
+/** A parent and the joint that is dragged, both rotated at rest and posed. */
 export interface DragRig {
   readonly skeleton: Skeleton;
   readonly q: Float64Array;
@@ -29,7 +31,7 @@ export interface DragRig {
   readonly joint: 1;
 }
 
-/** @param limits of every hinge of the dragged joint, about its value */
+/** @param limits of every hinge of the dragged joint, relative to its value */
 export function dragRig(kind: string, seed: number, limits?: readonly [number, number]): DragRig {
   const random = randomSource(seed);
   const freedoms = Array.from(kind).flatMap((letter): Freedom[] => {
@@ -82,7 +84,7 @@ export function dragRig(kind: string, seed: number, limits?: readonly [number, n
   return { skeleton, q: skeleton.qRest.slice(), joints, joint: 1 };
 }
 
-/** The values in the oracle's form. */
+/** Converts the values to the form of the oracle. */
 function valuesOf({ joints }: DragRig, q: Float64Array): Values {
   let at = 0;
   return joints.map(({ freedoms }) =>
@@ -99,7 +101,10 @@ export function worldOf(rig: DragRig, q: Float64Array): Matrix {
   return characterFromJoints(rig.joints, valuesOf(rig, q))[1]!;
 }
 
-/** A view of 800 pixels that looks at `center` from a place three units `away`, a unit vector. */
+/**
+ * A view of 800 pixels that looks at `center` from a distance of three units in the direction
+ * `away` (a unit vector).
+ */
 export class TestView {
   readonly eye: readonly number[];
   readonly look: Triple;
@@ -114,7 +119,7 @@ export class TestView {
     this.up = triple(cross(this.right, this.look));
   }
 
-  /** Where a point falls: pixels to the right and up from the middle. */
+  /** The position of a point in the picture: pixels to the right and up from the center. */
   pixelsOf(point: ArrayLike<number>): [number, number] {
     const away = this.eye.map((value, i) => point[i]! - value);
     const scale = this.pixelsPerSlope / dot(away, this.look);
@@ -135,7 +140,7 @@ export class TestView {
   }
 }
 
-/** A drag that begins with the pointer over a point of the joint, given in its frame. */
+/** The start of a drag with the pointer over a point of the joint, given in the joint's frame. */
 export function startOver(
   rig: DragRig,
   held: readonly number[],

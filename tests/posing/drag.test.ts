@@ -16,7 +16,7 @@ const limits = fc.tuple(
 const allKinds = [...turningKinds, 'x', 'y', 'xy', 'zx', 's', 'sx', '', 'xsx', 'xyzx'];
 const held = [0.05, 0.4, -0.1] as const;
 const modes = (kind: string): DragMode[] => {
-  const index = 4; // the first value of the dragged joint: after the ball of its parent
+  const index = 4; // the first value of the dragged joint, after the ball of its parent
   const value = kind === '' || kind.startsWith('b') ? [] : [{ kind: 'value', index } as const];
   return [{ kind: 'follow' }, { kind: 'course' }, { kind: 'roll', farEnd: [0, 0.5, 0] }, ...value];
 };
@@ -40,7 +40,7 @@ describe.each(allKinds)('dragging a joint of kind "%s"', (kind) => {
     );
   });
 
-  it('never passes a limit, and moves nothing but the joint, slides but where they are asked for', () => {
+  it('never exceeds a limit, and changes only the joint, and its slides only when they are dragged', () => {
     fc.assert(
       fc.property(seeds, limits, pixel, pixel, (seed, range, x, y) => {
         const rig = dragRig(kind, seed, range);
@@ -66,7 +66,7 @@ describe.each(allKinds)('dragging a joint of kind "%s"', (kind) => {
     );
   });
 
-  it('stays near the start near the start', () => {
+  it('gives a pose near the start for a pointer near the start', () => {
     fc.assert(
       fc.property(seeds, limits, (seed, range) => {
         const rig = dragRig(kind, seed, range);
@@ -96,7 +96,7 @@ describe.each(turningKinds)('a joint of kind "%s" that turns any way', (kind) =>
         expect(largestDifference(drag.grabbedAt(q), grabbed)).toBeLessThan(tolerances.turn);
         const [px, py] = view.pixelsOf(grabbed);
         const reach = Math.hypot(...held);
-        // From the eye the sphere of its reach covers what is under asin(reach / distance).
+        // From the eye, the sphere of its reach covers angles below asin(reach / distance).
         const away = view.pointerAt(x, y).ray.direction;
         const toPivot = pivot.map((value, i) => value - view.eye[i]!);
         const along = toPivot.reduce((sum, value, i) => sum + value * away[i]!, 0);
@@ -106,7 +106,7 @@ describe.each(turningKinds)('a joint of kind "%s" that turns any way', (kind) =>
           expect(Math.hypot(px - x, py - y)).toBeLessThan(1);
           expect(Math.hypot(px - x, py - y)).toBeLessThan(1e-5);
         } else {
-          // Out of reach: on the line from the pivot to the pointer.
+          // Out of reach, the point is on the line from the pivot to the pointer.
           const [cx, cy] = view.pixelsOf(pivot);
           const cosine =
             ((px - cx) * (x - cx) + (py - cy) * (y - cy)) /

@@ -12,8 +12,8 @@ import { randomBetween, randomSource } from '../support/random.ts';
 type Triple = readonly [number, number, number];
 
 /**
- * The oracle: for each triangle the linear system a + u (b - a) + v (c - a) = o + t d by elimination,
- * and the weights of its corners by joint of the file.
+ * The oracle: solves the linear system a + u (b - a) + v (c - a) = o + t d for each triangle by
+ * elimination, and reads the weights of its corners by joint of the file.
  */
 function pickByElimination(rig: Rig, origin: readonly number[], direction: readonly number[]) {
   let best = { distance: Infinity, owner: -1 };
@@ -76,7 +76,7 @@ describe('picking the skin', () => {
     expect(hits).toBeGreaterThan(100);
   });
 
-  it('meets the surface from within as well', () => {
+  it('hits the surface from within too', () => {
     const { mesh, skin } = characterOfRig(rotatedTree());
     const tree = new TriangleTree(mesh);
     const inside: Ray = { origin: [0.1, 0.5, 0.05], direction: [0, 0.6, 0.8] };

@@ -42,14 +42,14 @@ describe('the playhead', () => {
     }
   });
 
-  it('is where many small steps bring it too', () => {
+  it('is at the same time after many small steps', () => {
     const modes = fc.constantFrom<PlayMode>('once', 'loop', 'ping-pong', 'go on');
     fc.assert(
       fc.property(modes, fc.double({ min: 0, max: 9, noNaN: true }), (mode, seconds) => {
         const whole = advance(clip, { time: 1, forward: true }, seconds, mode);
         let parts = { time: 1, forward: true };
         for (let i = 0; i < 64; i++) parts = advance(clip, parts, seconds / 64, mode);
-        // Just at a turn or a new beginning, rounding may put it on the other side.
+        // Exactly at a reversal or restart, rounding may give either side.
         const gap = Math.abs(whole.time - parts.time);
         expect(Math.min(gap, Math.abs(gap - 2))).toBeLessThan(1e-9);
       }),

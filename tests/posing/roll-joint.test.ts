@@ -48,7 +48,7 @@ describe.each(turningKinds)('rolling a joint of kind "%s"', (kind) => {
     );
   });
 
-  it('and back gives the rotation again', () => {
+  it('and rolling back restores the rotation', () => {
     fc.assert(
       fc.property(seeds, angles, (seed, angle) => {
         const rig = dragRig(kind, seed);
@@ -61,7 +61,7 @@ describe.each(turningKinds)('rolling a joint of kind "%s"', (kind) => {
     );
   });
 
-  it('by a drag is by half a degree a pixel across the bone', () => {
+  it('by a drag is half a degree per pixel across the bone', () => {
     fc.assert(
       fc.property(seeds, (seed) => {
         const rig = dragRig(kind, seed);
@@ -71,20 +71,21 @@ describe.each(turningKinds)('rolling a joint of kind "%s"', (kind) => {
         const [cx, cy] = view.pixelsOf(pivot);
         const length = Math.hypot(x - cx, y - cy);
         if (length < 60) return;
-        // Ten pixels to the left of the bone as the picture shows it, looking along it.
+        // Ten pixels to the left of the bone in the picture, seen along it.
         const q = drag.move(
           view.pointerAt(x - ((y - cy) / length) * 10, y + ((x - cx) / length) * 10),
         );
         const expected = rollJoint(rig.skeleton, rig.q, 1, farEnd, 0);
         expect(expected).toEqual(rig.q);
         const turned = worldOf(rig, q);
-        // The axis's own turn, from the trace of the rotation between.
+        // The rotation about the axis, from the trace of the rotation between the two.
         const trace = [0, 1, 2].reduce(
           (sum, c) => sum + [0, 1, 2].reduce((all, r) => all + world[r]![c]! * turned[r]![c]!, 0),
           0,
         );
         const turn = (Math.acos(Math.min(1, (trace - 1) / 2)) * 180) / Math.PI;
-        // The bone as seen in perspective is not quite the axis as seen from far away.
+        // With perspective, the bone in the picture differs slightly from its axis seen from far
+        // away.
         expect(turn).toBeGreaterThan(3.5);
         expect(turn).toBeLessThan(5 + 1e-6);
         expect(largestDifference(transform(turned, farEnd), start.grabbed)).toBeLessThan(1e-9);
@@ -94,7 +95,7 @@ describe.each(turningKinds)('rolling a joint of kind "%s"', (kind) => {
 });
 
 describe('a single hinge', () => {
-  it('rolls where it runs along the bone, within its limits, and stays where it does not', () => {
+  it('rolls within its limits if it is parallel to the bone, and otherwise does not move', () => {
     const rig = dragRig('y', 4, [-0.5, 0.25]);
     const at = rig.q.length - 1;
     const roll = (end: readonly [number, number, number], angle: number) =>

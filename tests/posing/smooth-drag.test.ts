@@ -15,7 +15,7 @@ describe('a drag goes smoothly', () => {
         const rig = dragRig('b', seed);
         const { start, view } = startOver(rig, held, seed + 1);
         const drag = beginDrag({ ...start, mode: { kind: 'follow' } });
-        // The same pose by the other of its two quaternions.
+        // The same pose with the other of its two quaternions.
         const present = rig.q.map((value, i) => (isNegated && i >= 4 ? -value : value));
         const { x, y } = start.pointer;
         const next = drag.move(view.pointerAt(x + 5, y), present);
@@ -48,13 +48,13 @@ describe('a drag goes smoothly', () => {
       fc.property(seeds, fc.boolean(), (seed, isNear) => {
         const rig = dragRig('z', seed);
         const world = worldOf(rig, rig.q);
-        // Straight across the hinge: its circle is a line in the picture, but for perspective.
+        // Straight across the hinge: apart from perspective, its circle is a line in the picture.
         const away = unit(world.slice(0, 3).map((row) => row[0]!));
         const point = [isNear ? 0.3 : -0.3, 0.1, 0];
         const { start, view, pivot } = startOver(rig, point, 0, away);
         const drag = beginDrag({ ...start, mode: { kind: 'value', index: 4 } });
         for (const aside of [-0.2, -0.1, 0, 0.05, 0.25]) {
-          // Over a place of the same circle, with the pointer a hair off.
+          // At a point of the same circle, with the pointer slightly off.
           const over = [(isNear ? 1 : -1) * Math.sqrt(0.1 - aside * aside), aside, 0];
           const { x, y } = view.pointerOver(transform(world, over));
           const q = drag.move(view.pointerAt(x, y + 1e-3));

@@ -6,7 +6,7 @@ import { rayTriangle } from '../../src/core/ray-triangle.ts';
 import { TriangleTree } from '../../src/posing/triangle-tree.ts';
 import { randomBetween, randomSource } from '../support/random.ts';
 
-/** Every triangle tried, in the order of the mesh. */
+/** The oracle: tests every triangle, in the order of the mesh. */
 function nearestOfAll({ indices }: Mesh, positions: Float32Array, ray: Ray) {
   let best = { triangle: -1, distance: Infinity, second: 0, third: 0 };
   for (let triangle = 0; triangle < indices.length / 3; triangle++) {
@@ -19,7 +19,7 @@ function nearestOfAll({ indices }: Mesh, positions: Float32Array, ray: Ray) {
   return best.triangle === -1 ? null : best;
 }
 
-/** Small numbers, so that triangles share corners, lie in planes, and have no area now and then. */
+/** Small numbers, so that triangles often share corners, are coplanar, or have no area. */
 const coordinate = fc.oneof(fc.integer({ min: -3, max: 3 }), fc.float({ min: -3, max: 3 }));
 const point = fc.tuple(coordinate, coordinate, coordinate);
 const places = fc.array(point, { minLength: 3, maxLength: 40 });
@@ -41,7 +41,7 @@ function meshOf(points: readonly (readonly number[])[], corners: readonly number
 }
 
 describe('a tree of triangles', () => {
-  it('finds what trying all of them finds, at rest and in poses', () => {
+  it('finds the same triangle as testing all of them, at rest and in poses', () => {
     const corners = fc.array(fc.nat(1000), { maxLength: 240 });
     fc.assert(
       fc.property(
@@ -65,13 +65,13 @@ describe('a tree of triangles', () => {
     );
   });
 
-  it('passes over coordinates that are no numbers', () => {
+  it('skips NaN coordinates', () => {
     const mesh = meshOf([[0, 0, 0], [1, 0, 0], [0, 1, 0], [NaN, NaN, 1]], [3, 0, 1, 0, 1, 2]); // prettier-ignore
     const hit = new TriangleTree(mesh).nearest({ origin: [0.2, 0.2, 5], direction: [0, 0, -1] });
     expect(hit).toMatchObject({ triangle: 1, distance: 5 });
   });
 
-  it('tries a small part of a large mesh', () => {
+  it('tests only a small part of a large mesh', () => {
     const side = 120;
     const random = randomSource(3);
     const points = Array.from({ length: side * side }, (_, i) => {

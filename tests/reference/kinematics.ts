@@ -7,15 +7,18 @@ import {
   type Vector,
 } from './matrix.ts';
 
-/** What a joint can do, each after the one before it: slide along, turn about, or turn freely. */
+/**
+ * A joint's degrees of freedom, each applied after the one before it: translate along an axis,
+ * rotate about an axis, or rotate freely.
+ */
 export type Freedom =
   { readonly kind: 'slide' | 'hinge'; readonly axis: Vector } | { readonly kind: 'ball' };
 
 export interface Joint {
-  /** Index of the parent, before or after its child; -1 for a root. */
+  /** Index of the parent, which may come before or after its child; -1 for a root. */
   readonly parent: number;
   readonly offset: Vector;
-  /** Quaternion x, y, z, w of the rest pose. */
+  /** Quaternion x, y, z, w of the rest rotation. */
   readonly rotation: Vector;
   readonly freedoms: readonly Freedom[];
 }
@@ -24,8 +27,8 @@ export interface Joint {
 export type Values = readonly (readonly (readonly number[])[])[];
 
 /**
- * The handout, part 3: a node's frame is its parent's times its own, down the tree. From each joint it
- * goes up to the root and back, so that the order of the joints cannot matter.
+ * The handout, part 3: a node's frame is its parent's times its own, down the tree. For each joint
+ * it walks up to the root and back, so that the order of the joints cannot matter.
  */
 export function characterFromJoints(joints: readonly Joint[], values: Values): Matrix[] {
   const known: (Matrix | undefined)[] = joints.map(() => undefined);
@@ -61,7 +64,9 @@ function freedomMatrix(freedom: Freedom, value: readonly number[]): Matrix {
   }
 }
 
-/** The longest way from a root to a joint along the offsets: what errors are measured against. */
+/**
+ * The longest path from a root to a joint along the offsets; errors are measured relative to it.
+ */
 export function reachOf(joints: readonly Joint[]): number {
   const reach: number[] = [];
   const reachTo = (index: number): number => {

@@ -1,7 +1,7 @@
 /**
- * A float64 oracle, written from the text of the 6.837 handout and sharing nothing with `src`: plain
- * arrays, no library, the plainest way of computing each thing. Matrices are arrays of rows; vectors
- * are columns, so that `multiply(a, b)` lets b act first.
+ * A float64 oracle, written from the text of the 6.837 handout. It shares nothing with `src`: it
+ * uses plain arrays, no library, and the simplest way to compute each result. Matrices are arrays
+ * of rows and vectors are columns, so that `multiply(a, b)` applies b first.
  */
 export type Vector = readonly number[];
 export type Matrix = readonly (readonly number[])[];
@@ -28,7 +28,9 @@ export function translation([x, y, z]: Vector): Matrix {
   ];
 }
 
-/** Rodrigues: turns by `angle` about a unit axis, counter-clockwise seen from its tip. */
+/**
+ * Rodrigues' formula: rotates by `angle` about a unit axis, counter-clockwise seen from its tip.
+ */
 export function rotationAbout([x, y, z]: Vector, angle: number): Matrix {
   const k: Matrix = [
     [0, -z!, y!],
@@ -60,7 +62,7 @@ export function transform(matrix: Matrix, vector: Vector, last = 1): number[] {
     .map((row) => row.reduce((sum, value, k) => sum + value * column[k]!, 0));
 }
 
-/** Gauss-Jordan elimination with the largest pivot; throws for a singular matrix. */
+/** Gauss-Jordan elimination with partial pivoting; throws for a singular matrix. */
 export function inverse(matrix: Matrix): Matrix {
   const size = matrix.length;
   const rows = matrix.map((row, r) => [...row, ...row.map((_, c) => (r === c ? 1 : 0))]);

@@ -10,7 +10,7 @@ import {
 
 export type Influence = readonly [joint: number, weight: number];
 
-/** A vertex with its weights; joints by the number that they have in the file. */
+/** A vertex with its weights; joints are given by their index in the file. */
 export interface Vertex {
   readonly position: Vector;
   readonly normal: Vector;
@@ -30,7 +30,10 @@ export interface MethodOracle {
   normal(vertex: Vertex, transforms: Transforms): Vector;
 }
 
-/** The handout, part 4: p′ = Σ w · T · B⁻¹ · p, each point moved as if it were rigid, then averaged. */
+/**
+ * The handout, part 4: p′ = Σ w · T · B⁻¹ · p. Each joint moves the point rigidly, and the results
+ * are averaged.
+ */
 const linearBlend: MethodOracle = {
   position(vertex, transforms) {
     const sum = [0, 0, 0];
@@ -54,7 +57,7 @@ const linearBlend: MethodOracle = {
   },
 };
 
-/** CSE169, project 2: n′ = Σ w · (W · B⁻¹)⁻ᵀ · n, each joint on its own, then made unit. */
+/** CSE169, project 2: n′ = Σ w · (W · B⁻¹)⁻ᵀ · n, each joint on its own, then normalized. */
 const jointNormals: MethodOracle = {
   position: (vertex, transforms) => linearBlend.position(vertex, transforms),
   normal(vertex, transforms) {
@@ -70,7 +73,7 @@ const jointNormals: MethodOracle = {
   },
 };
 
-/** Every vertex moves with the one joint of largest weight. */
+/** Every vertex moves only with the joint of its largest weight. */
 const rigid: MethodOracle = {
   position: (vertex, transforms) =>
     transform(skinningMatrix(heaviest(vertex, transforms), transforms), vertex.position),
@@ -83,7 +86,7 @@ const rigid: MethodOracle = {
   },
 };
 
-/** By the id of the method in the registry: a new method needs its oracle here. */
+/** Oracles by the id of the method in the registry; a new method needs one here. */
 export const methodOracles: Readonly<Record<string, MethodOracle | undefined>> = {
   'linear-blend': linearBlend,
   'joint-normals': jointNormals,
@@ -104,7 +107,10 @@ export function skinningMatrix(joint: number, transforms: Transforms): Matrix {
   return multiply(transforms.characterFromJoint[joint]!, transforms.jointFromBind[joint]!);
 }
 
-/** Normals go with the inverse transpose, so that they stay upright on a stretched surface. */
+/**
+ * Transforms a normal by the inverse transpose, so that it stays perpendicular to a stretched
+ * surface.
+ */
 function turnedNormal(matrix: Matrix, normal: Vector): Vector {
   const turned = transpose(inverse(matrix)).map((row) =>
     row.reduce((sum, value, k) => sum + value * normal[k]!, 0),

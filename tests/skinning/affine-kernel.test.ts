@@ -9,7 +9,7 @@ import { loadedKernels } from '../support/kernels.ts';
 import { identity, type Matrix, translation } from '../reference/matrix.ts';
 import { columnMajor } from '../support/compare.ts';
 
-/** One vertex that follows one palette entry, which stands still with the matrix given. */
+/** One vertex that follows one palette entry, whose matrix is the given one in every pose. */
 function oneVertex(position: readonly number[], normal: readonly number[], bind: Matrix) {
   const mesh: Mesh = {
     ...emptyMesh,
@@ -46,7 +46,7 @@ describe.each(loadedKernels)('the strict kernel of $id', (method) => {
     expect(normal).toEqual([1, 0, 0]);
   });
 
-  it('points a mirrored normal outwards still', () => {
+  it('keeps a mirrored normal pointing outwards', () => {
     const mirror: Matrix = [[-1, 0, 0, 0], ...identity.slice(1)];
     expect(move([1, 0, 0], [1, 0, 0], mirror)).toEqual({
       position: [-1, 0, 0],
@@ -62,8 +62,8 @@ describe.each(loadedKernels)('the strict kernel of $id', (method) => {
     expect(Math.hypot(...normal)).toBeCloseTo(1, 6);
   });
 
-  it('gives +y for a normal that is crushed to nothing', () => {
-    // Cofactors of 1e-24, or no inverse to turn by.
+  it('gives +y for a normal that is flattened to zero', () => {
+    // Cofactors of 1e-24, or a matrix without an inverse.
     const least = method.id === 'joint-normals' ? 0 : 1e-12;
     const crush = identity.map((row, r) => row.map((one) => (r < 3 ? one * least : one)));
     expect(move([1, 2, 3], [1, 0, 0], crush).normal).toEqual([0, 1, 0]);
@@ -83,7 +83,7 @@ describe('packAffinePalette', () => {
 });
 
 describe('flushSubnormal', () => {
-  it('keeps what a GPU keeps', () => {
+  it('keeps the numbers that a GPU keeps', () => {
     expect([1.3e-38, -1.3e-38, 1].map(flushSubnormal)).toEqual([1.3e-38, -1.3e-38, 1]);
     expect([1.1e-38, -1e-45, -0].map(flushSubnormal)).toEqual([0, 0, 0]);
   });
@@ -97,7 +97,7 @@ describe('the registry of methods', () => {
     expect(loadedKernels.map(({ id }) => id)).toEqual(kernels.map(({ id }) => id));
   });
 
-  it('knows no method by the name of something else', () => {
+  it('does not accept other names', () => {
     expect(isKernelId('rigid')).toBe(true);
     expect(isKernelId('constructor')).toBe(false);
     expect(() => kernelById('dual-quaternion' as never)).toThrow('a skinning kernel named');

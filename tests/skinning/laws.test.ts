@@ -16,7 +16,7 @@ import { tolerances } from '../tolerances.ts';
 import { skinRig } from './skin-rig.ts';
 import { characterOfRig } from '../fixtures/character-of-rig.ts';
 
-/** Rigs of one root, which moves all the rest. */
+/** Rigs with one root, which moves everything. */
 const oneRootRigs = { 'rotated tree': rotatedTree, 'many influences': manyInfluences };
 
 function boundFor(points: readonly Vector[]): number {
@@ -43,7 +43,7 @@ describe.each(loadedKernels)('the laws of $id', (method) => {
     const { positions } = skinRig(rig, method, values);
     const expected = rig.points.flatMap((point) => transform(motion, point));
     expect(largestDifference(positions, expected)).toBeLessThan(boundFor(rig.points));
-    // The motion is one worth the name: a method that never moves must not pass.
+    // The motion must be considerable, so that a method that never moves fails.
     expect(largestDifference(positions, rig.points.flat())).toBeGreaterThan(0.1);
   });
 

@@ -7,7 +7,7 @@ import { oracleOf, skinRig, skinRigByOracle } from './skin-rig.ts';
 
 const poseSeeds = [11, 12, 13];
 
-// From the registry, so that a new method cannot skip them.
+// Taken from the registry, so that no method can be forgotten.
 describe.each(loadedKernels)('$id against the float64 oracle', (method) => {
   it('has an oracle', () => {
     expect(oracleOf(method)).toBeDefined();
@@ -27,7 +27,7 @@ describe.each(loadedKernels)('$id against the float64 oracle', (method) => {
   it.each(Object.entries(allRigs))('turns the normals of the rig "%s"', (_, makeRig) => {
     const rig = makeRig();
     for (const seed of poseSeeds) {
-      // Bent less, since the normal of a part that folds through itself means nothing.
+      // Bent less, because the normal of a part that folds through itself is meaningless.
       const values = randomValues(rig, seed, 0.5);
       const { normals } = skinRig(rig, method, values);
       const expected = skinRigByOracle(rig, method, values).normals;

@@ -31,14 +31,14 @@ describe('points without weights', () => {
 });
 
 describe('rows that do not sum to one', () => {
-  it('are blended as they are, and differently where normalized', () => {
+  it('are blended unchanged, and differently if normalized', () => {
     const raw = skinVertices(character, character.skin, pose, linearBlend).positions;
     const skin = normalizeSkin(character.skin);
     const normalized = skinVertices(character, skin, pose, linearBlend).positions;
     rig.rows.forEach((row, point) => {
       const sum = row.reduce((total, [, weight]) => total + weight, 0);
       if (row.length === 0) return;
-      // p′ = Σ w·M·p is linear in the weights: normalizing divides the point itself.
+      // p′ = Σ w·M·p is linear in the weights, so normalizing divides the point itself.
       const divided = numbersAt(raw, point, 3).map((value) => value / sum);
       const difference = largestDifference(divided, numbersAt(normalized, point, 3));
       expect(difference).toBeLessThan((4 * bound) / Math.min(1, Math.abs(sum)));

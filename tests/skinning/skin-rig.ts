@@ -6,14 +6,14 @@ import type { Values } from '../reference/kinematics.ts';
 import { type MethodOracle, methodOracles, type Vertex } from '../reference/skinning.ts';
 import { numbersAt } from '../support/compare.ts';
 
-/** The rig at those values, through the product's whole way. */
+/** Skins the rig for these values with the product's code. */
 export function skinRig(rig: Rig, method: SkinningMethod, values: Values): VertexStreams {
   const character = characterOfRig(rig);
   const pose = { q: qOfValues(character.skeleton, values) };
   return skinVertices(character, character.skin, pose, method);
 }
 
-/** The same through the oracle; rest normals are the product's, which have tests of their own. */
+/** Does the same with the oracle. Rest normals are the product's, which have tests of their own. */
 export function skinRigByOracle(
   rig: Rig,
   method: SkinningMethod,

@@ -23,7 +23,10 @@ export class ByteWriter {
     return this.words(4, values, (view, value) => view.setFloat32(0, value, true));
   }
 
-  /** Text of one byte a character, or bytes, in a field of `size`: a NUL and then 0xFD fill it. */
+  /**
+   * A field of `size` with text (one byte per character) or bytes; a NUL and then 0xFD fill the
+   * rest.
+   */
   field(size: number, content: string | readonly number[]): this {
     const start =
       typeof content === 'string' ? Array.from(content, (c) => c.charCodeAt(0)) : [...content];

@@ -5,7 +5,7 @@ import { restPose } from '../../src/core/pose.ts';
 import { loadedKernels } from './kernels.ts';
 import { skinVertices } from './skin-vertices.ts';
 
-/** What every character promises, whatever file it came from. */
+/** Expects what holds for every character, whatever file it came from. */
 export function expectSound(character: Character): void {
   const { skeleton, mesh, skin, bones, bounds } = character;
   const { jointCount } = skeleton;
@@ -27,7 +27,7 @@ export function expectSound(character: Character): void {
   expect(cornerCount).toBe(mesh.indices.length);
 }
 
-/** Every method poses it without a number that is none, raw or normalized. */
+/** Expects that every method poses it without NaN, with unchanged and with normalized weights. */
 export function expectPosable(character: Character): void {
   const pose = restPose(character.skeleton);
   for (const method of loadedKernels) {

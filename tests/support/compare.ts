@@ -1,6 +1,9 @@
 import type { Matrix } from '../reference/matrix.ts';
 
-/** The largest |a − b|; infinite where lengths differ or a number is missing, so that none can hide. */
+/**
+ * The largest |a − b|. It is infinite if lengths differ or a value is NaN, so that neither goes
+ * unnoticed.
+ */
 export function largestDifference(a: ArrayLike<number>, b: ArrayLike<number>): number {
   if (a.length !== b.length) return Infinity;
   let largest = 0;
@@ -20,7 +23,7 @@ export function boundingDiagonal(points: readonly (readonly number[])[]): number
   return Math.hypot(...sizes);
 }
 
-/** A matrix of the oracle's as 16 numbers, column by column. */
+/** Converts a matrix of the oracle to 16 numbers, column by column. */
 export function columnMajor(matrix: Matrix): number[] {
   return [0, 1, 2, 3].flatMap((column) => matrix.map((row) => row[column]!));
 }

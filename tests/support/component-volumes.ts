@@ -2,9 +2,9 @@ import { expect } from 'vitest';
 import type { Mesh } from '../../src/core/mesh.ts';
 
 /**
- * Expects closed surfaces: each edge is in two triangles, once each way.
+ * Expects closed surfaces: each edge is in two triangles, once in each direction.
  *
- * @returns the volume inside each, cubic model units; positive where triangles face outwards
+ * @returns the volume inside each, in cubic model units; positive if its triangles face outwards
  */
 export function componentVolumes({ indices, positions, vertexCount }: Mesh): number[] {
   const edges = new Set<number>();

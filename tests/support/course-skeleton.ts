@@ -1,4 +1,7 @@
-/** A text of the course's own topology (18 joints; 1, 3, 12 and 15 on the root), with round numbers. */
+/**
+ * A `.skel` with the course's own topology (18 joints; 1, 3, 12 and 15 are children of the root)
+ * and round numbers.
+ */
 export const courseSkel = `0 5 0 -1
 0 0 0 0
 0 -1 0 1

@@ -1,6 +1,6 @@
 /**
- * Milliseconds of processor time that something took: other than by the clock, a busy machine does
- * not make it longer, so that a guard against hanging can be near.
+ * Measures the processor time of an action in milliseconds. Unlike elapsed time it does not grow on
+ * a busy machine, so a guard against hanging can be tight.
  */
 export async function cpuTime(action: () => unknown): Promise<number> {
   const before = process.cpuUsage();

@@ -1,6 +1,9 @@
 import type { FileContents } from './files.ts';
 
-/** A leg with every property; glued braces, a locked axis, an unknown word and block, comments. */
+/**
+ * A leg with every property, touching braces, a locked axis, an unknown word and block, and
+ * comments.
+ */
 export const legSkel = `balljoint hip{
   offset 0 1 0 // from the floor
   boxmin -0.1 -0.5 -0.1
@@ -20,7 +23,10 @@ export const legSkel = `balljoint hip{
 }
 `;
 
-/** Bound with rotated and scaled frames, so that a transposed matrix or a derived bind shows. */
+/**
+ * Bound with rotated and scaled frames, so that a transposed matrix or a computed binding is
+ * detected.
+ */
 export const legSkin = `positions 4 {
   -0.1 1 0
   0.1 1 0
@@ -64,7 +70,9 @@ export const legMorph = `positions 2 {
 normals 1 { 2 0 0.6 0.8 }
 `;
 
-/** Fifteen values would be the skeleton's: this has twelve, each rule on either side among them. */
+/**
+ * The skeleton has fifteen values; this clip has twelve channels and uses every rule on both sides.
+ */
 export const legAnim = `animation {
   range 0 2
   numchannels 12

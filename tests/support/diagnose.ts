@@ -1,6 +1,6 @@
 import { type Diagnostic, formatDiagnostic } from '../../src/core/diagnostics.ts';
 
-/** Diagnostics without their effects: "error: FILE:LINE:COL: expected …, found "…" [code]". */
+/** Diagnostics without their effects, as "error: FILE:LINE:COL: expected …, found "…" [code]". */
 export function said(diagnostics: readonly Diagnostic[]): string[] {
   return diagnostics.map((diagnostic) => {
     const { severity, code } = diagnostic;

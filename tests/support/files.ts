@@ -26,7 +26,7 @@ export function readContents(
   return readCharacters(filesOf(contents), undefined, { ...defaultLimits, ...limits });
 }
 
-/** The one character in the files; throws, with what was said, where there is not exactly one. */
+/** The only character in the files; throws with the messages if there is not exactly one. */
 export async function readOne(contents: FileContents): Promise<Character> {
   const { characters, diagnostics } = await readContents(contents);
   if (characters.length === 1) return characters[0]!.character;

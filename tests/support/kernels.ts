@@ -15,7 +15,7 @@ export function loadedKernel(id: KernelId): SkinningMethod {
 const allThere = new Kernels();
 await Promise.all(kernels.map(({ id }) => allThere.load(id)));
 
-/** A pool whose kernels are all there. */
+/** A pool whose kernels are all loaded. */
 export function fullPool(): EvaluationPool {
   return new EvaluationPool(allThere);
 }

@@ -9,7 +9,10 @@ const triple = fc.tuple(number, number, number);
 const lines = (rows: readonly (readonly (number | string)[])[]): string =>
   rows.map((row) => `${row.join(' ')}\n`).join('');
 
-/** Two joints or more, so that rows have a column; all parents before their children, or all after. */
+/**
+ * Two or more joints, so that rows have a column; parents come all before or all after their
+ * children.
+ */
 const skel = fc
   .tuple(fc.array(fc.tuple(triple, fc.nat()), { minLength: 2, maxLength: 8 }), fc.boolean())
   .map(([joints, rootFirst]) => {
@@ -22,12 +25,12 @@ const skel = fc
     return rootFirst ? rows : rows.toReversed();
   });
 
-/** Rows and columns enough for every character here. */
+/** Enough rows and columns for every character here. */
 const eight = { minLength: 8, maxLength: 8 };
 
 const material = fc.constantFrom('', 'a', 'b c', '#', '__proto__');
 
-/** `.skel`, `.obj` with texture coordinates and materials, and `.attach`: any that are sound. */
+/** Any valid `.skel`, `.obj` (with texture coordinates and materials) and `.attach`. */
 export const mitFiles: fc.Arbitrary<FileContents> = fc
   .record({
     skel,

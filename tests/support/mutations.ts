@@ -3,7 +3,7 @@ import { bytesOf } from './files.ts';
 
 type Mutation = (bytes: Uint8Array) => Uint8Array;
 
-/** The bytes after one to five changes of every kind: bits, pieces, lines, numbers, an early end. */
+/** The bytes after one to five changes of any kind: bits, pieces, lines, numbers, or truncation. */
 export function mutated(
   bytes: Uint8Array,
   oddNumbers: readonly string[],
@@ -33,7 +33,7 @@ const spliced = fc.tuple(fc.nat(), fc.nat(8), fc.uint8Array({ maxLength: 8 })).m
       splice(bytes, at, removed, put),
 );
 
-/** A piece from somewhere, put in or written over what is somewhere else. */
+/** Copies a piece and inserts it, or overwrites something else with it. */
 const copied = fc
   .tuple(fc.nat(), fc.nat(60), fc.nat(), fc.boolean())
   .map(([from, length, to, over]): Mutation => (bytes) => {
@@ -42,10 +42,10 @@ const copied = fc
     return splice(bytes, to, over ? piece.length : 0, piece);
   });
 
-/** A binary file may be one line, which must not grow without end. */
+/** A binary file may be one line, which must not grow without limit. */
 const largestLines = 20_000;
 
-/** A line taken out, put elsewhere, or put there again and again. */
+/** Removes a line, moves it, or repeats it. */
 const linesMoved = fc
   .tuple(fc.nat(), fc.nat(), fc.nat(20), fc.boolean())
   .map(([from, to, times, keep]): Mutation => (bytes) => {
@@ -92,7 +92,7 @@ function joined(...parts: readonly Uint8Array[]): Uint8Array {
   return bytes;
 }
 
-/** A character a byte, so that bytes which are no text come through. */
+/** Converts each byte to a character, so that bytes that are not text are preserved. */
 function textOfBytes(bytes: Uint8Array): string {
   return Array.from(bytes, (byte) => String.fromCharCode(byte)).join('');
 }

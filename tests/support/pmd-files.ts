@@ -39,7 +39,7 @@ export interface PmdMorphContent {
   readonly entries: readonly (readonly [index: number, vector: Three])[];
 }
 
-/** A PMD in plain terms, in the file's left-handed space. */
+/** The content of a PMD in a plain form, in the file's left-handed space. */
 export interface PmdContent {
   readonly version?: number;
   readonly name?: Text;
@@ -59,9 +59,9 @@ export interface PmdContent {
   readonly shownMorphs?: readonly number[];
   readonly groups?: readonly Text[];
   readonly listed?: readonly (readonly [bone: number, group: number])[];
-  /** What the file ends after. */
+  /** The last section of the file. */
   readonly last?: 'display' | 'english' | 'toons' | 'physics';
-  /** Names in English stand in the file. */
+  /** Whether the file has English names. */
   readonly english?: boolean;
   readonly bodies?: readonly { readonly bone: number; readonly shape?: number }[];
   readonly springs?: readonly (readonly [number, number])[];
@@ -74,7 +74,7 @@ const sections = [
   ...(['english', 'toons', 'physics', 'end'] as const),
 ];
 
-/** The bytes, and where each section starts in them. */
+/** Returns the bytes, and where each section starts in them. */
 export function pmdFile(content: PmdContent): {
   bytes: Uint8Array;
   at: Readonly<Record<PmdSection, number>>;
@@ -183,7 +183,7 @@ export const noBone = 0xffff;
 export const center = [0x83, 0x5a, 0x83, 0x93, 0x83, 0x5e, 0x81, 0x5b];
 const tie = [0xc8, 0xb8, 0xc0, 0xb2];
 
-/** A square of two materials over four bones in two trees, with every section. */
+/** A square with two materials on four bones in two trees, with every section. */
 export const square: PmdContent = {
   name: center,
   vertices: [
@@ -192,7 +192,7 @@ export const square: PmdContent = {
     { position: [1, 2, 2], uv: [1, 0], bones: [1, 2], weight: 70, normal: [0, 0.6, -0.8] },
     { position: [-1, 2, 2], uv: [-0.25, 0], bones: [2, 2], weight: 30, normal: [0, 0, -2] },
   ],
-  // Seen from −z, where the file's characters look to, in its left-handed space.
+  // Seen from −z, the direction that characters face in the file's left-handed space.
   indices: [0, 2, 1, 0, 3, 2],
   materials: [
     {
@@ -232,7 +232,7 @@ export const square: PmdContent = {
 
 export const squarePmd: Uint8Array = pmdFile(square).bytes;
 
-/** The bytes with others in their place. */
+/** The bytes with others at a place. */
 export function patched(bytes: Uint8Array, at: number, put: readonly number[]): Uint8Array {
   const copy = bytes.slice();
   copy.set(put, at);

@@ -2,7 +2,7 @@ import fc from 'fast-check';
 import type { CharacterParts, MeshParts, SkinParts } from '../../src/core/character-parts.ts';
 import { DofKind } from '../../src/core/skeleton.ts';
 
-/** Sizes and values at the edges: what GPUs flush, what is next to it, and ordinary ones. */
+/** Boundary sizes and values: numbers that GPUs flush, their neighbors, and ordinary ones. */
 const coordinate = fc.oneof(
   fc.float({ noNaN: true, min: Math.fround(-1e6), max: Math.fround(1e6) }),
   fc.constantFrom(0, -0, 1e-45, -1e-40, 1.17e-38, 1.2e-38, -1.3e-38, 1e-30, 1e18),
@@ -15,7 +15,9 @@ const material = fc.oneof(
     .filter((name) => /^\S+$/.test(name) && !name.endsWith('\\')),
 );
 
-/** A mesh as a reader may give it: any triangles, with or without texture coordinates and normals. */
+/**
+ * A mesh as a reader may return it: any triangles, with or without texture coordinates and normals.
+ */
 export const meshParts: fc.Arbitrary<MeshParts> = fc
   .record({
     points: tuples(coordinate, 3, 3, 10),
@@ -34,7 +36,7 @@ export const meshParts: fc.Arbitrary<MeshParts> = fc
   .map(({ points, uvs, normals, withUvs, withNormals, faces }) => {
     const corners = faces.flatMap(({ choices }) =>
       [0, 1, 2].map((k) => ({
-        // Three points in a row, so that none comes twice.
+        // Three consecutive points, so that none occurs twice.
         point: (choices[0]! + k) % points.length,
         uv: (choices[3 + k]! % (uvs.length + 1)) - 1,
         normal: (choices[6 + k]! % (normals.length + 1)) - 1,
@@ -68,7 +70,7 @@ const weight = fc.oneof(
   fc.constantFrom(1e-45, 9.9e-7, -9.9e-7, 1e-6, 1),
 );
 
-/** A mesh on a chain of joints; the first joint has no weight, as in `.attach`. */
+/** A mesh on a chain of joints; the first joint has no weights, as in `.attach`. */
 export const skinnedParts: fc.Arbitrary<CharacterParts> = fc
   .tuple(meshParts, fc.integer({ min: 2, max: 12 }))
   .chain(([mesh, jointCount]) => {

@@ -1,4 +1,4 @@
-/** The same numbers in every run: mulberry32 (Ettinger 2017), uniform over 0 … 1. */
+/** Returns the same numbers in every run: mulberry32 (Ettinger 2017), uniform over 0 … 1. */
 export function randomSource(seed: number): () => number {
   let state = seed;
   return () => {
@@ -21,7 +21,7 @@ export function randomUnitVector(random: () => number): number[] {
   }
 }
 
-/** A quaternion x, y, z, w that turns by at most `angle`. */
+/** A quaternion x, y, z, w that rotates by at most `angle`. */
 export function randomRotation(random: () => number, angle: number): number[] {
   const half = randomBetween(random, -angle, angle) / 2;
   return [...randomUnitVector(random).map((value) => value * Math.sin(half)), Math.cos(half)];

@@ -4,7 +4,10 @@ import type { ReadOutcome } from '../../src/formats/read-characters.ts';
 import { cpuTime } from './cpu-time.ts';
 import { type FileContents, readContents } from './files.ts';
 
-/** Milliseconds; a guard against hanging, some twenty times what the slowest file takes on a quiet machine. */
+/**
+ * Milliseconds; a guard against hanging, about twenty times the time of the slowest file on a quiet
+ * machine.
+ */
 const longestRead = 10_000;
 
 export async function readSoon(

@@ -6,8 +6,8 @@ import { restMesh } from '../../src/skinning/rest-mesh.ts';
 import type { SkinningMethod, VertexStreams } from '../../src/skinning/method.ts';
 
 /**
- * The whole way on the CPU: pose → matrices → palette → vertices, morphs before. It stands beside the
- * evaluation, which is held to it.
+ * Skins on the CPU from start to end: pose → matrices → palette → vertices, with morphs before. It
+ * is separate from the evaluation, which tests compare with it.
  */
 export function skinVertices(
   character: Character,

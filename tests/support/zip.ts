@@ -3,7 +3,7 @@ import { crc32 } from '../../src/formats/crc32.ts';
 import { ByteWriter } from './byte-writer.ts';
 import { bytesOf, type FileContents } from './files.ts';
 
-/** A zip archive of these files, packed. */
+/** A zip archive of these files, compressed. */
 export function zipOf(contents: FileContents): Uint8Array {
   const entries = Object.entries(contents).map(
     ([name, content]) => [name, bytesOf(content)] as const,
@@ -21,7 +21,7 @@ const fields = {
   offset: [42, 4],
 } as const;
 
-/** The archive with other values in its directory's first entry. */
+/** The archive with other values in the first entry of its directory. */
 export function patched(
   zip: Uint8Array,
   values: Readonly<Partial<Record<keyof typeof fields, number>>>,
@@ -37,7 +37,7 @@ export function patched(
   return out;
 }
 
-/** An archive without a directory, each of whose files is stored, and followed by its sizes. */
+/** An archive without a directory; each of its files is stored, and its sizes follow it. */
 export function describedZip(contents: FileContents, isSigned: boolean): Uint8Array {
   const out = new ByteWriter();
   for (const [name, content] of Object.entries(contents)) {

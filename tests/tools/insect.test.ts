@@ -17,7 +17,7 @@ import { componentVolumes } from '../support/component-volumes.ts';
 const dataFolder = join(import.meta.dirname, '../../public/data');
 const folder = join(dataFolder, 'insect');
 
-/** The files as the page has them: unpacked. */
+/** The files as the page receives them: unpacked. */
 const files: FileContents = Object.fromEntries(
   readdirSync(folder).map((name) => {
     const bytes = readFileSync(join(folder, name));
@@ -36,7 +36,7 @@ beforeAll(async () => {
 const jointsOf = (pattern: RegExp): Set<number> =>
   new Set(insect.skeleton.names.flatMap((name, joint) => (pattern.test(name) ? [joint] : [])));
 
-/** Joints that move a point. */
+/** The joints that move a point. */
 function movers(point: number): number[] {
   const { start, entries, paletteJoint } = insect.skin;
   return Array.from(entries.subarray(start[point], start[point + 1]), (at) => paletteJoint[at]!);
@@ -69,7 +69,8 @@ describe('the bundled insect', () => {
 
   it('has closed surfaces that look outwards', () => {
     const volumes = componentVolumes(insect.mesh);
-    // Thorax, abdomen, head; two eyes, mandibles, antennae, wings with a vein each, six legs and feet.
+    // Thorax, abdomen, head; two eyes, mandibles, antennae, wings with a vein each; six legs and
+    // feet.
     expect(volumes).toHaveLength(3 + 2 * 5 + 6 * 2);
     for (const volume of volumes) expect(volume).toBeGreaterThan(0);
   });
@@ -157,11 +158,11 @@ describe('the bundled insect', () => {
   });
 });
 
-/** The tips of the feet, character space: left and right of each pair. */
+/** The tips of the feet in the character's space: left and right of each pair. */
 function feet(q: Float64Array): [number, number, number][] {
   const world = jointMatrices(insect.skeleton, q);
   return [...jointsOf(/tarsus/)].map((joint) => {
-    // A left foot goes along +x of its frame, a right one along -x.
+    // A left foot points along +x of its frame, a right one along -x.
     const [min, max] = [joint * 6, joint * 6 + 3].map((i) => insect.skeleton.displayBoxes![i]!);
     const tip = max! > -min! ? max! : min!;
     const frame = world.subarray(joint * 16, joint * 16 + 16);
@@ -171,7 +172,7 @@ function feet(q: Float64Array): [number, number, number][] {
 
 describe('the walk of the bundled insect', () => {
   const bodyLength = 1.8;
-  /** How far a standing foot's tip may be above where it was set down. */
+  /** How far the tip of a standing foot may be above where it was set down. */
   const down = 0.012;
 
   it('begins where the insect stands: feet on the floor', () => {

@@ -4,7 +4,7 @@ import { expect, it } from 'vitest';
 import { root } from '../../tools/commands.mjs';
 import { chosenChecks, longChecks } from '../../tools/long-checks.mjs';
 
-it('takes a name and options, and what is usual for the others', () => {
+it('accepts a name and options, and defaults for the other options', () => {
   const [soak] = chosenChecks(['soak', '--seed', '3,4', '--minutes=0.5']);
   expect(soak).toMatchObject({
     check: { name: 'soak' },

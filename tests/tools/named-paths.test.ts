@@ -3,7 +3,7 @@ import path from 'node:path';
 import { expect, test } from 'vitest';
 import { root } from '../../tools/commands.mjs';
 
-/** A path from the root of the project; what only ends in one, as a longer path, is none. */
+/** A path from the root of the project; the end of a longer path does not count. */
 const namedPath = /(?<![\w./-])(?:src|tests|e2e|shaders|tools|docs|public)\/[\w./-]*\w/g;
 
 const pages = [
@@ -14,10 +14,10 @@ const pages = [
   'CONTRIBUTING.md',
 ];
 
-test.each(pages)('%s names paths that are there', (page) => {
+test.each(pages)('%s names only paths that exist', (page) => {
   const text = readFileSync(path.join(root, page), 'utf8');
   const named = [...text.matchAll(namedPath)].map(([found]) => found);
-  // NAME stands for a file that is yet to be made.
+  // NAME stands for a file that does not exist yet.
   const missing = named.filter(
     (each) => !each.includes('NAME') && !existsSync(path.join(root, each)),
   );

@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { stripGlsl } from '../../tools/vite-glsl.ts';
 
-test('comments, blank lines and indentation go; directives and the order of lines stay', () => {
+test('comments, blank lines and indentation are removed; directives and the order of lines stay', () => {
   const source = `// What it is for.
 #include "lib/palette.glsl"
 

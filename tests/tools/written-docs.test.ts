@@ -4,7 +4,7 @@ import { expect, test } from 'vitest';
 import { root } from '../../tools/commands.mjs';
 import { writtenPages } from '../../tools/write-docs.ts';
 
-test('the pages made from tables are what the tables give; `npm run docs` writes them', async () => {
+test('the pages that `npm run docs` generates are up to date with their tables', async () => {
   for (const { file, text } of await writtenPages()) {
     expect(readFileSync(path.join(root, file), 'utf8'), file).toBe(text);
   }

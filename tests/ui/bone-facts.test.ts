@@ -31,7 +31,7 @@ it.each(Object.entries(allRigs))(
   },
 );
 
-it('numbers have three decimals, and nothing has no sign', () => {
+it('numbers have three decimals, and zero has no sign', () => {
   expect([1, -0.0004, -0.0006, 12.34567].map(fixedText)).toEqual([
     '1.000',
     '0.000',

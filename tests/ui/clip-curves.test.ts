@@ -23,7 +23,7 @@ describe('the curves of a clip', () => {
       ['Z', 'z'],
     ]);
     const [turnX, , turnZ] = curves.slice(3);
-    // From 0 to 6 over the range: the line goes on past its last key.
+    // From 0 to 6 over the range; the line continues past its last key.
     expect(turnX!.samples[0]).toEqual({ time: 0, part: 0 });
     expect(turnX!.samples.at(-1)).toEqual({ time: 2, part: 1 });
     expect(turnX!.keys).toEqual([

@@ -20,7 +20,7 @@ describe('the keymap', () => {
     expect(new Set(commands.map(({ id }) => id)).size).toBe(commands.length);
   });
 
-  it('is told in docs/keys.md, key by key with what it does', () => {
+  it('is listed in docs/keys.md, each key with its effect', () => {
     const rows = rowsOf('docs/keys.md', '# Keys and pointer');
     for (const [key, does] of everyRow) expect(rows).toContainEqual([`\`${key}\``, does]);
   });
@@ -34,7 +34,7 @@ describe('the keymap', () => {
   });
 });
 
-/** The cells of each row of the tables under a heading, up to the next of its level. */
+/** The cells of each row of the tables under a heading, up to the next heading of its level. */
 function rowsOf(file: string, heading: string): string[][] {
   const page = readFileSync(new URL(`../../${file}`, import.meta.url), 'utf8');
   const level = heading.slice(0, heading.indexOf(' ') + 1);

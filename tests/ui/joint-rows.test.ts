@@ -9,7 +9,7 @@ describe.each(Object.entries(allRigs).map(([name, rig]) => ({ name, rig })))(
     const { skeleton } = characterOfRig(rig());
     const all = Array.from({ length: skeleton.jointCount }, (_, joint) => joint);
 
-    it('shows every joint once, parents first, a level below them', () => {
+    it('shows every joint once, one level below its parent and after it', () => {
       const rows = visibleRows(skeleton, new Set(), '');
       expect(rows.map(({ joint }) => joint)).toEqual(all);
       const levels = new Map(rows.map(({ joint, level }) => [joint, level]));
@@ -19,7 +19,7 @@ describe.each(Object.entries(allRigs).map(([name, rig]) => ({ name, rig })))(
       }
     });
 
-    it('hides just what is below a folded joint', () => {
+    it('hides only the descendants of a folded joint', () => {
       for (const folded of all) {
         const shown = new Set(
           visibleRows(skeleton, new Set([folded]), '').map(({ joint }) => joint),
@@ -30,7 +30,7 @@ describe.each(Object.entries(allRigs).map(([name, rig]) => ({ name, rig })))(
       }
     });
 
-    it('finds joints by a part of their name, case aside, folded or not', () => {
+    it('finds joints by a part of their name in any case, folded or not', () => {
       const name = skeleton.names[skeleton.jointCount - 1]!;
       const found = visibleRows(skeleton, new Set(all), name.toUpperCase());
       expect(found.map(({ joint }) => joint)).toContain(skeleton.jointCount - 1);

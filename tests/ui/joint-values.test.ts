@@ -10,7 +10,7 @@ async function skeletonOf(name: string, content: string | Uint8Array) {
   return characters[0]!.character.skeleton;
 }
 
-it('a ball has three angles where its quaternion stands, after the slides of its joint', async () => {
+it('a ball has three angles in place of its quaternion, after the slides of its joint', async () => {
   const skeleton = await skeletonOf('a.pmd', squarePmd);
   const values = jointValues(skeleton, 0);
   expect(values.map(valueName)).toEqual(['Move X', 'Move Y', 'Move Z', 'X', 'Y', 'Z']);
@@ -19,7 +19,7 @@ it('a ball has three angles where its quaternion stands, after the slides of its
   expect(rotationOrder(skeleton)).toBe('R = Rx · Ry · Rz');
 });
 
-it('hinges stand by axis, whatever the order in which they act', async () => {
+it('hinges are listed by axis, whatever their order of application', async () => {
   const skeleton = await skeletonOf('leg.skel', legSkel);
   const angles = jointValues(skeleton, 1).filter(({ isAngle }) => isAngle);
   expect(angles.map(valueName)).toEqual(['X', 'Y', 'Z']);

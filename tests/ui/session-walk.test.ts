@@ -15,7 +15,7 @@ import { allRigs } from '../fixtures/rigs.ts';
 
 const characters = Object.values(allRigs).map((rig) => characterOfRig(rig()));
 
-/** A store and a session as the page has them, or without what keeps them together. */
+/** A store and a session that are connected by `keepTogether`. */
 function start(keepTogether: (before: Scene, after: Scene, session: Session) => void) {
   const session = new Session();
   const store = new Store((before, after) => keepTogether(before, after, session));
@@ -27,7 +27,7 @@ type Walk = ReturnType<typeof start>;
 
 const stateOf = ({ store, session }: Walk) => selectedActor(store, session)!;
 
-/** What a user does next; numbers choose among what there is. */
+/** The next action of a user; the number chooses among the possible targets. */
 const actions: readonly ((walk: Walk, number: number) => void)[] = [
   (walk, number) => {
     const character = characters[number % characters.length]!;
@@ -89,7 +89,7 @@ const actions: readonly ((walk: Walk, number: number) => void)[] = [
 
 const steps = fc.array(fc.tuple(fc.nat(actions.length - 1), fc.nat(1000)), { maxLength: 60 });
 
-/** What every panel takes for granted when it reads both. */
+/** What every panel assumes when it reads both. */
 function expectFits(walk: Walk): void {
   expect(stateOf(walk)).toBeDefined();
   const { character } = stateOf(walk);
@@ -127,8 +127,8 @@ describe('the session', () => {
     walks((before, after, session) => reconcile(session, before, after), 500);
   });
 
-  it('would not, were it not reconciled', () => {
-    // Some actor is selected, so that it is the joints that do not fit.
+  it('does not fit without reconciling', () => {
+    // Keeps an actor selected, so that only the joints do not match.
     const selectOnly = (_: Scene, { actors }: Scene, session: Session): void => {
       if (actors.some(({ id }) => id === session.selectedActorId.value)) return;
       session.selectedActorId.value = actors.at(-1)?.id ?? null;
@@ -136,7 +136,7 @@ describe('the session', () => {
     expect(() => walks(selectOnly, 500)).toThrow();
   });
 
-  it('drops the joint that an undone opening takes away, before anybody reads it', () => {
+  it('drops the joint that undoing an opening removes, before anything reads it', () => {
     const walk = start((before, after, session) => reconcile(session, before, after));
     const largest = [...characters].sort(
       (a, b) => b.skeleton.jointCount - a.skeleton.jointCount,
@@ -149,7 +149,7 @@ describe('the session', () => {
     expect(seen).toEqual([largest.skeleton.jointCount - 1, null]);
   });
 
-  it('keeps the selection where a pose of the same joints comes and goes', () => {
+  it('keeps the selection when a pose of the same joints is set and undone', () => {
     const walk = start((before, after, session) => reconcile(session, before, after));
     walk.session.selectedJoint.value = 1;
     const { id, q } = stateOf(walk);

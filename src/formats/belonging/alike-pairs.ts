@@ -2,19 +2,19 @@ import type { Draft } from './draft.ts';
 import { grouped } from './grouped.ts';
 import { comparePaths, compareRanks } from './paths.ts';
 
-/** Two drafts that may be one character. */
+/** Two drafts that may belong to one character. */
 export interface Pair {
   readonly a: Draft;
   readonly b: Draft;
-  /** The smaller, the better; the first difference decides. */
+  /** Smaller is better; the first difference decides. */
   readonly rank: readonly number[];
 }
 
 /**
- * The drafts whose names are alike, the best pairs first: by how much of the names is alike, by the folders
- * of one name that they lie in, by how far out they lie, and by path.
+ * Returns the pairs of drafts with similar names, the best first: by how much of the names agrees,
+ * by how many of their folders have the same names, by how near they are to the root, and by path.
  *
- * @param namesLike the names that a name is like
+ * @param namesLike returns the names that are similar to a name
  */
 export function alikePairs(
   drafts: readonly Draft[],
@@ -28,7 +28,7 @@ export function alikePairs(
   for (const b of drafts) {
     for (const stem of new Set(b.stems.flatMap(namesLike))) {
       for (const a of byStem.get(stem) ?? []) {
-        // Of one name, a pair is met from both of its sides.
+        // A pair of equal names is found from both of its sides.
         const isMet = b.stems.includes(stem) && places.get(a)! > places.get(b)!;
         if (isMet || !a.fits(b)) continue;
         const depth = Math.min(...[...a.folders, ...b.folders].map(({ length }) => length));

@@ -2,11 +2,11 @@ import type { Diagnostic } from '../../core/diagnostics.ts';
 import { baseName } from '../file-entry.ts';
 
 /**
- * Says so where a file goes with others just as well as with the one that is taken, the first by path;
- * nothing where there are none.
+ * Reports that a file fits several others equally well, of which the first by path is taken.
+ * Returns nothing if there is no other.
  *
- * @param path of the file that goes with one of them
- * @param others their paths
+ * @param path of the file that fits several others
+ * @param others the paths of those that were not taken
  */
 export function ambiguity(
   path: string,

@@ -4,7 +4,7 @@ import type { FileEntry } from '../format.ts';
 import { ambiguity } from './ambiguity.ts';
 import type { Found } from './find-named.ts';
 
-/** Says so where the name in a file means several files just as well; nothing where it does not. */
+/** Reports that a name in a file fits several files equally well; returns nothing otherwise. */
 export function ambiguousName(
   from: FileEntry,
   name: string,

@@ -3,24 +3,28 @@ import { baseName, extensionOf, pathStem } from '../file-entry.ts';
 import type { FileEntry, FileGroup } from '../format.ts';
 import { foldersOf, nameKey, sharedTail } from './paths.ts';
 
-/** Which endings the parts of a character have. */
+/** The file extensions of a character's parts. */
 export interface PartKinds {
-  /** Of these a character has one file at most; the first that is there names it. */
+  /**
+   * A character has at most one file of each of these; the first that exists names the character.
+   */
   readonly single: readonly string[];
-  /** Of these it has any number; their names begin with its own as a rule. */
+  /** A character has any number of these; their names usually begin with the character's name. */
   readonly many: readonly string[];
 }
 
-/** The files of a character while more are still found. */
+/** The files of a character while more of them are being found. */
 export class Draft {
-  /** Those of single kinds, and their names and folders as they are compared. */
+  /**
+   * Its files of single kinds, and their names and folders in the form in which they are compared.
+   */
   readonly parts: FileEntry[];
   readonly stems: string[];
   readonly folders: (readonly string[])[];
-  /** The others. */
+  /** Its other files. */
   readonly companions: FileEntry[] = [];
   readonly diagnostics: Diagnostic[] = [];
-  /** The draft that took this one's files over. */
+  /** The draft that took over this one's files. */
   private heir: Draft | undefined;
   private isGuess = false;
 
@@ -39,7 +43,7 @@ export class Draft {
     return this.parts[0]!.path;
   }
 
-  /** Whether both can be one character. */
+  /** Whether both can belong to one character. */
   fits(other: Draft): boolean {
     const kinds = new Set(this.parts.map(({ path }) => extensionOf(path)));
     return other !== this && !other.parts.some(({ path }) => kinds.has(extensionOf(path)));
@@ -50,7 +54,7 @@ export class Draft {
     return other.folders.some((folders) => own.has(folders.join('/')));
   }
 
-  /** How many of the innermost folders have the same names. */
+  /** The number of innermost folders that have the same names. */
   sharedTail(other: readonly (readonly string[])[]): number {
     return Math.max(...this.folders.flatMap((own) => other.map((each) => sharedTail(own, each))));
   }
@@ -70,7 +74,7 @@ export class Draft {
     this.isGuess ||= isGuess;
   }
 
-  /** @param order of the files as they came */
+  /** @param order of the input files */
   finish({ single }: PartKinds, order: ReadonlyMap<FileEntry, number>): FileGroup {
     const files = [...new Set([...this.parts, ...this.companions])];
     files.sort((a, b) => order.get(a)! - order.get(b)!);
@@ -82,14 +86,14 @@ export class Draft {
   }
 }
 
-/** A file's name without its ending, as names are compared. */
+/** A file's name without its extension, in the form in which names are compared. */
 export function stemOf(path: string): string {
   return nameKey(pathStem(baseName(path)));
 }
 
 const mostShown = 4;
 
-/** Tells the guess once a character, however many files it has. */
+/** Reports the guess once per character, however many files it has. */
 function joined(files: readonly FileEntry[]): Diagnostic {
   const names = files.map(({ path }) => baseName(path));
   const isOneFolder = new Set(files.map(({ path }) => foldersOf(path).join('/'))).size === 1;

@@ -9,30 +9,31 @@ import {
   sharedTail,
 } from './paths.ts';
 
-/** The file that a name in another file means. */
+/** The file that a name in another file refers to. */
 export interface Found {
   readonly file: FileEntry;
-  /** Whether it is neither where the name says nor beside the file that names it. */
+  /** Whether it is neither at the named path nor in the same folder as the file that names it. */
   readonly isGuess: boolean;
-  /** Others that are meant just as well. */
+  /** Other files that fit equally well. */
   readonly others: readonly FileEntry[];
 }
 
-/** A file with its path as it is compared. */
+/** A file with its path in the form in which paths are compared. */
 interface Candidate {
   readonly file: FileEntry;
   readonly folders: readonly string[];
   readonly name: string;
-  /** The smaller, the better; the first difference decides. */
+  /** Smaller is better; the first difference decides. */
   readonly rank: readonly number[];
 }
 
 /**
- * Finds the file that another one names: the one at the path that it says; else the one of that name in
- * the own folder or in folders below; else the nearest one, where more of the folders that it says agree;
- * else, as long as there is only one such, a file whose name begins alike (`face.png` for `face.bmp`).
+ * Finds the file that another file names. It looks for the file at the named path; then for a file
+ * of that name in the same folder or in folders below; then for the nearest one, preferring paths
+ * that share more of the named folders; and finally, if there is only one, for a file whose name
+ * has the same beginning (`face.png` for `face.bmp`).
  *
- * @param named as the file has it: relative or absolute, of any system
+ * @param named as the file has it: relative or absolute, in the form of any operating system
  * @param from path of the file that names it
  */
 export function findNamed(
@@ -59,7 +60,10 @@ export function findNamed(
   const [alike, another] = nearest((name) => likeness(name, wanted));
   return alike && !another ? { file: alike.file, isGuess: true, others: [] } : undefined;
 
-  /** The best of the files that are like the name, first by path; their ranks are the same. */
+  /**
+   * The best of the files whose names are similar, in order of path; all of them have the same
+   * rank.
+   */
   function nearest(unlike: (name: string) => number | undefined): Candidate[] {
     const candidates = files.flatMap((file): Candidate[] => {
       const segments = segmentsOf(file.path);
@@ -94,7 +98,10 @@ export function findNamed(
   }
 }
 
-/** 0 where names differ in their ending alone, 1 where one goes on with another word, else nothing. */
+/**
+ * 0 if the names differ only in their extension, 1 if one continues with another word, undefined
+ * otherwise.
+ */
 function likeness(name: string, wanted: string): number | undefined {
   const [a, b] = [name, wanted].map((each) => nameKey(pathStem(each))) as [string, string];
   if (a === b) return 0;

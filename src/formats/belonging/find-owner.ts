@@ -3,15 +3,16 @@ import { ambiguity } from './ambiguity.ts';
 import { type Draft, stemOf } from './draft.ts';
 import { comparePaths, compareRanks, foldersOf, sharedHead } from './paths.ts';
 
-/** The character that a file goes with, of which a character may have many. */
+/** The character to which a file belongs, if characters may have many files of its kind. */
 interface Owner {
   readonly owner: Draft;
   readonly isGuess: boolean;
 }
 
 /**
- * Finds the character whose name the file's begins with, in the file's folder; else the only one in that
- * folder; else the same, folder by folder outward. The longest name counts, then the nearest.
+ * Finds the character with whose name the file's name begins, in the file's folder, or else the
+ * only character in that folder. Then searches the folders around it in the same way. The longest
+ * name wins, then the nearest file.
  */
 export function findOwner(file: FileEntry, drafts: readonly Draft[]): Owner | undefined {
   const own = foldersOf(file.path);
@@ -41,13 +42,16 @@ export function findOwner(file: FileEntry, drafts: readonly Draft[]): Owner | un
     return undefined;
   }
 
-  /** Those with a part in the folder that is so many steps from the root, or below it. */
+  /** The drafts with a part in the folder at this depth from the root, or below it. */
   function within(depth: number): Draft[] {
     return drafts.filter(({ folders }) => folders.some((each) => sharedHead(own, each) >= depth));
   }
 }
 
-/** The draft with the longest name that the file's begins with; of several the nearest, else the first. */
+/**
+ * Of the drafts with whose name the file's name begins, the one with the longest name; of several,
+ * the nearest, or else the first.
+ */
 function begun(
   file: FileEntry,
   own: readonly string[],

@@ -4,8 +4,8 @@ import type { FileEntry, FileGroup } from '../format.ts';
 import type { PartKinds } from './draft.ts';
 
 /**
- * Puts the files of each character together by their names and folders. One character in one folder, which
- * most users have, and which the first picture has, needs none of the rule.
+ * Groups the files of each character by their names and folders. One character in one folder, the
+ * usual case and that of the first picture, does not need the full rule.
  */
 export async function groupFiles(
   files: readonly FileEntry[],

@@ -5,13 +5,14 @@ import { findOwner } from './find-owner.ts';
 import { joinAlike, joinLone } from './join-drafts.ts';
 
 /**
- * Puts the files of each character together; no text of theirs is asked. Parts of one name are taken
- * together, those in one folder before those in the nearest ones; then parts one of whose names begins
- * with the other's (`tube.skel` and `tube_smooth.skin`); then what stands alone in a folder. Parts of
- * which there are many go to a character of their folder, then to the nearest, by the same rule. What
- * is not of one name and in one folder is a guess, and told.
+ * Groups the files of each character without reading their text. Files of the same name are joined
+ * first: those in the same folder, then those in the nearest folders. Then files one of whose names
+ * begins with the other's (`tube.skel` and `tube_smooth.skin`), then files that are alone in a
+ * folder. Files of kinds of which a character may have many join a character of their folder, then
+ * the nearest one, by the same rule. Anything except equal names in the same folder is a guess and
+ * is reported.
  *
- * @param named files that another file names, that one first: they are together
+ * @param named lists of files that belong together because the first of each names the others
  */
 export function groupParts(
   files: readonly FileEntry[],
@@ -40,7 +41,7 @@ export function groupParts(
     .sort((a, b) => order.get(a.files[0]!)! - order.get(b.files[0]!)!);
 }
 
-/** All that a name begins with, shorter than itself. */
+/** All beginnings of a name that are shorter than the name. */
 function beginnings(stem: string): string[] {
   return Array.from({ length: Math.max(0, stem.length - 1) }, (_, i) => stem.slice(0, i + 1));
 }

@@ -1,4 +1,4 @@
-/** The items of each key, in their order. */
+/** Groups items by key and keeps their order. */
 export function grouped<Key, Item>(entries: Iterable<readonly [Key, Item]>): Map<Key, Item[]> {
   const groups = new Map<Key, Item[]>();
   for (const [key, item] of entries) {

@@ -6,10 +6,10 @@ import { grouped } from './grouped.ts';
 import { compareRanks } from './paths.ts';
 
 /**
- * Joins drafts whose names are alike, folder by folder from the innermost outward, so that what is nearest
- * to each other comes together first.
+ * Joins drafts with similar names, from the innermost folder outwards, so that the nearest ones are
+ * joined first.
  *
- * @param namesLike the names that a name is like
+ * @param namesLike returns the names that are similar to a name
  */
 export function joinAlike(
   drafts: readonly Draft[],
@@ -34,7 +34,7 @@ export function joinAlike(
   return current(drafts);
 }
 
-/** Joins the drafts of a folder, and of those in it, that can all be one character. */
+/** Joins the drafts of a folder and its subfolders if all of them can be one character. */
 export function joinLone(drafts: readonly Draft[]): readonly Draft[] {
   for (const members of membersByFolder(drafts)) {
     const all = current(members);
@@ -44,7 +44,7 @@ export function joinLone(drafts: readonly Draft[]): readonly Draft[] {
   return current(drafts);
 }
 
-/** For each folder, the innermost first, the drafts with a file in it or below. */
+/** For each folder, the innermost first, the drafts with a file in it or below it. */
 function membersByFolder(drafts: readonly Draft[]): readonly (readonly Draft[])[] {
   const members = grouped(
     drafts.flatMap((draft) =>
@@ -66,12 +66,12 @@ function membersByFolder(drafts: readonly Draft[]): readonly (readonly Draft[])[
   return [...members].sort(([a], [b]) => depthOf(b) - depthOf(a)).map(([, each]) => each);
 }
 
-/** The drafts that have these ones' files now, each once. */
+/** The drafts that have the files of these drafts now, without duplicates. */
 function current(drafts: readonly Draft[]): Draft[] {
   return [...new Set(drafts.map((draft) => draft.current))];
 }
 
-/** Says so where a draft that is joined could go with others just as well as with the one chosen. */
+/** Reports that a draft fits others as well as the one to which it is joined. */
 function ambiguous(
   kept: Draft,
   chosen: Draft,

@@ -1,4 +1,7 @@
-/** A name as names are compared: composed, since macOS hands out decomposed ones, and in lower case. */
+/**
+ * The form in which names are compared: composed, because macOS gives decomposed names, and in
+ * lower case.
+ */
 export function nameKey(name: string): string {
   return name.normalize('NFC').toLowerCase();
 }
@@ -6,8 +9,8 @@ export function nameKey(name: string): string {
 const driveOrScheme = /^(?:[a-z]:|[a-z][a-z\d+.-]*:(?=[\\/]))/i;
 
 /**
- * The folders and the base name of a path as any system writes it, without its drive or its scheme, and
- * with `.` and `..` resolved; a `..` that leads out of the path stays at its beginning.
+ * The folders and the base name of a path in the form of any operating system, without drive or
+ * scheme. `.` and `..` are resolved; a `..` that leads out of the path stays at its beginning.
  */
 export function segmentsOf(path: string): string[] {
   const segments: string[] = [];
@@ -19,25 +22,25 @@ export function segmentsOf(path: string): string[] {
   return segments;
 }
 
-/** The folders of a file as they are compared. */
+/** The folders of a file, in the form in which they are compared. */
 export function foldersOf(path: string): string[] {
   return segmentsOf(path).slice(0, -1).map(nameKey);
 }
 
-/** How many names two lists end in alike. */
+/** The number of equal names at the end of two lists. */
 export function sharedTail(a: readonly string[], b: readonly string[]): number {
   let count = 0;
   while (count < Math.min(a.length, b.length) && a.at(-1 - count) === b.at(-1 - count)) count++;
   return count;
 }
 
-/** How many names two lists begin with alike. */
+/** The number of equal names at the beginning of two lists. */
 export function sharedHead(a: readonly string[], b: readonly string[]): number {
   const end = a.findIndex((name, index) => name !== b[index]);
   return end === -1 ? a.length : end;
 }
 
-/** For a sort: the first difference of two lists of numbers. */
+/** Compares two lists of numbers by their first difference, for sorting. */
 export function compareRanks(a: readonly number[], b: readonly number[]): number {
   const at = a.findIndex((value, index) => value !== b[index]);
   return at === -1 ? 0 : a[at]! - b[at]!;

@@ -1,22 +1,25 @@
 import { segmentsOf } from './paths.ts';
 
-/** What no system, or not every one, takes in the name of a file; `%` might be decoded on the way. */
+/**
+ * Characters that some operating system does not allow in file names. `%` might be decoded on the
+ * way.
+ */
 const unsafe = /[\u0000-\u001f\u007f-\u009f<>:"|?*]|\p{Cf}|\p{Zl}|\p{Zp}/gu;
 
-/** Names of devices on Windows, whatever their ending. */
+/** Names of devices on Windows, with any extension. */
 const reserved = /^(?:con|prn|aux|nul|com\d|lpt\d)(?=\.|$)/i;
 
 /**
- * The path as one within an archive or a folder of ours: with `/`, without drive, root, `.` and `..`, no
- * segment being empty, a device's name, or one that a system would change. Any text has one; two texts may
- * have the same.
+ * Returns a path that is safe within an archive or a folder: with `/`, without drive, root, `.` and
+ * `..`. No segment is empty, the name of a device, or a name that an operating system would change.
+ * Every text has a plain path; two texts may have the same one.
  */
 export function plainPath(path: string): string {
   const segments = segmentsOf(path).filter((segment) => segment !== '..');
   return segments.map(plainName).join('/') || '_';
 }
 
-/** A name of one segment: what would be folders is joined by `_`. */
+/** Returns a name of one segment; `_` replaces the separators of folders. */
 export function plainName(name: string): string {
   const plain = name
     .normalize('NFC')
@@ -27,7 +30,7 @@ export function plainName(name: string): string {
   return plain || '_';
 }
 
-/** The same files under plain paths, no two of which differ in case alone. */
+/** Returns the same files with plain paths, no two of which differ only in case. */
 export function withPlainPaths<File extends { readonly path: string }>(
   files: readonly File[],
 ): File[] {
@@ -39,7 +42,7 @@ export function withPlainPaths<File extends { readonly path: string }>(
   });
 }
 
-/** With a number before the ending where the path is taken: `a (2).png`. */
+/** Adds a number before the extension if the path is taken: `a (2).png`. */
 function uniquePath(path: string, taken: ReadonlySet<string>): string {
   const [, stem = path, ending = ''] = /^(.*[^/])(\.[^./]*)$/u.exec(path) ?? [];
   let unique = path;

@@ -1,16 +1,16 @@
 import type { DiagnosticCode, DiagnosticLog } from '../../core/diagnostics.ts';
 import { BinaryRecord } from './binary-record.ts';
 
-/** The codes that a format gives to what the reader finds. */
+/** The diagnostic codes of a format for the problems that the reader finds. */
 export interface BinaryCodes {
   readonly truncated: DiagnosticCode;
   readonly count: DiagnosticCode;
 }
 
 /**
- * Reads a binary file from its start to its end, a record or an array of records at a time. Sizes are
- * compared with the bytes left before anything is taken, so that no count can make it allocate; what
- * is not there is reported, and nothing is returned.
+ * Reads a binary file from start to end, by records or arrays of records. Sizes are compared with
+ * the remaining bytes before anything is taken, so that no count in a file can cause a large
+ * allocation. If data is missing, that is reported and nothing is returned.
  */
 export class BinaryReader {
   private position = 0;
@@ -27,22 +27,24 @@ export class BinaryReader {
     this.effect = effect;
   }
 
-  /** Bytes before the next one that is read. */
+  /** The number of bytes before the next one to be read. */
   get offset(): number {
     return this.position;
   }
 
-  /** Bytes that were not read yet. */
+  /** The number of bytes that have not been read. */
   get left(): number {
     return this.file.length - this.position;
   }
 
-  /** From here on what is missing is a warning, with this effect: the file goes on without it. */
+  /**
+   * From here on missing data is a warning with this effect, because the file is usable without it.
+   */
   beLenient(effect: string): void {
     this.lenientEffect = effect;
   }
 
-  /** The next `size` bytes, for `what` a message says. */
+  /** Returns the next `size` bytes; `what` names them in messages. */
   record(size: number, what: string): BinaryRecord | undefined {
     if (size > this.left) {
       const bytes = (count: number): string => (count === 1 ? '1 byte' : `${count} bytes`);
@@ -55,14 +57,14 @@ export class BinaryReader {
     return record;
   }
 
-  /** A count of 1, 2 or 4 bytes, or another whole number. */
+  /** Reads a whole number of 1, 2 or 4 bytes, such as a count. */
   integer(size: 1 | 2 | 4, what: string): number | undefined {
     const record = this.record(size, what);
     if (!record) return undefined;
     return size === 1 ? record.u8(0) : size === 2 ? record.u16(0) : record.u32(0);
   }
 
-  /** A count and as many records of `size` bytes; one record over all of them. */
+  /** Reads a count and that number of records of `size` bytes, as one record over all of them. */
   array(countSize: 1 | 2 | 4, size: number, what: string): RecordArray | undefined {
     const start = this.position;
     const count = this.integer(countSize, `the number of ${what}`);
@@ -71,12 +73,12 @@ export class BinaryReader {
   }
 
   /**
-   * Whether `count` things of at least `size` bytes can still be there; else it is reported.
+   * Whether `count` records of at least `size` bytes can still follow; reports it if not.
    *
    * @param countOffset where the file has the count
    */
   fits(count: number, size: number, what: string, countOffset: number): boolean {
-    // Exact, a count being less than 2^32: products of doubles are below 2^53.
+    // Exact, because a count is less than 2^32 and products of doubles below 2^53 are exact.
     if (count * size <= this.left) return true;
     const most = Math.floor(this.left / size);
     const expected = `at most ${most} ${what} of ${size} bytes in the ${this.left} bytes left`;

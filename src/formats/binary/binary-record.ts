@@ -1,9 +1,9 @@
 /**
- * A run of bytes that is known to be there, so that reads within it need no check. Little-endian;
- * places count from the record's start.
+ * A run of bytes that exists in the file, so that reads within it need no check. Little-endian;
+ * offsets count from the record's start.
  */
 export class BinaryRecord {
-  /** Of its first byte in the file, for messages. */
+  /** Offset of its first byte in the file, for messages. */
   readonly offset: number;
   private readonly view: DataView;
 

@@ -2,11 +2,14 @@ import type { KeyParts, Tangent } from '../../core/character-parts.ts';
 import { largest, type Scanner } from './scanner.ts';
 import { closeRows, endsEarly } from './sections.ts';
 
-/** No clip has as many. */
+/** A limit that no real clip reaches. */
 const mostKeys = 1_000_000;
 const largestValue = 1e12;
 
-/** Reads `K { time value tangentIn tangentOut … }` to keys at rising times, one a time. */
+/**
+ * Reads `K { time value tangentIn tangentOut … }` and returns keys at increasing times, one per
+ * time.
+ */
 export function readKeys(scanner: Scanner): KeyParts[] {
   const count = scanner.count('keys', 8, mostKeys);
   if (!scanner.sound()) return [];
@@ -22,7 +25,7 @@ export function readKeys(scanner: Scanner): KeyParts[] {
   return closeRows(scanner, 'keys', count, opened) ? rising(keys, scanner) : [];
 }
 
-/** Says so where a channel has no key. */
+/** Reports a channel without keys. */
 export function tellNone(scanner: Scanner): void {
   const effect = 'the channel is 0 at all times, as are further ones without';
   scanner.warnOnce('no keys', 'empty', 'at least one key', 'none', effect);
@@ -48,7 +51,7 @@ function readTangent(scanner: Scanner): Tangent {
   return 0;
 }
 
-/** Keys sorted by time; of several at one time the last counts. */
+/** Sorts keys by time; of several at the same time the last one counts. */
 function rising(keys: readonly KeyParts[], scanner: Scanner): KeyParts[] {
   const isRising = keys.every((key, index) => index === 0 || keys[index - 1]!.time < key.time);
   if (isRising) return [...keys];

@@ -19,7 +19,7 @@ const extrapolations: ReadonlySet<string> = new Set<Extrapolation>([
 ]);
 const isExtrapolation = (word: string): word is Extrapolation => extrapolations.has(word);
 
-/** The clip as it is read, before its channels are bound to a skeleton. */
+/** The clip as it was read, before its channels are bound to a skeleton. */
 interface Draft {
   range?: readonly [number, number];
   declaredCount?: number;
@@ -27,8 +27,9 @@ interface Draft {
 }
 
 /**
- * Reads an `.anim` of CSE169 (project 3): `animation { range t0 t1 numchannels C channel { … } … }`.
- * Its channels move nothing yet: which skeleton they are for the file does not say.
+ * Reads an `.anim` of CSE169 (project 3): `animation { range t0 t1 numchannels C channel { … } …
+ * }`. Its channels have no targets yet, because the file does not say to which skeleton they
+ * belong.
  */
 export function readAnim(
   file: string,
@@ -71,7 +72,8 @@ function readChannel(scanner: Scanner, draft: Draft): void {
     return;
   }
   const mark = reader.mark();
-  // Some files number their channels, "channel 14{"; they count in the order of the file all the same.
+  // Some files number their channels, as in "channel 14{"; the order in the file counts
+  // nevertheless.
   if (!(reader.next() && reader.looksNumeric)) reader.back(mark);
   if (!scanner.open()) return;
   let rules: [Extrapolation, Extrapolation] = ['constant', 'constant'];

@@ -8,7 +8,7 @@ import type { Triangles } from './triangles.ts';
 
 export const effect = 'the mesh is not used';
 
-/** The sections of a `.skin`, as far as they were there. */
+/** The sections of a `.skin` that exist in the file. */
 export interface Sections {
   positions?: Section;
   normals?: Section;
@@ -18,13 +18,16 @@ export interface Sections {
   bindings?: Bindings;
 }
 
-/** What a `.skin` holds: a mesh, and where it has them, weights with the bindings of their joints. */
+/**
+ * The content of a `.skin`: a mesh and, if the file has them, weights with the bindings of their
+ * joints.
+ */
 export interface SkinFile {
   readonly mesh: MeshParts;
   readonly skin?: SkinParts;
 }
 
-/** Checks the sections against each other; an error in one of them leaves nothing of the file. */
+/** Checks the sections against each other; an error in one of them invalidates the whole file. */
 export function assembleSkin(
   file: string,
   log: DiagnosticLog,

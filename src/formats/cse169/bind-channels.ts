@@ -3,9 +3,9 @@ import { DiagnosticLog, type Parsed } from '../../core/diagnostics.ts';
 import { DofKind } from '../../core/skeleton.ts';
 
 /**
- * Says what the channels of a clip move, by their order alone: the root's translation x, y, z, then
- * the angles x, y, z of every joint as the skeleton's file has them. With another number of channels
- * than the skeleton has values, those that fit are used.
+ * Assigns the channels of a clip by their order: the root's translation x, y, z, then the angles x,
+ * y, z of every joint in the order of the skeleton's file. If the number of channels differs, those
+ * that fit are used.
  */
 export function bindChannels(clip: ClipParts, jointCount: number): Parsed<ClipParts> {
   const log = new DiagnosticLog(clip.file);

@@ -2,22 +2,25 @@ import { mat4 } from 'gl-matrix';
 import type { Scanner } from './scanner.ts';
 import { closeRows, endsEarly } from './sections.ts';
 
-/** A binding with a smaller determinant, or with a larger inverse, has none to compute with. */
+/** A binding with a smaller determinant, or with a larger inverse, is treated as singular. */
 const smallestDeterminant = 1e-12;
 const largestInverse = 1e6;
 const largestElement = 1e6;
 
 export interface Bindings {
   readonly count: number;
-  /** (count × 16) column-major, as the file has them: joint frame → character space at bind. */
+  /**
+   * (count × 16) column-major, as the file has them: from the joint's frame to the character's
+   * space at bind time.
+   */
   readonly bindFromJoint: Float64Array;
   /** (count × 16) their inverses. */
   readonly jointFromBind: Float64Array;
 }
 
 /**
- * Reads `J { matrix { … } … }`: four rows of three a joint, the images of the x, y and z axes and the
- * translation, so that rows of the file are the columns of the matrix.
+ * Reads `J { matrix { … } … }`: four rows of three numbers per joint, the images of the x, y and z
+ * axes and the translation. The rows of the file are therefore the columns of the matrix.
  */
 export function readBindings(scanner: Scanner, most: number): Bindings | undefined {
   const count = scanner.count('bindings', 'matrix{}'.length + 24, most);

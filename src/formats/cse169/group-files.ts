@@ -9,7 +9,10 @@ import { readRig } from './rig.ts';
 
 const kinds = { single: ['.rig', '.skel', '.skin'], many: ['.morph', '.anim'] };
 
-/** Puts the files of each character together: those that a `.rig` names, then by names and folders. */
+/**
+ * Groups the files of each character: those that a `.rig` names, then the others by names and
+ * folders.
+ */
 export async function groupFiles(files: readonly FileEntry[]): Promise<readonly FileGroup[]> {
   const rigs = files.filter(({ path }) => extensionOf(path) === '.rig');
   return groupParts(files, kinds, await Promise.all(rigs.map((rig) => draftOfRig(rig, files))));

@@ -9,14 +9,16 @@ const axes: readonly Triple[] = [
   [0, 0, 1],
 ];
 
-/** The root can be moved: three slides, in model units, added to its offset. */
+/**
+ * The root can be translated by three slides, in model units, whose values are added to its offset.
+ */
 export const rootSlides: readonly DofParts[] = axes.map((axis) => ({ kind: DofKind.slide, axis }));
 
 /**
- * A ball joint of CSE169: L = T(offset) · Rz · Ry · Rx, x turns first.
+ * The hinges of a ball joint of CSE169: L = T(offset) · Rz · Ry · Rx, with x applied first.
  *
  * @param pose angles about x, y, z, within the limits
- * @param limits of x, y, z, where there are any
+ * @param limits of x, y, z, if there are any
  */
 export function ballHinges(
   pose: Triple,

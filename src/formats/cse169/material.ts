@@ -3,7 +3,10 @@ import type { Scanner } from './scanner.ts';
 
 const isKeyword = (word: string): boolean => word === 'texture';
 
-/** Reads `NAME { texture FILE }`; the file is only ever looked for among those that came with it. */
+/**
+ * Reads `NAME { texture FILE }`. The image is only searched for among the files that were opened
+ * with it.
+ */
 export function readMaterial(scanner: Scanner): MaterialParts | undefined {
   const { reader } = scanner;
   let name = '';

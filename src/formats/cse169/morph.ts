@@ -7,12 +7,12 @@ import { closeRows, endsEarly } from './sections.ts';
 
 const about = { area: 'morph', effect: 'the morph is not used' } as const;
 
-/** Where vertices are, or point to, at weight 1: absolute, as the file has them. */
+/** Positions or normals of vertices at weight 1, absolute, as the file has them. */
 interface Targets {
   readonly points: Uint32Array;
   /** (n) one-based line of each row. */
   readonly lines: Uint32Array;
-  /** (n × 3) float64, so that differences are rounded once. */
+  /** (n × 3) float64, so that the differences are rounded once. */
   readonly values: Float64Array;
 }
 
@@ -55,7 +55,7 @@ function readTargets(scanner: Scanner, name: string, mostPoints: number): Target
   const count = scanner.count(`rows of ${name}`, 8, mostPoints);
   if (!scanner.sound()) return undefined;
   const opened = scanner.openIfAny();
-  // The last of several rows for one vertex counts.
+  // Of several rows for one vertex the last one counts.
   const rows = new Map<number, { line: number; target: readonly number[] }>();
   for (let row = 0; row < count; row++) {
     if (endsEarly(scanner, name, count, row)) return undefined;
@@ -78,8 +78,8 @@ function readTargets(scanner: Scanner, name: string, mostPoints: number): Target
 }
 
 /**
- * The morph as offsets from the skin that it belongs to. Differences of mere rounding (files have
- * three decimals where skins have four) are kept: they are what the file says.
+ * Converts a morph to offsets from the skin to which it belongs. Differences that are only due to
+ * rounding (morph files have three decimals, skins four) are kept, because the file contains them.
  *
  * @param positions (pointCount × 3) of the skin
  * @param normals (pointCount × 3) of the skin, unit

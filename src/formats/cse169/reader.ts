@@ -13,7 +13,9 @@ import { readRig } from './rig.ts';
 import { readSkel } from './skel.ts';
 import { readSkin } from './skin.ts';
 
-/** UCSD CSE169: `balljoint` skeletons, skins, morph targets, clips, and rigs that name them. */
+/**
+ * UCSD CSE169: `balljoint` skeletons, skins, morph targets, clips, and rigs that name these files.
+ */
 export const cse169Reader: FormatReader = {
   group: groupFiles,
   read: readGroup,
@@ -56,7 +58,9 @@ async function readGroup(group: FileGroup, limits: Limits): Promise<Parsed<Chara
     return values;
   }
 
-  /** A binding for each joint, or the skin is another skeleton's. */
+  /**
+   * Returns the skin if it has a binding for each joint; otherwise it belongs to another skeleton.
+   */
   function skinThatFits({ skin: parts }: SkinFile, skeletonFile: string, jointCount: number) {
     const bindingCount = parts?.jointFromBind ? parts.jointFromBind.length / 16 : 0;
     if (!parts || bindingCount === jointCount) return parts;
@@ -74,7 +78,7 @@ async function readGroup(group: FileGroup, limits: Limits): Promise<Parsed<Chara
   async function readMorphs(skinFile: SkinFile | undefined): Promise<MorphParts[]> {
     const files = await readAll('.morph', readMorph);
     if (!skinFile || files.length === 0) return [];
-    const { normals } = buildMesh(skinFile.mesh); // one normal a vertex: those of this format
+    const { normals } = buildMesh(skinFile.mesh); // in this format each vertex has one normal
     return files.flatMap((file) => keep(morphOffsets(file, skinFile.mesh.positions, normals)));
   }
 

@@ -4,7 +4,7 @@ import { scan, type Scanner } from './scanner.ts';
 
 const about = { area: 'rig', effect: 'the files are grouped by their names' } as const;
 
-/** Which files make one character, as a `.rig` names them. */
+/** The files of one character, as a `.rig` names them. */
 export interface RigFile {
   readonly name: string;
   readonly skeleton?: string;

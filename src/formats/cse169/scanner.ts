@@ -7,12 +7,12 @@ import { TokenReader } from '../text/token-reader.ts';
 type Area = 'skel' | 'skin' | 'morph' | 'anim' | 'rig';
 type Kind<Code = DiagnosticCode> = Code extends `skin/${infer K}` ? K : never;
 
-/** Magnitudes of angles, radians, and of times, seconds, past which nothing sensible comes of them. */
+/** Limits on the magnitudes of angles (radians) and times (seconds); larger ones make no sense. */
 export const largest = { angle: 1e6, time: 1e9 } as const;
 
 /**
- * What the five readers of CSE169 share: it goes on to the next token, says what it is not, and
- * skips what no reader knows. After the first error there is nothing more to read.
+ * Shared by the five readers of CSE169: goes to the next token, reports unexpected ones, and skips
+ * unknown parts. After the first error it reads nothing more.
  */
 export class Scanner {
   readonly reader: TokenReader;
@@ -35,12 +35,14 @@ export class Scanner {
     this.effect = about.effect;
   }
 
-  /** Whether to read on: no error so far. */
+  /** Whether reading can continue: no error has occurred. */
   sound(): boolean {
     return !this.log.failed;
   }
 
-  /** Goes on to the next token and gives it as a keyword: lower case, "" for anything but a word. */
+  /**
+   * Goes to the next token and returns it as a keyword in lower case, or "" if it is not a word.
+   */
   keyword(known: (word: string) => boolean): string {
     const { reader } = this;
     reader.next();
@@ -54,13 +56,16 @@ export class Scanner {
     return lower;
   }
 
-  /** The next token as a number of at most this magnitude; NaN and an error where it is none. */
+  /**
+   * Reads the next token as a number of at most this magnitude; otherwise reports an error and
+   * returns NaN.
+   */
   number(what: string, most?: number): number {
     this.reader.next();
     return this.thisNumber(what, most);
   }
 
-  /** The current token as a number. */
+  /** Reads the current token as a number. */
   thisNumber(what: string, most: number = this.limits.coordinate): number {
     const { reader } = this;
     const value = reader.number(this.limits.tokenLength);
@@ -79,13 +84,16 @@ export class Scanner {
     return [x, y, this.sound() ? this.number(`${what} z`, most) : NaN];
   }
 
-  /** The next token as a whole number from 0 to `most`; NaN and an error where it is none. */
+  /**
+   * Reads the next token as a whole number from 0 to `most`; otherwise reports an error and returns
+   * NaN.
+   */
   index(what: string, most: number): number {
     this.reader.next();
     return this.thisIndex(what, most);
   }
 
-  /** The current token as a whole number. */
+  /** Reads the current token as a whole number. */
   thisIndex(what: string, most: number): number {
     const { reader } = this;
     const value = reader.integer(this.limits.tokenLength);
@@ -96,7 +104,10 @@ export class Scanner {
     return NaN;
   }
 
-  /** The next token as a count of things of at least so many bytes each; the file must hold them. */
+  /**
+   * Reads the next token as a count of items with a minimum size in bytes; the file must be large
+   * enough for them.
+   */
   count(what: string, bytesEach: number, most: number): number {
     const { reader } = this;
     reader.next();
@@ -118,7 +129,7 @@ export class Scanner {
     return this.sound();
   }
 
-  /** Takes an opening brace where there is one: some files leave it out. */
+  /** Reads an opening brace if there is one, because some files leave it out. */
   openIfAny(): boolean {
     const mark = this.reader.mark();
     this.reader.next();
@@ -127,7 +138,7 @@ export class Scanner {
     return false;
   }
 
-  /** The next token must be a closing brace; where none was opened it may be left out. */
+  /** The next token must be a closing brace; if none was opened, it may be missing. */
   close(of: string, opened = true): boolean {
     const mark = this.reader.mark();
     this.reader.next();
@@ -138,8 +149,8 @@ export class Scanner {
   }
 
   /**
-   * After a word that no reader knows: skips the numbers after it, or its block with all that is in it,
-   * and says so once a word.
+   * After an unknown word, skips the numbers that follow, or the block that follows with its
+   * content, and reports it once per word.
    */
   skipUnknown(known: (word: string) => boolean): void {
     const { reader } = this;
@@ -148,12 +159,12 @@ export class Scanner {
     this.warnOnce(`unknown ${word}`, 'unknown', 'a word of this format', word, effect);
     let mark = reader.mark();
     while (reader.next() && reader.looksNumeric) mark = reader.mark();
-    if (reader.isWord && !known(reader.text().toLowerCase())) reader.next(); // perhaps a block's name
+    if (reader.isWord && !known(reader.text().toLowerCase())) reader.next(); // perhaps the name of a block
     if (reader.isOpen) this.skipBlock();
     else reader.back(mark);
   }
 
-  /** Skips to the brace that closes the one that was just read. */
+  /** Skips to the brace that closes the last one that was read. */
   skipBlock(): void {
     const { reader } = this;
     const line = reader.line;
@@ -167,7 +178,7 @@ export class Scanner {
     }
   }
 
-  /** Says what is after the end of a file's one block, and skips it. */
+  /** Reports content after the end of a file's only block, and skips it. */
   trailing(known: (word: string) => boolean, what: string): void {
     const { reader } = this;
     if (!reader.isWord) this.fail('token', what);
@@ -178,12 +189,14 @@ export class Scanner {
     }
   }
 
-  /** At the end of the file: a comment must not have swallowed the rest. */
+  /**
+   * At the end of the file, reports a comment that was never closed and may have hidden the rest.
+   */
   checkEnd(): void {
     if (this.reader.openComment !== undefined) this.fail('end', '"*/"');
   }
 
-  /** An error at the current token. */
+  /** Reports an error at the current token. */
   fail(kind: Kind, expected: string, found = this.found()): void {
     if (!this.sound()) return;
     const { area, effect } = this;
@@ -193,12 +206,12 @@ export class Scanner {
     this.log.error({ code, ...this.reader.place, expected, found, effect });
   }
 
-  /** A warning at the current token. */
+  /** Reports a warning at the current token. */
   warn(kind: Kind, expected: string, found: string, effect: string): void {
     this.log.warn({ code: `${this.area}/${kind}`, ...this.reader.place, expected, found, effect });
   }
 
-  /** A warning at the first of its kind. */
+  /** Reports a warning at the first occurrence of its kind. */
   warnOnce(key: string, kind: Kind, expected: string, found: string, effect: string): void {
     if (this.warned.has(key)) return;
     this.warned.add(key);
@@ -218,7 +231,7 @@ export class Scanner {
   }
 }
 
-/** A scanner of a file's text, or nothing (and a diagnostic) where it is none. */
+/** Returns a scanner of a file's text, or reports that the file is not text and returns nothing. */
 export function scan(
   file: string,
   bytes: Uint8Array,

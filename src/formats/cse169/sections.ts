@@ -1,7 +1,7 @@
 import { growFloat32, growUint32 } from '../text/growable.ts';
 import type { Scanner } from './scanner.ts';
 
-/** Numbers in rows of equal size, as `NAME N { … }` has them. */
+/** Rows of numbers of equal size, from `NAME N { … }`. */
 export interface Section {
   /** (count × size) */
   readonly values: Float32Array;
@@ -11,8 +11,8 @@ export interface Section {
 }
 
 /**
- * Reads `N { … }` after its keyword: N rows of `size` numbers. A count that is not that of the rows
- * is an error, found before anything of that size is made.
+ * Reads `N { … }` after its keyword: N rows of `size` numbers. If the count differs from the number
+ * of rows, that is an error, which is found before an array of that size is allocated.
  */
 export function readRows(
   scanner: Scanner,
@@ -35,7 +35,7 @@ export function readRows(
   return { values: values.finish(), count, lines: lines.finish() };
 }
 
-/** Whether a closing brace stands where the next row should; that is an error. */
+/** Whether a closing brace occurs instead of the next row, which is an error. */
 export function endsEarly(scanner: Scanner, name: string, count: number, read: number): boolean {
   const mark = scanner.reader.mark();
   scanner.reader.next();
@@ -45,10 +45,10 @@ export function endsEarly(scanner: Scanner, name: string, count: number, read: n
 }
 
 /**
- * Goes on to the next number of rows of equal size; whether a closing brace stands there instead,
+ * Goes to the next number in rows of equal size. Returns whether a closing brace occurs instead,
  * which is an error.
  *
- * @param read numbers so far
+ * @param read the number of values so far
  */
 export function endsWithin(
   scanner: Scanner,
@@ -69,7 +69,7 @@ function failShort(scanner: Scanner, name: string, count: number, found: string)
   scanner.fail('count', `${count} rows of ${name}, as the file says`, found);
 }
 
-/** The brace after the last row; where there are more rows, an error that counts no further. */
+/** Reads the brace after the last row. Additional rows are an error and are not counted. */
 export function closeRows(scanner: Scanner, name: string, count: number, opened: boolean): boolean {
   const mark = scanner.reader.mark();
   scanner.reader.next();

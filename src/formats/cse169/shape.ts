@@ -1,6 +1,6 @@
 import type { FormatShape } from '../format.ts';
 
-/** Joints turn by Rz · Ry · Rx; each has a name, a pose, limits and a binding of its own. */
+/** Joints rotate by Rz · Ry · Rx. Each has a name, a pose, limits and its own binding. */
 export const cse169Shape: FormatShape = {
   owner: 'CSE169',
   slides: 'roots',

@@ -8,12 +8,12 @@ import { largest, scan, type Scanner } from './scanner.ts';
 
 const about = { area: 'skel', effect: 'the skeleton is not used' } as const;
 
-/** A joint while its block is read; defaults are those of the assignment. */
+/** A joint while its block is read, with the defaults of the assignment. */
 interface Draft {
   readonly name: string;
   readonly line: number;
   readonly parent: number;
-  /** Where each of its properties stands; the last one where it is given several times. */
+  /** The place of each of its properties in the file; of a repeated property, the last one. */
   readonly places: Map<string, Place>;
   offset: Triple;
   boxmin: Triple;
@@ -29,8 +29,8 @@ const keywords = new Set([...['balljoint', 'offset', 'boxmin', 'boxmax', 'pose']
 const isKeyword = (word: string): boolean => keywords.has(word);
 
 /**
- * Reads a `.skel` of CSE169 (Skeleton.md, 1.1): `balljoint NAME { … }`, one within another, joints
- * numbered depth first as they stand in the file. Angles are radians.
+ * Reads a `.skel` of CSE169 (Skeleton.md, 1.1): nested `balljoint NAME { … }`. Joints are numbered
+ * depth first, in the order of the file. Angles are in radians.
  */
 export function readSkel(
   file: string,
@@ -48,7 +48,9 @@ export function readSkel(
   return log.finish({ file, joints });
 }
 
-/** An explicit stack in place of recursion: a file may nest a hundred thousand blocks. */
+/**
+ * Uses an explicit stack instead of recursion, because a file may nest a hundred thousand blocks.
+ */
 function readTree(scanner: Scanner): Draft[] {
   const { reader, limits } = scanner;
   const drafts: Draft[] = [];
@@ -148,7 +150,7 @@ function finishJoint(draft: Draft, name: string, log: DiagnosticLog): JointParts
     });
   }
   const clamped = pose.map((value, axis) => {
-    // Without a pose it is the default that is outside, because of the limits.
+    // Without a pose in the file, it is the default pose that exceeds the limits.
     const place = places.get('pose') ?? places.get(limitWords[axis]!);
     return clamp(value, limits[axis], name, axis, place, log);
   });
@@ -166,7 +168,7 @@ function finishJoint(draft: Draft, name: string, log: DiagnosticLog): JointParts
   };
 }
 
-/** The assignment: a pose outside of its limits is clamped before it is shown. */
+/** The assignment clamps a pose to the limits before it is shown. */
 function clamp(
   value: number,
   range: Range | undefined,

@@ -12,8 +12,8 @@ export interface SkinWeights {
 }
 
 /**
- * Reads `N { k joint weight … }`, a row a vertex with as many influences as it says. A joint named
- * twice in a row has the sum of both weights.
+ * Reads `N { k joint weight … }`: a row per vertex with any number of influences. If a row names a
+ * joint twice, the two weights are added.
  */
 export function readSkinWeights(
   scanner: Scanner,

@@ -15,8 +15,8 @@ const keywords = new Set([
 const isKeyword = (word: string): boolean => keywords.has(word);
 
 /**
- * Reads a `.skin` of CSE169 (project 2): vertices, weights, triangles and the binding matrix of every
- * joint, which is used as it is, whatever the skeleton's own pose. Sections come in any order.
+ * Reads a `.skin` of CSE169 (project 2): vertices, weights, triangles and the binding matrix of
+ * every joint, which is used whatever pose the skeleton has. The sections may be in any order.
  */
 export function readSkin(
   file: string,

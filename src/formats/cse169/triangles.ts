@@ -6,13 +6,13 @@ import { closeRows, endsWithin } from './sections.ts';
 export interface Triangles {
   /** (triangleCount × 3) */
   readonly corners: Uint32Array;
-  /** (triangleCount) one-based line of each one's last corner. */
+  /** (triangleCount) one-based line of each triangle's last corner. */
   readonly lines: Uint32Array;
 }
 
 /**
- * Reads `M { a b c … }`, zero-based. Triangles with a corner twice are left out, and a warning counts
- * them.
+ * Reads `M { a b c … }`, zero-based. Triangles that use a vertex twice are left out, and a warning
+ * counts them.
  */
 export function readTriangles(scanner: Scanner, limits: Limits): Triangles | undefined {
   const count = scanner.count('triangles', 6, limits.triangleCount);

@@ -1,7 +1,7 @@
 import type { ChannelParts, ClipParts, Tangent } from '../../core/character-parts.ts';
 import { encodeLines, writeFloat64 } from '../text/write-number.ts';
 
-/** Writes an `.anim`, channels in order, tangents as the keys have them. */
+/** Writes an `.anim` with the channels in order and the tangents of the keys. */
 export function writeAnim({ start, end, channels }: ClipParts): Uint8Array {
   return encodeLines([
     'animation {',

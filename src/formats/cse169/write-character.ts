@@ -10,8 +10,8 @@ import { writeSkel, writtenNames } from './write-skel.ts';
 import { writeSkin } from './write-skin.ts';
 
 /**
- * Writes a file for each part that there is. The skeleton must turn as this format's does, Rz·Ry·Rx
- * without rest rotations: `convertCharacter` makes any other into such a one.
+ * Writes a file for each part that exists. The skeleton must rotate like this format, by Rz·Ry·Rx
+ * without rest rotations; `convertCharacter` converts any other skeleton.
  */
 export function writeCse169(
   character: Character,

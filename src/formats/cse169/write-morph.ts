@@ -2,7 +2,10 @@ import type { Mesh } from '../../core/mesh.ts';
 import type { Morph } from '../../core/morph.ts';
 import { encodeLines, writeFloat64 } from '../text/write-number.ts';
 
-/** Writes a `.morph`: absolute targets of the vertices that it moves, numbered as in the `.skin`. */
+/**
+ * Writes a `.morph`: absolute targets of the vertices that it moves, with the indices of the
+ * `.skin`.
+ */
 export function writeMorph(morph: Morph, mesh: Mesh): Uint8Array {
   return encodeLines([
     ...section('positions', morph.vertices, morph.offsets, mesh.positions),

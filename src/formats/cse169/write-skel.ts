@@ -3,8 +3,8 @@ import { DofKind, type Skeleton } from '../../core/skeleton.ts';
 import { encodeLines, writeFloat32, writeFloat64 } from '../text/write-number.ts';
 
 /**
- * Writes a `balljoint` skeleton, joints depth first as the skeleton has them: offset, box where there
- * is one, limits where there are any, and the file's pose.
+ * Writes a `balljoint` skeleton with the joints depth first: offset, box and limits if there are
+ * any, and the file's pose.
  */
 export function writeSkel(skeleton: Skeleton): Uint8Array {
   const lines: string[] = [];
@@ -25,15 +25,15 @@ export function writeSkel(skeleton: Skeleton): Uint8Array {
 }
 
 /**
- * Names as they can stand in the file, one word each. Where the file that was read had names, those
- * without stay so; a skeleton of another format has its display names.
+ * Returns names that the file can hold, one word each. If the source file had names, joints without
+ * one stay nameless; a skeleton of another format has its display names.
  */
 export function writtenNames({ names, fileNames }: Skeleton): string[] {
   const own = fileNames.some((name) => name !== '');
   return (own ? fileNames : names).map(oneWord);
 }
 
-/** Without white space, braces and what would start a comment. */
+/** Replaces white space, braces and the characters that start a comment. */
 export function oneWord(name: string): string {
   return name.replace(/[\s{}]+/g, '_').replace(/^(#|\/\/|\/\*)/, '_');
 }

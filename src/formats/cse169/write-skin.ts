@@ -5,8 +5,9 @@ import { encodeLines, writeFloat32, writeFloat64 } from '../text/write-number.ts
 import { oneWord } from './write-skel.ts';
 
 /**
- * Writes a `.skin`: a row a render vertex, so that a point that was split at a seam is several; one
- * material; and, where the mesh has weights, these with a binding matrix a joint.
+ * Writes a `.skin` with a row per render vertex, so that a point that was split at a seam becomes
+ * several vertices. It has one material and, if the mesh has weights, these and a binding matrix
+ * per joint.
  */
 export function writeSkin({ mesh, skin, materials, skeleton }: Character): Uint8Array {
   const lines: string[] = [];
@@ -47,7 +48,9 @@ export function writeSkin({ mesh, skin, materials, skeleton }: Character): Uint8
   }
 }
 
-/** The joint's frame at bind: the file's own matrix, else the inverse of what it was given as. */
+/**
+ * The joint's frame at bind time: the file's own matrix, or else the inverse of `jointFromBind`.
+ */
 export function bindMatrix({ bindFromJoint, jointFromBind }: Skin, entry: number): Float64Array {
   const range = [entry * 16, entry * 16 + 16] as const;
   if (bindFromJoint) return bindFromJoint.subarray(...range);

@@ -1,24 +1,24 @@
-/** What stands before the pixels of a TGA, checked against the bytes that are there. */
+/** The header of a TGA, checked against the bytes of the file. */
 export interface TgaHeader {
   readonly width: number;
   readonly height: number;
   readonly kind: 'listed' | 'color' | 'gray';
   readonly isPacked: boolean;
-  /** Bits and bytes of a pixel as it is stored. */
+  /** Bits and bytes of a stored pixel. */
   readonly pixelBits: number;
   readonly pixelSize: number;
-  /** Whether a 16th bit says what is seen. */
+  /** Whether the 16th bit is alpha. */
   readonly hasAlphaBit: boolean;
   readonly fromTop: boolean;
   readonly fromRight: boolean;
-  /** Byte of the first pixel. */
+  /** Offset of the first pixel, in bytes. */
   readonly pixelStart: number;
   readonly list: ColorList | null;
 }
 
-/** The colors that pixels are numbers of. */
+/** The color map into which pixels are indices. */
 export interface ColorList {
-  /** The number of its first color. */
+  /** The index of its first color. */
   readonly first: number;
   readonly count: number;
   readonly bits: number;
@@ -32,10 +32,10 @@ const bitsOf: Readonly<Record<TgaHeader['kind'], readonly number[]>> = {
   color: [15, 16, 24, 32],
   gray: [8, 16],
 };
-/** A packet of one byte more than a pixel has at most so many pixels. */
+/** A run-length packet with one byte more than a pixel holds at most this many pixels. */
 const longestRun = 128;
 
-/** @returns what is wrong, where it is no such file or one that is cut */
+/** @returns the header, or what is wrong if the file is not a TGA or was cut short */
 export function readTgaHeader(bytes: Uint8Array, pixelLimit: number): TgaHeader | string {
   if (bytes.length < headerSize) return `${bytes.length} bytes, fewer than a TGA’s header`;
   const u16 = (at: number): number => bytes[at]! | (bytes[at + 1]! << 8);

@@ -1,12 +1,12 @@
 import { bytesOf, type TgaHeader } from './tga-header.ts';
 
 /**
- * Writes the pixel that is stored at a byte, as four bytes RGBA; false where its number is not in the
- * list. The caller has checked that its bytes are there.
+ * Writes the pixel that is stored at a byte offset as four bytes RGBA; returns false if its index
+ * is not in the color map. The caller has checked that its bytes exist.
  */
 export type PixelReader = (from: number, out: Uint8ClampedArray, at: number) => boolean;
 
-/** How the file's pixels are read. */
+/** Returns the function that reads the file's pixels. */
 export function pixelReader(bytes: Uint8Array, header: TgaHeader): PixelReader {
   const { kind, pixelBits, pixelSize, hasAlphaBit, list } = header;
   if (kind === 'gray') return readGray;
@@ -19,14 +19,14 @@ export function pixelReader(bytes: Uint8Array, header: TgaHeader): PixelReader {
     return index >= 0 && index < count && readColor(start + index * bytesOf(bits), out, at);
   };
 
-  /** 16 bits are gray and alpha. */
+  /** In 16 bits, the first byte is gray and the second is alpha. */
   function readGray(from: number, out: Uint8ClampedArray, at: number): boolean {
     const gray = bytes[from]!;
     return put(out, at, gray, gray, gray, pixelSize > 1 ? bytes[from + 1]! : 255);
   }
 }
 
-/** Blue comes first: five bits each, or a byte each. */
+/** Blue comes first; each channel has five bits or a byte. */
 function colorReader(bytes: Uint8Array, bits: number, hasAlphaBit: boolean): PixelReader {
   if (bits > 16) {
     return (from, out, at) => {

@@ -1,22 +1,22 @@
 import { readTgaHeader, type TgaHeader } from './tga-header.ts';
 import { type PixelReader, pixelReader } from './tga-pixels.ts';
 
-/** Colors of a picture, whoever draws it. */
+/** The pixels of a decoded image. */
 export interface DecodedImage {
   readonly width: number;
   readonly height: number;
-  /** (width × height × 4) RGBA, sRGB, alpha not multiplied in, the first row at the bottom. */
+  /** (width × height × 4) RGBA, sRGB, alpha not premultiplied, the bottom row first. */
   readonly pixels: Uint8ClampedArray<ArrayBuffer>;
 }
 
-/** The most pixels of an image that are taken: 8192 × 4096. */
+/** The largest accepted number of pixels: 8192 × 4096. */
 const defaultPixelLimit = 2 ** 25;
 
 /**
- * Reads a Truevision TGA (types 1, 2, 3 and, run-length packed, 9, 10, 11; 8, 15, 16, 24 and 32 bits,
- * either way up, either way across). Browsers read none. What follows the pixels is passed over.
+ * Decodes a Truevision TGA (types 1, 2, 3 and, run-length encoded, 9, 10, 11; 8, 15, 16, 24 and 32
+ * bits; any corner as origin). Browsers do not decode TGA. Data after the pixels is ignored.
  *
- * @returns the picture, or what is wrong with it
+ * @returns the image, or what is wrong with it
  */
 export function decodeTga(
   bytes: Uint8Array,
@@ -33,7 +33,7 @@ export function decodeTga(
   return { width, height, pixels };
 }
 
-/** Pixel after pixel, whose bytes the header has shown to be there. */
+/** Copies uncompressed pixels, whose bytes the header check has shown to exist. */
 function copy(header: TgaHeader, read: PixelReader, pixels: Uint8ClampedArray): string | null {
   const { pixelStart, pixelSize, width, height } = header;
   for (let index = 0; index < width * height; index++) {
@@ -43,7 +43,10 @@ function copy(header: TgaHeader, read: PixelReader, pixels: Uint8ClampedArray): 
   return null;
 }
 
-/** Packets of up to 128 pixels: as they are, or one for all. They may go on over the end of a row. */
+/**
+ * Decodes packets of up to 128 pixels: literal pixels, or one pixel that is repeated. Packets may
+ * continue across the end of a row.
+ */
 function unpack(
   bytes: Uint8Array,
   header: TgaHeader,
@@ -71,7 +74,7 @@ function unpack(
   return null;
 }
 
-/** Where in the picture, whose first row is at the bottom, a pixel of the file goes. */
+/** Where a pixel of the file goes in the image, whose first row is the bottom one. */
 function targetOf({ width, height, fromTop, fromRight }: TgaHeader, index: number): number {
   const row = Math.floor(index / width);
   const column = index % width;
@@ -83,7 +86,10 @@ function colorFault(index: number): string {
   return `a color that is not in the picture’s list, pixel ${index}`;
 }
 
-/** Writers of 32 bits that know no alpha leave it 0: a picture of nothing is taken as opaque. */
+/**
+ * Programs that write 32 bits without alpha leave it 0, so an image that is fully transparent is
+ * made opaque.
+ */
 function fillUnsetAlpha(pixels: Uint8ClampedArray): void {
   for (let at = 3; at < pixels.length; at += 4) if (pixels[at] !== 0) return;
   for (let at = 3; at < pixels.length; at += 4) pixels[at] = 255;

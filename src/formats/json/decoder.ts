@@ -6,7 +6,7 @@ import type {
   Place,
 } from '../../core/diagnostics.ts';
 
-/** A value and, where it was read from a text, how many code units stand before it and its key. */
+/** A value and, if it was read from a text, the offsets of it and of its key in code units. */
 export interface JsonNode {
   readonly value: unknown;
   readonly at?: number | undefined;
@@ -15,17 +15,20 @@ export interface JsonNode {
   readonly inner?: ReadonlyMap<string | number, JsonNode>;
 }
 
-/** What all values of a text share when they report. */
+/** Information that all values of a text share, for messages. */
 export interface JsonSource {
   readonly log: DiagnosticLog;
   readonly area: DiagnosticArea;
-  /** What becomes of a value with an error. */
+  /** The consequence of an error in a value. */
   readonly effect: string;
-  /** The place of an offset of the text; scripts pass values that come from no text. */
+  /** Converts an offset in the text to a place; absent for values that scripts pass. */
   readonly placeOf?: (at: number) => Place;
 }
 
-/** A value of a JSON text, or one that a script passed: what is asked of it is checked and reported. */
+/**
+ * A value of a JSON text, or one that a script passed. Its accessors check the value and report
+ * errors.
+ */
 export class JsonValue {
   readonly value: unknown;
   readonly source: JsonSource;
@@ -39,7 +42,7 @@ export class JsonValue {
     this.path = path;
   }
 
-  /** The value of a name or index; one that is missing stands where this value does. */
+  /** The value at a name or index; a missing one has the place of this value. */
   member(key: string | number): JsonValue {
     const { at, inner } = this.node;
     const value = (this.value as Record<string | number, unknown>)[key];
@@ -57,7 +60,10 @@ export class JsonValue {
     return undefined;
   }
 
-  /** Finite numbers, as many as one of the counts; the place is that of the first that is none. */
+  /**
+   * Returns a list of finite numbers whose length is one of `counts`. An error has the place of the
+   * first invalid number.
+   */
   numbers(counts: readonly number[], expected: string): readonly number[] | undefined {
     const { value } = this;
     if (!Array.isArray(value) || !counts.includes(value.length)) {
@@ -80,7 +86,7 @@ export class JsonValue {
     this.report('error', this.node.at, kind, expected, found, this.source.effect);
   }
 
-  /** An error about the name under which the value stands. */
+  /** Reports an error about the name of this value. */
   failName(kind: DiagnosticKind, expected: string, found: string): void {
     this.report('error', this.node.keyAt, kind, expected, found, this.source.effect);
   }
@@ -112,7 +118,7 @@ export class JsonValue {
   }
 }
 
-/** Whether a record is of a version that this Sinew reads: 1, which needs not be written. */
+/** Whether this version of Sinew can read a record: its version is 1 or absent. */
 export function checkVersion(record: ReadonlyMap<string, JsonValue>): boolean {
   const version = record.get('version');
   if (version?.value === undefined || version.value === 1) return true;
@@ -128,7 +134,7 @@ export function pathOf(outer: string, key: string | number): string {
   return `${outer && `${outer}.`}${/^\w+$/.test(key) ? key : JSON.stringify(key)}`;
 }
 
-/** A value as a message shows it; scripts may pass what JSON has not. */
+/** Formats a value for a message; scripts may pass values that JSON does not have. */
 export function display(value: unknown): string {
   try {
     const text = JSON.stringify(value) as string | undefined;

@@ -1,6 +1,6 @@
 import type { DiagnosticKind } from '../../core/diagnostics.ts';
 
-/** Leaves the parser from any depth; never leaves `parseJson`. */
+/** Thrown at any depth of the parser; it never leaves `parseJson`. */
 export class JsonFault extends Error {
   readonly at: number;
   readonly kind: DiagnosticKind;
@@ -25,9 +25,12 @@ const constants: ReadonlyMap<string, unknown> = new Map<string, unknown>([
 const escape = /\\(["\\/bfnrt]|u[\da-fA-F]{4})/y;
 const longestFound = 64;
 
-/** Walks over the marks, strings and words of a JSON text, and throws a `JsonFault` at any other. */
+/**
+ * Scans the punctuation, strings and words of a JSON text, and throws a `JsonFault` at anything
+ * else.
+ */
 export class JsonScanner {
-  /** Code units before what comes next. */
+  /** Offset of the next code unit. */
   at = 0;
   readonly text: string;
 
@@ -35,7 +38,7 @@ export class JsonScanner {
     this.text = text;
   }
 
-  /** A string, whose opening quote comes next. */
+  /** Reads a string; its opening quote comes next. */
   string(): string {
     let text = '';
     this.at++;
@@ -51,7 +54,7 @@ export class JsonScanner {
     return text;
   }
 
-  /** A number, or one of the constants. */
+  /** Reads a number or a constant. */
   word(): unknown {
     const word = this.wordAt();
     const isNumber = number.test(word);
@@ -61,14 +64,14 @@ export class JsonScanner {
     return isNumber ? Number(word) : constants.get(word);
   }
 
-  /** Whether the mark comes next, behind blanks; goes on behind it if so. */
+  /** Skips blanks and returns whether the mark comes next; if so, goes past it. */
   takes(mark: string): boolean {
     const isThere = this.text[this.skipBlanks()] === mark;
     if (isThere) this.at++;
     return isThere;
   }
 
-  /** @returns where the blanks end */
+  /** @returns the offset after the blanks */
   skipBlanks(): number {
     while (' \t\r\n'.includes(this.text[this.at] ?? 'none')) this.at++;
     return this.at;
@@ -86,7 +89,9 @@ export class JsonScanner {
     return JSON.parse(`"${found}"`) as string;
   }
 
-  /** The letters, digits and signs from here on: a number or a constant, or what was meant as one. */
+  /**
+   * The letters, digits and signs from here on: a number or a constant, possibly a misspelled one.
+   */
   private wordAt(): string {
     let end = this.at;
     while (end < this.text.length && /[\w.+-]/.test(this.text[end]!)) end++;
@@ -103,7 +108,7 @@ export class JsonScanner {
   }
 }
 
-/** Whether a code unit stands for itself in a string. */
+/** Whether a code unit in a string represents itself. */
 function isPlain(unit: number): boolean {
   return unit >= 0x20 && unit !== 0x22 && unit !== 0x5c;
 }

@@ -4,9 +4,9 @@ import { JsonFault, JsonScanner } from './json-scanner.ts';
 import { TextPlaces } from './text-places.ts';
 
 /**
- * The value of a JSON text (RFC 8259), equal to that of `JSON.parse`, with the place of each value and
- * name within; or nothing, and an error that says where the text is no JSON. A byte order mark is passed
- * over. Of a name that is given twice the last value counts, with a warning.
+ * Parses a JSON text (RFC 8259). The value equals that of `JSON.parse` and includes the place of
+ * each value and name. If the text is not JSON, returns no value and an error with the place. A
+ * byte order mark is skipped. If an object has a name twice, the last value counts, with a warning.
  */
 export function parseJson(
   text: string,
@@ -28,7 +28,7 @@ export function parseJson(
 }
 
 class JsonParser {
-  /** Of the value that is being read. */
+  /** The path of the value that is being read. */
   path = '';
   private readonly scanner: JsonScanner;
   private readonly source: JsonSource;
@@ -57,7 +57,7 @@ class JsonParser {
     return { value: first === '"' ? scanner.string() : scanner.word(), at, keyAt };
   }
 
-  /** Whatever nests goes through here, so that no text can exhaust the stack. */
+  /** All nested values go through here, so that no text can exhaust the stack. */
   private nested(read: () => JsonNode): JsonNode {
     const { scanner } = this;
     if (++this.level > this.depth)
@@ -84,7 +84,7 @@ class JsonParser {
       } while (scanner.takes(','));
       if (!scanner.takes('}')) scanner.fail('"," or "}"');
     }
-    // From entries, since "__proto__" is a name like any other.
+    // Built from entries, because "__proto__" is a valid name.
     const value = Object.fromEntries([...inner].map(([name, node]) => [name, node.value]));
     return { value, at, keyAt, inner };
   }

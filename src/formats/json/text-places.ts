@@ -5,8 +5,8 @@ const lineFeed = 0x0a;
 const carriageReturn = 0x0d;
 
 /**
- * Places in a text that was decoded from UTF-8. Goes on from where it last stood, so that the places of
- * many faults, asked for in their order, cost one walk over the text.
+ * Converts offsets in a text that was decoded from UTF-8 to lines and columns. It continues from
+ * its last position, so that increasing offsets need only one pass over the text.
  */
 export class TextPlaces {
   private readonly text: string;
@@ -42,13 +42,16 @@ export class TextPlaces {
   }
 }
 
-/** As `endOfLineEnd` of bytes: LF, CRLF and CR CR LF are one end each, other returns one apiece. */
+/**
+ * Like `endOfLineEnd` of bytes: LF, CRLF and CR CR LF are one line end each, other carriage returns
+ * one each.
+ */
 function endOfLineEnd(text: string, start: number): number {
   for (const end of ['\r\r\n', '\r\n']) if (text.startsWith(end, start)) return start + end.length;
   return start + 1;
 }
 
-/** Bytes of a code unit in UTF-8; the two halves of a pair have two each. */
+/** Bytes of a code unit in UTF-8; each half of a surrogate pair counts as two. */
 function byteCount(unit: number): number {
   if (unit < 0x80) return 1;
   const isHalf = unit >= 0xd800 && unit < 0xe000;

@@ -5,7 +5,7 @@ import { firstRoot, type Skeleton } from '../../core/skeleton.ts';
 import type { Skin } from '../../core/skin.ts';
 import { reportLosses } from './losses.ts';
 
-/** What of a skin has no place in an `.attach`. */
+/** Returns what an `.attach` can't hold of a skin. */
 export function attachLosses(file: string, skin: Skin, skeleton: Skeleton): readonly Diagnostic[] {
   return reportLosses(file, 'attach/lost', [
     {
@@ -21,7 +21,10 @@ export function attachLosses(file: string, skin: Skin, skeleton: Skeleton): read
   ]);
 }
 
-/** Rows that lean on the file's first joint, but for those that are read so again: on it alone, 1. */
+/**
+ * The number of rows with weight on the file's first joint, except rows with weight 1 on it alone,
+ * which are read back equal.
+ */
 function rowsOfFirstJoint(skin: Skin, skeleton: Skeleton): number {
   const first = skeleton.jointOfSource[0]!;
   let rows = 0;
@@ -35,7 +38,7 @@ function rowsOfFirstJoint(skin: Skin, skeleton: Skeleton): number {
   return rows;
 }
 
-/** Palette entries whose bind is not where their joint stands at rest. */
+/** The number of palette entries whose bind matrix is not that of their joint at rest. */
 function bindsElsewhere(skin: Skin, skeleton: Skeleton): number {
   const characterFromJoint = jointMatrices(skeleton, skeleton.qRest);
   return skin.paletteJoint.filter((joint, entry) => {

@@ -8,7 +8,7 @@ import { openText } from '../text/open-text.ts';
 
 const effect = 'the mesh is shown without its weights';
 
-/** How many columns a row should have, and by what: one a joint, less the root. */
+/** The expected number of columns and its reason: one per joint except the root. */
 export interface ExpectedColumns {
   readonly count: number;
   /** "18 joints in a.skel, less the root" */
@@ -16,10 +16,10 @@ export interface ExpectedColumns {
 }
 
 /**
- * Reads a 6.837 `.attach` (handout, 4.3) straight to sparse rows: a line a vertex, column i the weight
- * of joint i + 1 (joint 0 has none). Zeros are left out; blank lines may stand only at the end. Where
- * the skeleton is known, the first row must fit it, else that row says how long all are. A lone
- * joint has no column, so that all rows are blank.
+ * Reads a 6.837 `.attach` (handout, 4.3) into sparse rows: a line per vertex, column i the weight
+ * of joint i + 1 (joint 0 has none). Zeros are left out. Blank lines may occur only at the end. If
+ * the skeleton is known, the first row must match it; otherwise the first row sets the length of
+ * all rows. With only one joint there is no column, so all rows are blank.
  */
 export function readAttach(
   file: string,
@@ -45,7 +45,7 @@ export function readAttach(
     columns ??= { count: columnCount, reason: 'as in the first row' };
     if (columnCount !== columns.count) {
       reportColumns(reader, columnCount, columns, log);
-      if (rows.count === 0) break; // of another skeleton, as all further rows would say
+      if (rows.count === 0) break; // of another skeleton, like all further rows
     }
     if (!rows.read()) break;
   }
@@ -84,13 +84,16 @@ class RowReader {
     };
   }
 
-  /** False, with an error, where one more row would be too many. */
+  /** Returns false, with an error, if another row would be too many. */
   hasRoom(): boolean {
     const { pointCount } = this.reader.limits;
     return this.count < pointCount || this.exceeds(`at most ${pointCount} rows`);
   }
 
-  /** Reads the current line; false, with an error, where it has more columns than joints can be. */
+  /**
+   * Reads the current line; returns false, with an error, if it has more columns than the limit on
+   * joints.
+   */
   read(): boolean {
     const { jointCount, weight: largest } = this.reader.limits;
     for (let column = 1; this.reader.token(); column++) {

@@ -1,4 +1,4 @@
-/** Names for skeletons whose files have none, told by their topology. */
+/** Names for skeletons whose files have none, recognized by their topology. */
 interface NamedTopology {
   /** File order. */
   readonly parents: readonly number[];
@@ -30,7 +30,7 @@ const course: NamedTopology = {
   ],
 };
 
-/** MakeHuman's `cmu_mb` rig behind a weightless root, as the bundled human has it. */
+/** MakeHuman's `cmu_mb` rig below a root without weights, as in the bundled human. */
 const makeHuman: NamedTopology = {
   parents: [
     -1, 0, 1, 2, 3, 4, 5, 6, 4, 8, 9, 10, 11, 12, 11, 4, 15, 16, 17, 18, 19, 18, 1, 22, 23, 24, 25,
@@ -72,7 +72,7 @@ const makeHuman: NamedTopology = {
   ],
 };
 
-/** WebXR's joints of a hand, chained, behind a weightless root, as the bundled hand has them. */
+/** WebXR's hand joints as a chain, below a root without weights, as in the bundled hand. */
 const hand: NamedTopology = {
   parents: [
     -1, 0, 1, 2, 3, 4, 1, 6, 7, 8, 9, 1, 11, 12, 13, 14, 1, 16, 17, 18, 19, 1, 21, 22, 23, 24,
@@ -107,7 +107,7 @@ const hand: NamedTopology = {
   ],
 };
 
-/** dm_control's dog behind a weightless root, as the bundled dog has it. */
+/** dm_control's dog below a root without weights, as in the bundled dog. */
 const dog: NamedTopology = {
   parents: [
     -1, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 9, 14, 15, 16, 9, 18, 19, 20, 21, 22, 23, 24, 25,
@@ -178,7 +178,10 @@ const dog: NamedTopology = {
 
 const topologies: readonly NamedTopology[] = [course, makeHuman, hand, dog];
 
-/** Unique names: the known ones where the topology is known, else "joint 00", "joint 01", … */
+/**
+ * Returns unique names: the known ones if the topology is known, otherwise "joint 00", "joint 01",
+ * …
+ */
 export function jointNames(parents: readonly number[]): readonly string[] {
   const known = topologies.find((topology) => sameNumbers(topology.parents, parents));
   if (known) return known.names;

@@ -2,14 +2,14 @@ import { type Diagnostic, type DiagnosticCode, DiagnosticLog } from '../../core/
 import type { Mesh } from '../../core/mesh.ts';
 import { materialText } from '../obj/material-text.ts';
 
-/** Something that a file can't hold, how much of it there is, and what stands in its place. */
+/** Something that a file can't hold, how often it occurs, and what replaces it. */
 export interface Loss {
   readonly what: string;
   readonly count: number;
   readonly effect: string;
 }
 
-/** A warning for each of which there is any. */
+/** Reports a warning for each loss that occurs. */
 export function reportLosses(
   file: string,
   code: DiagnosticCode,
@@ -23,7 +23,7 @@ export function reportLosses(
   return log.diagnostics;
 }
 
-/** What of a mesh has no place in an `.obj`. */
+/** Returns what an `.obj` can't hold of a mesh. */
 export function objLosses(file: string, { submeshes }: Mesh): readonly Diagnostic[] {
   const changed = submeshes.filter(({ material }) => materialText(material) !== material);
   const effect = 'they are written without line ends, and without blanks and \\ at their ends';

@@ -37,7 +37,7 @@ async function readGroup(group: FileGroup, limits: Limits): Promise<Parsed<Chara
   return { diagnostics };
 }
 
-/** A column for every joint but the first. */
+/** One column for every joint except the first. */
 function columnsOf({ file, joints }: SkeletonParts): ExpectedColumns {
   const reason = `${joints.length} joints in ${file}, less the root`;
   return { count: joints.length - 1, reason };

@@ -1,6 +1,6 @@
 import type { FormatShape } from '../format.ts';
 
-/** Joints turn by Rx · Ry · Rz and stand unturned, in no pose, where the mesh is bound. */
+/** Joints rotate by Rx · Ry · Rz. The mesh is bound to joints without rotation, in no pose. */
 export const mitShape: FormatShape = {
   owner: '6.837',
   slides: 'roots',

@@ -5,7 +5,7 @@ import { jointNames } from './joint-names.ts';
 import { reportLosses } from './losses.ts';
 import { parentInFile, standsTurned } from './write-skel.ts';
 
-/** What of a skeleton has no place in a `.skel`. */
+/** Returns what a `.skel` can't hold of a skeleton. */
 export function skelLosses(file: string, skeleton: Skeleton): readonly Diagnostic[] {
   const readNames = jointNames(
     Array.from(skeleton.jointOfSource, (joint) => parentInFile(skeleton, joint)),
@@ -44,7 +44,10 @@ function hasLimits(skeleton: Skeleton, joint: number): boolean {
   return [...qMin.subarray(from, to), ...qMax.subarray(from, to)].some(Number.isFinite);
 }
 
-/** Hinges about x, y and z, and before them, at a root, slides along x, y and z. */
+/**
+ * Whether the joint has hinges about x, y and z and, at a root, slides along x, y and z before
+ * them.
+ */
 function hasFreedomsOfFormat(skeleton: Skeleton, joint: number): boolean {
   const { dofStart, dofKind, dofAxis, parents } = skeleton;
   const [from, to] = [dofStart[joint]!, dofStart[joint + 1]!];

@@ -12,14 +12,14 @@ const effect = 'the skeleton is not used';
 interface JointLine {
   readonly offset: readonly [number, number, number];
   readonly parent: number;
-  /** Of the parent's number. */
+  /** The place of the parent's number. */
   readonly place: Place;
 }
 
 /**
- * Reads a 6.837 `.skel` (handout, 3.2.1): a joint a line, `tx ty tz parent`, relative to the parent;
- * -1 is a root. Parents may follow their children; blank lines and `#` comments count for nothing.
- * Whether parents are there, and lead to a root, the builder of all skeletons checks.
+ * Reads a 6.837 `.skel` (handout, 3.2.1): a joint per line, `tx ty tz parent`, relative to the
+ * parent; -1 marks a root. Parents may follow their children; blank lines and `#` comments are not
+ * counted. The builder of all skeletons checks that parents exist and lead to a root.
  */
 export function readSkel(
   file: string,
@@ -112,6 +112,6 @@ const axes = [
   [0, 0, 1],
 ] as const;
 
-/** R = Rx · Ry · Rz, as the course's program computes it: z turns first. */
+/** R = Rx · Ry · Rz, as the course's program computes it: z is applied first. */
 const hinges: readonly DofParts[] = axes.map((axis) => ({ kind: DofKind.hinge, axis }));
 const slides: readonly DofParts[] = axes.map((axis) => ({ kind: DofKind.slide, axis }));

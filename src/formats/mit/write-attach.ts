@@ -2,7 +2,7 @@ import type { Skeleton } from '../../core/skeleton.ts';
 import type { Skin } from '../../core/skin.ts';
 import { encodeLines, writeFloat32 } from '../text/write-number.ts';
 
-/** Writes all columns of all joints but the first in the file, whose weight the format leaves out. */
+/** Writes the columns of all joints except the file's first, for which the format has no column. */
 export function writeAttach(skin: Skin, skeleton: Skeleton): Uint8Array {
   const row = new Float32Array(skeleton.jointCount);
   const lines: string[] = [];

@@ -9,7 +9,7 @@ import { skelLosses } from './skel-losses.ts';
 import { writeAttach } from './write-attach.ts';
 import { writeSkel } from './write-skel.ts';
 
-/** A file for each part that there is. */
+/** Writes a file for each part that exists. */
 export function writeMit({ name, skeleton, mesh, skin }: Character): Written {
   const files: OutputFile[] = [];
   const losses: Diagnostic[] = [];

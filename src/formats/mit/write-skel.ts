@@ -3,8 +3,8 @@ import { DofKind, noParent, type Skeleton } from '../../core/skeleton.ts';
 import { encodeLines, writeFloat64 } from '../text/write-number.ts';
 
 /**
- * Writes joints in file order. The format has no rest rotations: where any joint is turned at rest,
- * all keep their places, and their axes become the world's.
+ * Writes joints in file order. The format has no rest rotations: if any joint is rotated at rest,
+ * all joints keep their positions, and their axes become the world's.
  */
 export function writeSkel(skeleton: Skeleton): Uint8Array {
   const joints = [...skeleton.jointOfSource];
@@ -22,10 +22,11 @@ export function parentInFile({ parents, sourceIndex }: Skeleton, joint: number):
   return parent === noParent ? noParent : sourceIndex[parent]!;
 }
 
-/** Whether a joint's rest is more than an offset: turned, or posed by the file. */
+/** Whether a joint's rest is more than an offset: it is rotated, or posed by the file. */
 export function standsTurned(skeleton: Skeleton, joint: number): boolean {
   const { restRotations, dofStart, dofQ, qRest } = skeleton;
-  // Of slides and hinges the value, of rotations x, y and z: all zero where nothing turns.
+  // The value of slides and hinges, and x, y and z of rotations: all are zero if nothing is
+  // rotated.
   const values = [...restRotations.subarray(joint * 4, joint * 4 + 3)];
   for (let dof = dofStart[joint]!; dof < dofStart[joint + 1]!; dof++) {
     const isBall = skeleton.dofKind[dof] === DofKind.ball;
@@ -34,7 +35,7 @@ export function standsTurned(skeleton: Skeleton, joint: number): boolean {
   return values.some((value) => value !== 0);
 }
 
-/** (jointCount × 3) from each parent's place to the joint's at rest, along the world's axes. */
+/** (jointCount × 3) from each parent's position to the joint's at rest, along the world's axes. */
 function worldOffsets(skeleton: Skeleton): Float64Array {
   const characterFromJoint = jointMatrices(skeleton, skeleton.qRest);
   return skeleton.restOffsets.map((_, i) => {

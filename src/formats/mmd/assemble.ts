@@ -16,7 +16,7 @@ import { type PmdVertices, vertexSize } from './vertices.ts';
 
 const ball: DofParts = { kind: DofKind.ball, axis: [0, 0, 0] };
 
-/** A bone of the file is a joint: all of them, and every root, in the order of the file. */
+/** Makes a joint of every bone of the file, including all roots, in the order of the file. */
 export function skeletonParts(
   file: string,
   bones: readonly PmdBone[],
@@ -41,7 +41,7 @@ export function skeletonParts(
   return { file, joints };
 }
 
-/** One normal and one texture coordinate a point. */
+/** The mesh has one normal and one texture coordinate per point. */
 export function meshParts(
   file: string,
   { positions, normals, uvs }: PmdVertices,
@@ -55,7 +55,7 @@ export function meshParts(
     cornerPoints,
     normals,
     cornerNormals: corners,
-    // The file counts v from the image's upper edge, Sinew from its lower one.
+    // The file counts v from the image's upper edge, Sinew from the lower one.
     uvs: uvs.map((value, i) => (i % 2 === 1 ? 1 - value : value)),
     cornerUvs: corners,
     materials,
@@ -63,7 +63,10 @@ export function meshParts(
   };
 }
 
-/** Two bones a vertex, those without weight left out; bones that are not there are an error. */
+/**
+ * Each vertex has up to two bones; those without weight are left out. A bone that does not exist is
+ * an error.
+ */
 export function skinParts(
   file: string,
   vertices: PmdVertices,

@@ -8,21 +8,21 @@ import { decodeName } from './decode-name.ts';
 import { Findings } from './findings.ts';
 import { mirrorPoint } from './mirror.ts';
 
-/** A bone of a PMD, which is a joint: a place that others are children of. */
+/** A bone of a PMD. It is a joint: a point that can be the parent of others. */
 export interface PmdBone extends MmdBone {
   readonly name: string;
-  /** Of its parent in the file, for messages. */
+  /** Offset of its parent's index in the file, for messages. */
   readonly parentOffset: number;
-  /** File index as it stands, -1 for a root: whether there is such a bone is checked later. */
+  /** File index as stored, -1 for a root. Whether that bone exists is checked later. */
   readonly parent: number;
-  /** Right-handed, the model's space, model units. */
+  /** Right-handed, in the model's space and units. */
   readonly head: readonly [number, number, number];
 }
 
 const size = 39;
 const none = 0xffff;
 
-/** Reads `count × (name, parent, tail, type, IK parent, place of the head)`. */
+/** Reads `count × (name, parent, tail, type, IK parent, position of the head)`. */
 export function readBones(
   reader: BinaryReader,
   largest: number,
@@ -81,7 +81,7 @@ function readBone(
     head,
   };
 
-  /** None, or bone 0, which is the root as a rule, is no tail and needs no word. */
+  /** An absent tail and bone 0, which is usually the root, count as no tail, without a message. */
   function tailOf(): number {
     const tail = records.u16(at + 22);
     if (tail === 0 || tail === none) return -1;
@@ -122,7 +122,7 @@ function headOf(
   return mirrorPoint(head);
 }
 
-/** A bone from a joint to another on the same point has no direction of its own. */
+/** A bone between two joints at the same point has no direction of its own. */
 function warnOfShortLinks(bones: readonly PmdBone[], log: DiagnosticLog): void {
   const short = new Findings();
   bones.forEach(({ parent, head, parentOffset }, index) => {

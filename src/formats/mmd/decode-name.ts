@@ -1,8 +1,9 @@
 const decoder = new TextDecoder('shift_jis');
 
 /**
- * Text of a field: Shift-JIS up to the first NUL, cut before it is decoded, since what follows is
- * padding of any kind. A character that the field's end cuts in two becomes U+FFFD.
+ * Decodes the text of a field: Shift-JIS up to the first NUL. The field is cut before decoding,
+ * because arbitrary padding follows the NUL. A character that the end of the field cuts in two
+ * becomes U+FFFD.
  */
 export function decodeName(field: Uint8Array): string {
   const end = field.indexOf(0);

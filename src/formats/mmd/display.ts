@@ -8,7 +8,7 @@ const groupNameSize = 50;
 
 export const noDisplay: MmdDisplay = { morphs: [], groupNames: [], bones: [] };
 
-/** Reads in which order and groups a program lists morphs and bones. */
+/** Reads the order and groups in which a program lists morphs and bones. */
 export function readDisplay(
   reader: BinaryReader,
   boneCount: number,

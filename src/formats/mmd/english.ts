@@ -3,14 +3,14 @@ import type { MmdEnglish } from './mmd-parts.ts';
 import type { BinaryReader } from '../binary/binary-reader.ts';
 import { decodeName } from './decode-name.ts';
 
-/** How many names there are: as many as in Japanese, but for the base morph's. */
+/** The numbers of names: as many as in Japanese, except for the base morph. */
 export interface NameCounts {
   readonly bones: number;
   readonly morphs: number;
   readonly groups: number;
 }
 
-/** Reads whether there are names in English, and them; `null` where there are none. */
+/** Reads the English names; `null` if the file has none. */
 export function readEnglish(
   reader: BinaryReader,
   counts: NameCounts,

@@ -9,7 +9,7 @@ import { noMorphs, readMorphs } from './morphs.ts';
 import { readPhysics } from './physics.ts';
 import { readToons } from './toons.ts';
 
-/** What a PMD has past its bones: each section as far as the file is sound. */
+/** The sections of a PMD after its bones, as far as the file is valid. */
 export interface PmdExtras {
   morphs: readonly MorphParts[];
   readonly mmd: {
@@ -22,8 +22,9 @@ export interface PmdExtras {
 }
 
 /**
- * Reads the sections past the IK chains, up to the first that is broken: that one and what follows it
- * are left out, with a warning. English names, toons and physics may be absent, and all after them.
+ * Reads the sections after the IK chains, up to the first invalid one. That section and all later
+ * ones are left out with a warning. English names, toons and physics may be missing, together with
+ * everything after them.
  */
 export function readExtras(
   reader: BinaryReader,

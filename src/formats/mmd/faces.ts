@@ -3,12 +3,12 @@ import type { Limits } from '../../core/limits.ts';
 import type { BinaryReader, RecordArray } from '../binary/binary-reader.ts';
 import { Findings } from './findings.ts';
 
-/** Of 16 bits. */
+/** Indices have 16 bits. */
 const indexCount = 65_536;
 
 /**
- * Reads the corners of the triangles, turned round, since mirroring turns a triangle's sides: its
- * second and third corner are swapped. (triangleCount × 3)
+ * Reads the corners of the triangles (triangleCount × 3) and swaps the second and third corner of
+ * each, because mirroring reverses the sides of a triangle.
  */
 export function readFaces(
   reader: BinaryReader,

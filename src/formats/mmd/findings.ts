@@ -1,6 +1,9 @@
 import type { DiagnosticCode, DiagnosticLog } from '../../core/diagnostics.ts';
 
-/** What is wrong with some of many records, told in one warning with the place of the first. */
+/**
+ * Collects a problem that many records may have, and reports it in one warning at the first of
+ * them.
+ */
 export class Findings {
   private count = 0;
   private first: { readonly offset: number; readonly found: string } | undefined;
@@ -10,7 +13,7 @@ export class Findings {
     this.count++;
   }
 
-  /** Says so, if there was any. */
+  /** Reports the problem, if it occurred. */
   warn(log: DiagnosticLog, code: DiagnosticCode, expected: string, effect: string): void {
     if (!this.first) return;
     const more = this.count > 1 ? ` and ${this.count - 1} more` : '';

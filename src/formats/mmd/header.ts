@@ -8,10 +8,10 @@ export interface PmdHeader {
   readonly comment: string;
 }
 
-/** All files in the wild say this. */
+/** All known files have this version. */
 const knownVersion = 1;
 
-/** What follows the signature: version, name and comment. */
+/** Reads the version, name and comment after the signature. */
 export function readHeader(
   reader: BinaryReader,
   log: DiagnosticLog,
@@ -29,7 +29,7 @@ export function readHeader(
   };
 }
 
-/** A number far from 1 is no version but other bytes, or those of a big-endian machine. */
+/** A number far from 1 is not a version but other data, or comes from a big-endian machine. */
 function checkVersion(
   version: number,
   offset: number,

@@ -6,7 +6,7 @@ import { Findings } from './findings.ts';
 
 const headSize = 11;
 
-/** Reads the IK chains; one that names a bone which is not there is left out. */
+/** Reads the IK chains; a chain that names a bone that does not exist is left out. */
 export function readIkChains(
   reader: BinaryReader,
   boneCount: number,

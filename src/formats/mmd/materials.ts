@@ -19,13 +19,13 @@ export interface PmdMaterials {
 
 const size = 70;
 
-/** Past this a number is no color, and light would overflow with it. */
+/** A larger number is not a color, and lighting would overflow with it. */
 const largestColor = 1e6;
 
-/** What MikuMikuDance's light has of each channel as the program starts. */
+/** The light of MikuMikuDance at its start, in each channel. */
 const programLight = 154 / 255;
 
-/** In place of colors that are no numbers: plain gray. */
+/** Replaces colors that are not numbers: plain gray. */
 const fallback: MaterialColors = withShown({
   diffuse: [0.8, 0.8, 0.8],
   alpha: 1,
@@ -34,7 +34,10 @@ const fallback: MaterialColors = withShown({
   ambient: [0.4, 0.4, 0.4],
 });
 
-/** Reads the materials, each of the next so many corners; triangles past them get one of their own. */
+/**
+ * Reads the materials, each of which applies to the next given number of corners. Triangles after
+ * the last material get one of their own.
+ */
 export function readMaterials(
   reader: BinaryReader,
   cornerCount: number,
@@ -113,14 +116,14 @@ function readMaterial(
 }
 
 /**
- * Models for MikuMikuDance have linings close below their surfaces and rely on it to leave out the inner
- * sides of all that is opaque.
+ * Models for MikuMikuDance have linings close below their surfaces and rely on it not to draw the
+ * inner sides of opaque surfaces.
  */
 function shadedBy(colors: MaterialColors): Pick<MaterialParts, 'colors' | 'twoSided'> {
   return { colors, twoSided: colors.alpha < 1 };
 }
 
-/** In full light the program shows ambient + light · diffuse. */
+/** In full light, the program shows ambient + light · diffuse. */
 function withShown(colors: Omit<MaterialColors, 'shown'>): MaterialColors {
   const { ambient, diffuse } = colors;
   const shown = (channel: 0 | 1 | 2): number => ambient[channel] + programLight * diffuse[channel];
@@ -155,7 +158,10 @@ function readColors(
   }
 }
 
-/** "skin.bmp*shine.spa": an image, one that the normal looks up (`.sph` multiplies, `.spa` adds), or both. */
+/**
+ * In "skin.bmp*shine.spa", the first is an image and the second a sphere map (`.sph` multiplies,
+ * `.spa` adds); either may be missing.
+ */
 function readTextures(field: string): Pick<MaterialParts, 'texture' | 'sphere'> {
   const names = field.split('*').filter((name) => name.trim() !== '');
   const isSphere = (name: string): boolean => ['.sph', '.spa'].includes(extensionOf(name));

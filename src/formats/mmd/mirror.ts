@@ -1,8 +1,8 @@
-/** From MMD's left-handed space to Sinew's, or back: z is turned round. */
+/** Converts between MMD's left-handed space and Sinew's by negating z. */
 
 type Triple = readonly [number, number, number];
 
-/** Subtracted from 0, so that 0 stays 0. */
+/** Subtracts from 0, so that 0 stays 0. */
 export function mirrored(z: number): number {
   return 0 - z;
 }
@@ -11,7 +11,7 @@ export function mirrorPoint([x, y, z]: Triple): [number, number, number] {
   return [x, y, mirrored(z)];
 }
 
-/** Angles about x, y, z in any order. */
+/** Angles about x, y, z, for any order of the rotations. */
 export function mirrorAngles([x, y, z]: Triple): [number, number, number] {
   return [mirrored(x), mirrored(y), z];
 }

@@ -1,12 +1,12 @@
 import type { Character, CharacterExtra } from '../../core/character.ts';
 
 /**
- * What an MMD character file (PMD) has beyond the parts that all formats share: for motions, which
- * need its IK chains and kinds of bones, and for writing. Right-handed as all of Sinew is; joints,
- * points, morphs and bodies by their index in the file, -1 for none.
+ * Data of an MMD character file (PMD) beyond the parts that all formats share. Motions need its IK
+ * chains and kinds of bones, and writers need all of it. It is right-handed like everything in
+ * Sinew. Joints, points, morphs and bodies are given by their index in the file, -1 for none.
  */
 export interface MmdParts extends CharacterExtra {
-  /** By this `mmdOf` knows it again, on the other side of a worker too. */
+  /** The tag by which `mmdOf` recognizes it, also after a transfer between threads. */
   readonly kind: 'mmd';
   readonly version: number;
   readonly modelName: string;
@@ -17,15 +17,15 @@ export interface MmdParts extends CharacterExtra {
   readonly ikChains: readonly IkChain[];
   readonly morphs: MmdMorphs;
   readonly display: MmdDisplay;
-  /** Names in a second language, where the file has them. */
+  /** Names in a second language, if the file has them. */
   readonly english?: MmdEnglish;
-  /** Names of the images that shade, by the toon index of a material; empty where the file has none. */
+  /** Names of the toon ramp images, by the toon index of a material; empty if the file has none. */
   readonly toons: readonly string[];
-  /** Where the file has the section. */
+  /** Absent if the file has no such section. */
   readonly physics?: MmdPhysics;
 }
 
-/** What the character has of an MMD file, if it has any. */
+/** Returns the MMD data of a character, if it has any. */
 export function mmdOf({ extra }: Character): MmdParts | undefined {
   return isMmd(extra) ? extra : undefined;
 }
@@ -34,7 +34,7 @@ function isMmd(extra: CharacterExtra | undefined): extra is MmdParts {
   return extra !== undefined && 'kind' in extra && extra.kind === 'mmd';
 }
 
-/** What a bone may do, as the file numbers it. */
+/** The kinds of bones, as the file numbers them. */
 export const MmdBoneType = {
   rotate: 0,
   rotateAndMove: 1,
@@ -51,46 +51,46 @@ export const MmdBoneType = {
 export interface MmdBone {
   /** See `MmdBoneType`. */
   readonly type: number;
-  /** The bone that it points to. */
+  /** The bone to which it points. */
   readonly tail: number;
   /**
-   * As in the file: of type 4 the IK bone, of type 5 the bone whose rotation it takes, of type 9 the
-   * percentage that it takes of its tail's.
+   * As in the file: for type 4 the IK bone, for type 5 the bone whose rotation it copies, for type
+   * 9 the percentage of its tail's rotation that it copies.
    */
   readonly ikParent: number;
 }
 
-/** A row a point, as the file has it: what mesh and skin no longer tell. */
+/** A row per point, as the file has it: data that mesh and skin do not keep. */
 export interface MmdVertices {
   /** (pointCount × 3) of any length. */
   readonly normals: Float32Array;
-  /** (pointCount × 2) v counts downwards here, upwards in the mesh. */
+  /** (pointCount × 2) v counts downwards here, but upwards in the mesh. */
   readonly uvs: Float32Array;
-  /** (pointCount × 2) file indices; they may name no bone where their weight is 0. */
+  /** (pointCount × 2) file indices; they may name no bone if their weight is 0. */
   readonly bones: Uint16Array;
   /** (pointCount) hundredths of the first bone, 0 to 100. */
   readonly weights: Uint8Array;
-  /** (pointCount) 1 where no outline is drawn. */
+  /** (pointCount) 1 if no outline is drawn. */
   readonly edgeFlags: Uint8Array;
 }
 
-/** A bone that others reach for. */
+/** An IK chain: a goal bone and the chain of bones that reaches for it. */
 export interface IkChain {
-  /** Where the effector should come to. */
+  /** The bone whose position the effector should reach. */
   readonly goal: number;
   readonly effector: number;
   readonly iterations: number;
-  /** The most that a link turns in an iteration, in units of 4 radians, as in the file. */
+  /** The largest rotation of a link per iteration, in units of 4 radians, as in the file. */
   readonly limit: number;
-  /** From the one next to the effector upwards. */
+  /** From the bone next to the effector upwards. */
   readonly links: readonly number[];
 }
 
 export interface MmdMorphs {
-  /** The points that morphs move, and where they are without any (n × 3). */
+  /** The points that morphs move, and their positions without any morph (n × 3). */
   readonly basePoints: Uint32Array;
   readonly basePositions: Float32Array;
-  /** In file order; the base itself among them, with what morph of the character each is, or -1. */
+  /** In file order, including the base; each with the index of the character's morph, or -1. */
   readonly listed: readonly MmdMorph[];
 }
 
@@ -102,12 +102,12 @@ export interface MmdMorph {
   readonly morph: number;
 }
 
-/** How a program lists morphs and bones. */
+/** The order in which a program lists morphs and bones. */
 export interface MmdDisplay {
   /** Indices into `MmdMorphs.listed`. */
   readonly morphs: readonly number[];
   readonly groupNames: readonly string[];
-  /** Group 0 has no name: it is the root's; 1 is the first of `groupNames`. */
+  /** Group 0 has no name and belongs to the root; group 1 is the first of `groupNames`. */
   readonly bones: readonly { readonly bone: number; readonly group: number }[];
 }
 
@@ -115,7 +115,7 @@ export interface MmdEnglish {
   readonly modelName: string;
   readonly comment: string;
   readonly boneNames: readonly string[];
-  /** Without the base. */
+  /** Without the base morph. */
   readonly morphNames: readonly string[];
   readonly groupNames: readonly string[];
 }
@@ -130,13 +130,13 @@ export type Numbers3 = readonly [number, number, number];
 export interface RigidBody {
   readonly name: string;
   readonly bone: number;
-  /** 0 to 15, and a mask of those that it collides with. */
+  /** 0 to 15, and a mask of the groups with which it collides. */
   readonly group: number;
   readonly mask: number;
   readonly shape: 'sphere' | 'box' | 'capsule';
-  /** Radius, height and depth, as the shape uses them, model units. */
+  /** Radius, height and depth, as the shape uses them, in model units. */
   readonly size: Numbers3;
-  /** From the bone, model units. */
+  /** Relative to the bone, in model units. */
   readonly position: Numbers3;
   /** Radians about x, y, z. */
   readonly rotation: Numbers3;
@@ -145,7 +145,7 @@ export interface RigidBody {
   readonly angularDamping: number;
   readonly restitution: number;
   readonly friction: number;
-  /** 0 follows its bone, 1 moves it, 2 moves it and keeps its place. */
+  /** 0 follows its bone, 1 moves it, 2 moves it and keeps its position. */
   readonly mode: number;
 }
 

@@ -11,7 +11,7 @@ import { mirrorPoint } from './mirror.ts';
 const [headSize, entrySize] = [25, 16];
 const basePanel = 0;
 
-/** A morph as it stands in the file. */
+/** A morph as stored in the file. */
 interface Section {
   readonly name: string;
   readonly panel: number;
@@ -30,8 +30,8 @@ export const noMorphs: PmdMorphs = {
 };
 
 /**
- * Reads the morphs. The first of panel 0, the base, is none itself: it lists the vertices that morphs
- * move, and the others count in that list, with offsets.
+ * Reads the morphs. The first one of panel 0 is the base, which is not a morph: it lists the
+ * vertices that morphs move. The other morphs give offsets for indices into that list.
  */
 export function readMorphs(
   reader: BinaryReader,
@@ -93,7 +93,7 @@ function readSections(reader: BinaryReader): Section[] | undefined {
   return sections;
 }
 
-/** The points of the base, and for each of its entries its point, or -1 where it has none. */
+/** The points of the base, and for each of its entries the point, or -1 if there is none. */
 function readBase(
   section: Section | undefined,
   pointCount: number,
@@ -127,8 +127,8 @@ function offsetsOf(
 }
 
 /**
- * The entries that name something there is, by numbers that are some; mirrored. What goes farther than
- * can be computed with is held to that: models hide a part by a morph of 1e30, and it is hidden so too.
+ * Returns the valid entries, mirrored. Larger values than can be computed with are clamped: models
+ * hide a part with a morph of 1e30, and it is hidden by the clamped value too.
  */
 function entriesOf(
   { count, entries }: Section,

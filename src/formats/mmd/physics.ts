@@ -10,7 +10,7 @@ const [bodySize, jointSize] = [83, 124];
 const noBone = 0xffff;
 const shapes = ['sphere', 'box', 'capsule'] as const;
 
-/** Reads rigid bodies and the joints between them; what refers to nothing is left out. */
+/** Reads rigid bodies and the joints between them; entries that refer to nothing are left out. */
 export function readPhysics(
   reader: BinaryReader,
   boneCount: number,
@@ -81,7 +81,7 @@ function readBody(
   }
 }
 
-/** Nothing where one of its bodies is not there. */
+/** Returns nothing if one of its bodies does not exist. */
 function readJoint(
   records: BinaryRecord,
   index: number,
@@ -104,7 +104,7 @@ function readJoint(
     bodies,
     position: mirrorPoint(triple(28)),
     rotation: mirrorAngles(triple(40)),
-    // What is mirrored has its lower bound where the upper one was.
+    // Mirroring swaps lower and upper bounds.
     positionMin: [positionMin[0], positionMin[1], positionMax[2]],
     positionMax: [positionMax[0], positionMax[1], positionMin[2]],
     rotationMin: [rotationMax[0], rotationMax[1], rotationMin[2]],

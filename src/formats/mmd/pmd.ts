@@ -17,14 +17,14 @@ import { type PmdVertices, readVertices } from './vertices.ts';
 const effect = 'the file is not used';
 const codes = { truncated: 'pmd/truncated', count: 'pmd/count' } as const;
 
-/** All that a PMD gives; the name of the character is its file's. */
+/** All parts of a PMD; the name of the character is that of its file. */
 export type PmdParts = Omit<CharacterParts, 'name' | 'missing'>;
 
 /**
- * Reads a PMD (MikuMikuDance's "Polygon Model Data", version 1.0, whose layout is documented by its
- * readers alone), section by section to its end, and turns it from its left-handed space into Sinew's.
- * Bones alone, or a mesh alone, are read too. What is wrong past the IK chains costs no more than what
- * follows.
+ * Reads a PMD (MikuMikuDance's "Polygon Model Data", version 1.0, whose layout is documented only
+ * by programs that read it), section by section to its end, and converts it from its left-handed
+ * space to Sinew's. Files with only bones or only a mesh are read too. An invalid section after the
+ * IK chains invalidates only itself and the sections after it.
  */
 export function readPmd(
   file: string,
@@ -67,7 +67,8 @@ export function readPmd(
       ...(vertices.count > 0 ? { mesh: meshParts(file, vertices, faces, materials) } : {}),
       ...(isSkinned ? { skin: skinParts(file, vertices, bones.length, log, effect) } : {}),
       morphs: extras.morphs,
-      // Toons shade a surface and may stay away: every program for these files has its own.
+      // Toons shade a surface and may be missing, because every program for these files has its
+      // own.
       optionalImages: extras.mmd.toons,
       extra,
     };

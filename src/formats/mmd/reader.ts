@@ -6,7 +6,10 @@ import { baseName } from '../file-entry.ts';
 import type { FileGroup, FormatReader } from '../format.ts';
 import { readPmd } from './pmd.ts';
 
-/** MikuMikuDance: each `.pmd` is a character of its own; the images that it names come from beside it. */
+/**
+ * MikuMikuDance: each `.pmd` is one character; the images that it names are searched for among the
+ * other files.
+ */
 export const mmdReader: FormatReader = {
   group: (files) => groupFiles(files, { single: ['.pmd'], many: [] }),
   read: readGroup,

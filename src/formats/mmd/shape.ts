@@ -1,6 +1,6 @@
 import type { FormatShape } from '../format.ts';
 
-/** Bones turn as balls, without limits, and are bound where they stand. */
+/** Bones rotate as balls, without limits, and are bound in their rest position. */
 export const mmdShape: FormatShape = {
   owner: 'MikuMikuDance',
   slides: 'any',

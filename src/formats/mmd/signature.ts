@@ -1,7 +1,7 @@
 import type { DiagnosticLog } from '../../core/diagnostics.ts';
 import type { BinaryReader } from '../binary/binary-reader.ts';
 
-/** What other files begin with, and what to say of them. */
+/** The beginnings of other files, and the message for each. */
 const others: readonly (readonly [pattern: RegExp, hint: string])[] = [
   [/^PMX /i, 'PMX is not supported'],
   [/^Vocaloid Motion/, 'this is a motion file'],
@@ -11,7 +11,7 @@ const others: readonly (readonly [pattern: RegExp, hint: string])[] = [
   [/^\s*[{[]/, 'this looks like JSON'],
 ];
 
-/** Reads "Pmd", or says what the file seems to be. */
+/** Reads "Pmd", or reports what the file seems to be. */
 export function readSignature(
   reader: BinaryReader,
   bytes: Uint8Array,
@@ -29,7 +29,7 @@ export function readSignature(
   return false;
 }
 
-/** One a byte. */
+/** One character per byte. */
 function characters(bytes: Uint8Array): string {
   return String.fromCharCode(...bytes);
 }

@@ -3,7 +3,7 @@ import { decodeName } from './decode-name.ts';
 
 const [count, size] = [10, 100];
 
-/** Reads the names of the ten images that shade. */
+/** Reads the names of the ten toon ramp images. */
 export function readToons(reader: BinaryReader): string[] | undefined {
   const records = reader.record(count * size, 'the names of toon textures');
   if (!records) return undefined;

@@ -8,11 +8,11 @@ import { mirrored } from './mirror.ts';
 /** The vertices of a PMD, right-handed, one normal and one texture coordinate each. */
 export interface PmdVertices {
   readonly count: number;
-  /** Of the first record in the file, and between two of them: for messages. */
+  /** Offset of the first record in the file, and the size of a record, for messages. */
   readonly offset: number;
   /** (count × 3) model units. */
   readonly positions: Float32Array;
-  /** (count × 3) unit as a rule; zero where the file has none that can be used. */
+  /** (count × 3) usually unit; zero if the file's normal can't be used. */
   readonly normals: Float32Array;
   /** (count × 2) v counts downwards, as in the file. */
   readonly uvs: Float32Array;
@@ -20,7 +20,7 @@ export interface PmdVertices {
   readonly bones: Uint16Array;
   /** (count) hundredths of the first bone. */
   readonly weights: Uint8Array;
-  /** (count) 1 where no outline is drawn. */
+  /** (count) 1 if no outline is drawn. */
   readonly edgeFlags: Uint8Array;
 }
 

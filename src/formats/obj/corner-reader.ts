@@ -7,16 +7,16 @@ import { vertexLines } from './vertex-lines.ts';
 const slash = 0x2f;
 const plus = 0x2b;
 
-/** Stands where a corner has no texture coordinate or normal. */
+/** Stands for a texture coordinate or normal that a corner does not have. */
 const absent = Infinity;
 
 /** Reads the corners of faces: `v`, `v/vt`, `v//vn` or `v/vt/vn`; nothing is allocated for one. */
 export class CornerReader {
-  /** Of the corner that was read, zero-based. */
+  /** The zero-based index of the last corner's point. */
   point = 0;
-  /** -1 where the corner has none. */
+  /** Its texture coordinate; -1 if it has none. */
   uv = -1;
-  /** -1 where the corner has none. */
+  /** Its normal; -1 if it has none. */
   normal = -1;
   private readonly reader: LineReader;
   private readonly streams: ObjStreams;
@@ -33,7 +33,10 @@ export class CornerReader {
     this.log = log;
   }
 
-  /** Reads the current token; false, and an error, where it is no corner of a vertex that is there. */
+  /**
+   * Reads the current token. Returns false, with an error, if it is not a corner or if its vertex does
+   * not exist.
+   */
   read(): boolean {
     const { numbers, streams } = this;
     if (!this.split()) {
@@ -54,7 +57,7 @@ export class CornerReader {
     return true;
   }
 
-  /** Says how many corners ended in a slash. */
+  /** Reports how many corners ended in a slash. */
   reportOddities(): void {
     if (this.openCount === 0) return;
     this.log.warn({
@@ -65,7 +68,7 @@ export class CornerReader {
     });
   }
 
-  /** Fills `numbers` from the current token; false where it is no corner. */
+  /** Fills `numbers` from the current token; returns false if the token is not a corner. */
   private split(): boolean {
     const { numbers } = this;
     const { bytes, tokenStart, tokenEnd } = this.reader;
@@ -91,7 +94,7 @@ export class CornerReader {
     return bytes[start] === plus ? NaN : readInteger(bytes, start, end, limits.tokenLength);
   }
 
-  /** Where a vertex comes that faces refer to before it. */
+  /** Where a vertex is defined that a face uses before its definition. */
   private laterPlace(index: number): string {
     if (index <= 0) return '';
     this.laterLines ??= vertexLines(this.reader.bytes, this.reader.limits);
@@ -99,12 +102,12 @@ export class CornerReader {
     return line === undefined ? '' : `; vertex ${index} comes later, in line ${line}`;
   }
 
-  /** A texture coordinate or normal that is not there costs only itself, not the face. */
+  /** A missing texture coordinate or normal is ignored, and the face is kept. */
   private optional(index: number, stream: TupleStream, what: string): number {
     if (index === absent) return -1;
     const { count } = stream;
     const resolved = resolve(index, count);
-    if (resolved !== -1 && !stream.isSound(resolved)) return -1; // which its own line has said
+    if (resolved !== -1 && !stream.isSound(resolved)) return -1; // already reported at its own line
     if (resolved === -1 && !this.missingReported.has(what)) {
       this.missingReported.add(what);
       this.log.warn({
@@ -125,7 +128,10 @@ export class CornerReader {
   }
 }
 
-/** One-based, or negative and counted back from this line, to zero-based; -1 where it is not there. */
+/**
+ * Converts a one-based index, or a negative one that counts back from this line, to zero-based; -1
+ * if it does not exist.
+ */
 function resolve(index: number, count: number): number {
   const resolved = index < 0 ? count + index : index - 1;
   return index !== 0 && resolved >= 0 && resolved < count ? resolved : -1;

@@ -31,12 +31,12 @@ export class FaceReader {
     return this.ends.length;
   }
 
-  /** Whether a face was one too many, which was said. */
+  /** Whether a face exceeded the limit, which has been reported. */
   get isFull(): boolean {
     return this.full;
   }
 
-  /** Cuts all faces into triangles. @param positions (pointCount × 3) */
+  /** Triangulates all faces. @param positions (pointCount × 3) */
   finish(positions: Float32Array): Promise<FaceTriangles> {
     const faces = {
       points: this.points.finish(),
@@ -55,12 +55,12 @@ export class FaceReader {
     let isSound = true;
     let count = 0;
     while (this.reader.token()) {
-      if (++count > cornersPerFace) continue; // only counted
+      if (++count > cornersPerFace) continue; // only count further corners
       if (!corners.read()) {
         this.goBack(before);
         return;
       }
-      // Of one that is not the vertex's own line has said so.
+      // A vertex that is not numbers was already reported at its own line.
       isSound &&= this.streams.positions.isSound(corners.point);
       points.push(corners.point);
       this.uvs.push(corners.uv);
@@ -84,7 +84,7 @@ export class FaceReader {
     for (const values of [this.points, this.uvs, this.normals]) values.length = cornerCount;
   }
 
-  /** Says what harmless things were met, each kind once with its count. */
+  /** Reports harmless oddities, each kind once with its count. */
   reportOddities(degenerateCount: number): void {
     const effect = 'they are left out';
     if (degenerateCount > 0) {

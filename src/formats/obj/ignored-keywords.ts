@@ -1,16 +1,16 @@
 import type { DiagnosticLog } from '../../core/diagnostics.ts';
 import type { LineReader } from '../text/line-reader.ts';
 
-/** Read over without a word: they group or shade faces, which changes nothing here. */
+/** Ignored without a message: they group or shade faces, which has no effect here. */
 const silent = new Set(['g', 'o', 's']);
 
-/** What OBJ has besides faces. */
+/** Elements of OBJ other than faces. */
 const elements = new Set(['l', 'p', 'curv', 'curv2', 'surf', 'mtllib', 'vp', 'cstype', 'deg']);
 
-/** More kinds than any file of use has; past them each line counts. */
+/** More kinds than any useful file has; after this many, every line is counted. */
 const mostKinds = 1000;
 
-/** Says once for each kind of line that it is left out. */
+/** Reports once for each kind of line that it is ignored. */
 export class IgnoredKeywords {
   private readonly noted = new Set<string>();
   private readonly reader: LineReader;

@@ -1,6 +1,6 @@
 /**
- * A material's name as an OBJ can hold it: on one line, no blanks around it, and no backslash at its
- * end, which would join the next line to it.
+ * A material's name in a form that an OBJ can hold: on one line, without blanks around it, and
+ * without a backslash at its end, which would continue the line.
  */
 export function materialText(name: string): string {
   return name

@@ -8,14 +8,14 @@ import { type ObjStreams, TupleStream } from './tuple-stream.ts';
 
 const effect = 'the mesh is not used';
 
-/** Behind these stands a name, often a path of Windows. */
+/** These keywords are followed by a name, often a path on Windows. */
 const named = new Set(['usemtl', 'mtllib', 'g', 'o']);
 
 /**
- * Reads a Wavefront OBJ as found in the wild: `v` (with w or color, unused), `vt`, `vn`, faces with
- * slashes, negative indices (counted back from their own line) and any number of corners,
- * `usemtl`, comments and continued lines. Vertices keep their order and number, used or not: the
- * rows of `.attach` count them. Material libraries are noted, never fetched.
+ * Reads a Wavefront OBJ: `v` (with w or color, unused), `vt`, `vn`, faces with slashes, negative
+ * indices (counted back from their own line) and any number of corners, `usemtl`, comments and
+ * continued lines. Vertices keep their order and number, whether used or not, because the rows of
+ * `.attach` count them. Material libraries are recorded, never fetched.
  */
 export async function readObj(
   file: string,
@@ -37,7 +37,7 @@ export async function readObj(
       what: 'texture coordinates',
       sparedBy: 'corners',
       names: ['u', 'v'],
-      fewest: 1, // there are one-dimensional ones
+      fewest: 1, // texture coordinates may be one-dimensional
       most: limits.triangleCount * 3,
     }),
     normals: new TupleStream({
@@ -83,7 +83,7 @@ export async function readObj(
   streams.normals.reportOddities(log);
   const submeshes = runs
     .map(({ material, firstFace }) => ({ material, firstTriangle: firstTriangle[firstFace]! }))
-    // One after another without a triangle between leaves the last.
+    // Of consecutive ones without a triangle between them, the last one counts.
     .filter((run, index, all) => run.firstTriangle !== all[index + 1]?.firstTriangle);
   if (submeshes[0]?.firstTriangle !== 0) submeshes.unshift({ material: '', firstTriangle: 0 });
   const [uvs, normals] = [streams.uvs.finish(), streams.normals.finish()];

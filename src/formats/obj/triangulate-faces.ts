@@ -5,25 +5,25 @@ import { needsEarClipping, quadStart, triangulate } from './triangulate.ts';
 /** The corners of all faces, one face after another. */
 export interface FaceCorners {
   readonly points: Uint32Array;
-  /** −1 where a corner has none. */
+  /** −1 if a corner has none. */
   readonly uvs: Int32Array;
-  /** −1 where a corner has none. */
+  /** −1 if a corner has none. */
   readonly normals: Int32Array;
-  /** (faceCount) one past the last corner of each face. */
+  /** (faceCount) the index after the last corner of each face. */
   readonly ends: Uint32Array;
 }
 
 export interface FaceTriangles {
   readonly corners: Pick<MeshParts, 'cornerPoints' | 'cornerUvs' | 'cornerNormals'>;
-  /** (faceCount + 1) how many triangles come before each face. */
+  /** (faceCount + 1) the number of triangles before each face. */
   readonly firstTriangle: Uint32Array;
-  /** Triangles of fewer than three different points, which are left out. */
+  /** The number of triangles with fewer than three different points, which are left out. */
   readonly degenerateCount: number;
 }
 
 /**
- * Cuts faces of three corners or more into triangles, in order. The library that clips ears is loaded
- * when a face needs it: quads do not, and convex faces do not.
+ * Cuts faces of three corners or more into triangles, in order. The library for ear clipping is
+ * loaded only when a face needs it; quads and convex faces do not.
  *
  * @param positions (pointCount × 3)
  */

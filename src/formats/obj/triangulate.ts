@@ -1,10 +1,11 @@
 /**
- * Cuts a polygon into triangles that keep its orientation: a fan where it is convex, ear clipping
- * (in the plane of its Newell normal) where it is not.
+ * Cuts a polygon into triangles that keep its orientation: a fan if it is convex, otherwise ear
+ * clipping in the plane of its Newell normal.
  *
  * @param positions xyz triples
  * @param corners indices of positions, in order around the face
- * @param earClip cuts an outline (xy pairs) into triples of its corners; without it every face is a fan
+ * @param earClip cuts an outline (xy pairs) into triples of its corners; without it every face is a
+ * fan
  * @returns triples of indices into `corners`
  */
 export function triangulate(
@@ -23,7 +24,7 @@ export function triangulate(
   return ears.length === (corners.length - 2) * 3 ? orient(ears, outline) : fan(corners.length);
 }
 
-/** Whether a fan is no way to cut a polygon: it has five corners or more and is not convex. */
+/** Whether a polygon can't be cut as a fan: it has five corners or more and is not convex. */
 export function needsEarClipping(
   positions: ArrayLike<number>,
   corners: readonly number[],
@@ -89,7 +90,7 @@ function fan(cornerCount: number): number[] {
   return triangles;
 }
 
-/** xy pairs, counter-clockwise as seen against the normal. */
+/** xy pairs, counter-clockwise when seen against the normal. */
 function projectToPlane(positions: ArrayLike<number>, corners: readonly number[]): number[] {
   const normal = newellNormal(positions, corners);
   const size = normal.map(Math.abs);
@@ -102,7 +103,10 @@ function projectToPlane(positions: ArrayLike<number>, corners: readonly number[]
   ]);
 }
 
-/** Twice the polygon's area times its unit normal (Newell's method); copes with bent polygons. */
+/**
+ * Twice the polygon's area times its unit normal (Newell's method); also works for polygons that
+ * are not planar.
+ */
 function newellNormal(positions: ArrayLike<number>, corners: readonly number[]): number[] {
   const normal = [0, 0, 0];
   corners.forEach((corner, index) => {
@@ -133,7 +137,7 @@ function orient(triangles: number[], outline: readonly number[]): number[] {
   return triangles;
 }
 
-/** Twice the signed area of triangle a b c: positive where it turns left. */
+/** Twice the signed area of triangle a b c: positive if it turns left. */
 function turn(outline: readonly number[], a: number, b: number, c: number): number {
   const [ax, ay] = [outline[a * 2]!, outline[a * 2 + 1]!];
   const [bx, by] = [outline[b * 2]!, outline[b * 2 + 1]!];

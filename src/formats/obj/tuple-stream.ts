@@ -5,25 +5,25 @@ import type { LineReader } from '../text/line-reader.ts';
 
 const effect = 'the mesh is not used';
 
-/** As programs write what is no number, and the infinities: `nan`, `-nan(ind)`, `1.#QNAN`, `inf`. */
+/** How programs write NaN and infinities: `nan`, `-nan(ind)`, `1.#QNAN`, `inf`. */
 const isNotANumber = /^[+-]?(nan|inf|\d\.#)/i;
 
 export interface TupleKind {
   /** For messages: "vertices". */
   readonly what: string;
-  /** Of the values, for messages. */
+  /** Names of the values, for messages. */
   readonly names: readonly string[];
-  /** How many of them must be there, all by default; the rest is 0. */
+  /** The minimum number of values, all of them by default; missing ones are 0. */
   readonly fewest?: number;
-  /** What goes without a tuple that is not numbers: corners, or triangles of the mesh. */
+  /** What is left out when a tuple is not numeric: corners, or triangles of the mesh. */
   readonly sparedBy: 'corners' | 'triangles';
-  /** How many tuples a file may have. */
+  /** The largest number of tuples in a file. */
   readonly most: number;
   /** The largest magnitude of a value. */
   readonly largest?: number;
 }
 
-/** One kind of tuple that faces refer to: `v`, `vt` or `vn`. */
+/** One kind of tuple to which faces refer: `v`, `vt` or `vn`. */
 export class TupleStream {
   private readonly values = growFloat32();
   private readonly kind: TupleKind;
@@ -39,7 +39,7 @@ export class TupleStream {
     return this.values.length / this.kind.names.length;
   }
 
-  /** Whether there was one too many, which was said. */
+  /** Whether a tuple exceeded the limit, which has been reported. */
   get isFull(): boolean {
     return this.full;
   }
@@ -57,7 +57,7 @@ export class TupleStream {
     return true;
   }
 
-  /** Says how many tuples are not numbers, at the first of them. */
+  /** Reports how many tuples are not numbers, at the first of them. */
   reportOddities(log: DiagnosticLog): void {
     if (!this.firstOdd || this.kind.sparedBy === 'triangles') return;
     log.warn({
@@ -69,7 +69,7 @@ export class TupleStream {
     });
   }
 
-  /** Reads the rest of the current line; further numbers (w, colors) are left out. */
+  /** Reads the rest of the current line; additional numbers (w, colors) are ignored. */
   read(reader: LineReader, log: DiagnosticLog): void {
     const { names, fewest = names.length, most, largest = largestFloat32 } = this.kind;
     if (this.count >= most) {
@@ -100,7 +100,10 @@ export class TupleStream {
     if (isOdd) this.noteOdd(reader, log);
   }
 
-  /** A vertex is told with its line, as rows of weights count it; the rest once, with a count. */
+  /**
+   * A vertex is reported with its line, because rows of weights count it; other tuples once, with a
+   * count.
+   */
   private noteOdd(reader: LineReader, log: DiagnosticLog): void {
     this.oddCount++;
     this.firstOdd ??= reader.linePlace;
@@ -114,7 +117,7 @@ export class TupleStream {
     });
   }
 
-  /** What is no number is 0 here; no corner refers to it. */
+  /** Values that are not numbers are 0 here; no corner refers to them. */
   finish(): Float32Array {
     const values = this.values.finish();
     return this.oddCount === 0 ? values : values.map((value) => (Number.isNaN(value) ? 0 : value));

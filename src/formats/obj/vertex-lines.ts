@@ -5,10 +5,12 @@ import { LineReader } from '../text/line-reader.ts';
 
 const letterV = 0x76;
 
-/** The lines of all `v` of an OBJ, to tell where a vertex that comes too late does come. */
+/**
+ * Returns the lines of all `v` of an OBJ, so that a message can say where a late vertex is defined.
+ */
 export function vertexLines(bytes: Uint8Array, limits: Limits): Uint32Array {
   const lines = growUint32();
-  // A second pass over what is being read, which says all that there is to say.
+  // A second pass over the file; its problems have already been reported by the first.
   const reader = new LineReader(bytes, new DiagnosticLog(''), { continuations: true, limits });
   while (reader.next() && lines.length < limits.pointCount) {
     if (!reader.token() || reader.tokenEnd - reader.tokenStart !== 1) continue;

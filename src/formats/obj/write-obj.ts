@@ -4,8 +4,8 @@ import { encodeLines, writeFloat32 } from '../text/write-number.ts';
 import { materialText } from './material-text.ts';
 
 /**
- * Writes a mesh as OBJ, points in file order, with its texture coordinates and materials, and with
- * its normals where they are not those that a reader makes from the faces.
+ * Writes a mesh as OBJ with points in file order, its texture coordinates and materials, and its
+ * normals if they differ from those that a reader computes from the faces.
  *
  * @param posed (at least pointCount × 3) the points in another pose, for which there are no normals
  */
@@ -20,7 +20,7 @@ export function writeObj(mesh: Mesh, posed?: Float32Array): Uint8Array {
     posed || hasComputedNormals(mesh) ? null : writeValues('vn', mesh.normals, 3, lines);
   for (const [run, { material, firstIndex, indexCount }] of mesh.submeshes.entries()) {
     const name = materialText(material);
-    // Bare, for faces without material after faces with one.
+    // `usemtl` without a name, for faces without a material after faces with one.
     if (name !== '' || run > 0) lines.push(`usemtl ${name}`.trimEnd());
     for (let i = firstIndex; i < firstIndex + indexCount; i += 3) {
       const [a, b, c] = [mesh.indices[i]!, mesh.indices[i + 1]!, mesh.indices[i + 2]!];
@@ -37,7 +37,7 @@ export function writeObj(mesh: Mesh, posed?: Float32Array): Uint8Array {
   }
 }
 
-/** Adds a line for each value, equal ones once, and gives each vertex its number. */
+/** Adds a line for each different value and gives each vertex its index. */
 function writeValues(
   keyword: string,
   values: Float32Array,

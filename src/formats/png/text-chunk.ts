@@ -1,14 +1,14 @@
 import { crc32 } from '../crc32.ts';
 
 /**
- * Text in a PNG, as an `iTXt` chunk (PNG specification, third edition, 11.3.3.4): UTF-8, not packed,
- * under a keyword. Pictures so keep a note of how they were made.
+ * Text in a PNG, as an `iTXt` chunk (PNG specification, third edition, 11.3.3.4): uncompressed
+ * UTF-8 with a keyword. Saved pictures store a note of how they were made in it.
  */
 
 const signature = [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a];
 const chunkOverhead = 12; // length, type, checksum
 
-/** The picture with the text before its end; `png` must be one. */
+/** Inserts the text before the end of the picture; `png` must be a PNG. */
 export function insertPngText(png: Uint8Array, keyword: string, text: string): Uint8Array {
   const chunk = textChunk(keyword, text);
   const end = png.length - chunkOverhead; // IEND is empty and last
@@ -19,7 +19,7 @@ export function insertPngText(png: Uint8Array, keyword: string, text: string): U
   return out;
 }
 
-/** The text under the keyword, or nothing where the bytes are no PNG or have none. */
+/** The text with the keyword; nothing if the bytes are not a PNG or have no such text. */
 export function readPngText(bytes: Uint8Array, keyword: string): string | undefined {
   if (signature.some((byte, i) => bytes[i] !== byte)) return undefined;
   const prefix = textPrefix(keyword);
@@ -52,7 +52,7 @@ function textChunk(keyword: string, text: string): Uint8Array {
   return chunk;
 }
 
-/** Keyword, NUL, not packed, method 0, no language, no translated keyword. */
+/** Keyword, NUL, no compression, method 0, no language, no translated keyword. */
 function textPrefix(keyword: string): number[] {
   return [...encoder.encode(keyword), 0, 0, 0, 0, 0];
 }

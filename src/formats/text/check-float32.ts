@@ -4,17 +4,17 @@ import { boundText } from './write-number.ts';
 
 export const largestFloat32 = 3.4028234663852886e38;
 
-/** What a reader says of its numbers. */
+/** The name and bounds of a number, for messages. */
 export interface NumberField {
   /** The field's name. */
   readonly what: string;
   readonly area: 'skel' | 'obj' | 'attach';
   readonly effect: string;
-  /** The largest magnitude, where it is less than what a float32 holds. */
+  /** The largest magnitude, if it is less than that of a float32. */
   readonly largest?: number | undefined;
 }
 
-/** The current token as a number within its bounds, or NaN and a diagnostic. */
+/** Returns the current token as a number within its bounds, or NaN with a diagnostic. */
 export function checkFloat32(
   reader: LineReader,
   { what, area, effect, largest = largestFloat32 }: NumberField,

@@ -3,9 +3,9 @@ import { extensionOf } from '../file-entry.ts';
 import { decodeText } from './decode-text.ts';
 
 /**
- * The bytes of a text file without a byte order mark, or nothing (and a diagnostic) where they are
- * no text: UTF-16, a picture that was renamed, a server's error page, a pointer to the file, rich text, an
- * empty file.
+ * Returns the bytes of a text file without its byte order mark. Returns nothing, with a diagnostic,
+ * if they are not text: UTF-16, a renamed picture, a server's error page, a pointer to the file,
+ * rich text, or an empty file.
  */
 export function checkText(
   file: string,
@@ -24,7 +24,7 @@ export function checkText(
 interface Fault {
   readonly code: DiagnosticCode;
   readonly found: string;
-  /** Where it is more than that the file be text. */
+  /** Absent if the file only has to be text. */
   readonly expected?: string;
 }
 

@@ -1,4 +1,4 @@
-/** Typed arrays that grow while a file is read and are cut to exact size at its end. */
+/** Typed arrays that grow while a file is read and are cut to their exact size at its end. */
 type Numbers = Float32Array | Float64Array | Uint32Array | Int32Array | Uint16Array;
 
 class Growable<T extends Numbers> {

@@ -1,11 +1,11 @@
 import { decodeText } from './decode-text.ts';
 
-/** Of any course, whether they end or not. */
+/** Comments of any format, including one that is not closed. */
 const comments = /(#|\/\/).*|\/\*[^]*?(\*\/|$)/g;
 
 /**
- * The beginning of a text without its comments, for a format to know its files by. Comments may hold any
- * word; they tell only where nothing else is.
+ * The beginning of a text without its comments, from which formats are recognized. Comments are
+ * removed because they may contain any word.
  */
 export function headTokens(head: Uint8Array): string {
   const text = decodeText(head);

@@ -4,8 +4,8 @@ export const carriageReturn = 0x0d;
 const space = 0x20;
 
 /**
- * Where the next line starts, after the line end at `start`: LF, CRLF and CR CR LF are one end each;
- * returns without a line feed are one end apiece.
+ * Returns where the next line starts, after the line end at `start`: LF, CRLF and CR CR LF are one
+ * line end each; carriage returns without a line feed are one line end each.
  */
 export function endOfLineEnd(bytes: Uint8Array, start: number): number {
   if (bytes[start] !== carriageReturn) return start + 1;

@@ -2,9 +2,9 @@ import type { DiagnosticLog, Place } from '../../core/diagnostics.ts';
 import { decodeText, firstInvalidByte } from './decode-text.ts';
 
 /**
- * Whether a line is not UTF-8, or has a character beside a number that only looks like a blank or a minus
- * sign; and a warning if so. Not an error: old tools write comments and names
- * in the encodings of their time, and the numbers are ASCII in all of them.
+ * Warns if a line is not UTF-8, or has a character next to a number that only looks like a blank or
+ * a minus sign; returns whether it did. It is not an error, because old tools write comments and
+ * names in other encodings, and the numbers are ASCII in all of them.
  */
 export function reportEncoding(log: DiagnosticLog, place: Place, line: Uint8Array): boolean {
   const invalid = firstInvalidByte(line);
@@ -20,7 +20,7 @@ export function reportEncoding(log: DiagnosticLog, place: Place, line: Uint8Arra
   return true;
 }
 
-/** Spaces and dashes of typesetting, where a number stands beside them; not in comments. */
+/** Typographic spaces and dashes next to a number, outside comments. */
 const lookalike = /[\d.]([\u00a0\u2000-\u200b\u202f\u205f\u3000])|([\u2010-\u2015\u2212])[\d.]/;
 
 function reportLookalike(log: DiagnosticLog, place: Place, line: string): boolean {
@@ -51,7 +51,7 @@ export function reportLength(log: DiagnosticLog, place: Place, found: number, mo
   });
 }
 
-/** For a last line that is to be continued. */
+/** Reports that the last line ends in a continuation. */
 export function reportOpenEnd(log: DiagnosticLog, place: Place): void {
   log.warn({
     code: 'file/continuation',

@@ -9,26 +9,29 @@ const hash = 0x23;
 const backslash = 0x5c;
 const beyondAscii = 0x80;
 
-/** Longer words are shown cut; no keyword is as long. */
+/** Longer words are cut in messages; no keyword is that long. */
 const longestText = 256;
 
 export interface LineOptions {
-  /** Whether a backslash at a line's end joins the next line to it, comments aside. */
+  /** Whether a backslash at the end of a line continues it on the next one, except in comments. */
   readonly continuations?: boolean;
-  /** First words of lines that hold a name: it may end in a backslash, which joins nothing. */
+  /**
+   * First words of lines that contain a name; such a name may end in a backslash without continuing
+   * the line.
+   */
   readonly named?: ReadonlySet<string>;
   readonly limits?: Limits;
 }
 
 /**
- * Walks over the lines of a text file and the tokens of a line, byte by byte and without strings.
+ * Scans the lines of a text file and the tokens of a line, byte by byte, without making strings.
  * Lines end with LF, CRLF, CR CR LF or a bare CR; `#` at the start of a token comments out the rest
- * of its line. Ends early, with an error, at a line past the limit.
+ * of its line. Stops, with an error, at a line that exceeds the limit.
  */
 export class LineReader {
   readonly bytes: Uint8Array;
   readonly limits: Limits;
-  /** One-based number of the current line, the first where several are joined. */
+  /** One-based number of the current line; the first one if several are joined. */
   line = 0;
   /** The current token's bytes, end exclusive. */
   tokenStart = 0;
@@ -37,13 +40,13 @@ export class LineReader {
   private lineEnd = 0;
   private nextLine = 1;
   private nextStart = 0;
-  /** All bytes of the line, or-ed. */
+  /** All bytes of the line, combined by bitwise or. */
   private bits = 0;
   private encodingReported = false;
   private readonly log: DiagnosticLog;
   private readonly continuations: boolean;
   private readonly named: ReadonlySet<string>;
-  /** Whether a backslash at the end of the current line joins the next to it. */
+  /** Whether a backslash at the end of the current line continues it on the next one. */
   private joins = false;
 
   constructor(bytes: Uint8Array, log: DiagnosticLog, options: LineOptions = {}) {
@@ -54,7 +57,7 @@ export class LineReader {
     this.limits = options.limits ?? defaultLimits;
   }
 
-  /** Goes on to the next line; false at the end of the file. */
+  /** Goes to the next line; returns false at the end of the file. */
   next(): boolean {
     if (this.nextStart >= this.bytes.length) return false;
     this.line = this.nextLine;
@@ -78,7 +81,7 @@ export class LineReader {
     return true;
   }
 
-  /** Goes on to the next token of the line; false at its end or at a comment. */
+  /** Goes to the next token of the line; returns false at its end or at a comment. */
   token(): boolean {
     const { bytes, lineEnd, joins } = this;
     let at = this.tokenEnd;
@@ -98,17 +101,17 @@ export class LineReader {
     return this.tokenEnd - this.tokenStart > this.limits.tokenLength;
   }
 
-  /** The token as a number; NaN where it is none. */
+  /** The token as a number; NaN if it is not one. */
   number(): number {
     return readNumber(this.bytes, this.tokenStart, this.tokenEnd, this.limits.tokenLength);
   }
 
-  /** The token as a whole number; NaN where it is none. */
+  /** The token as a whole number; NaN if it is not one. */
   integer(): number {
     return readInteger(this.bytes, this.tokenStart, this.tokenEnd, this.limits.tokenLength);
   }
 
-  /** The token as text, cut where it is longer than any word. */
+  /** The token as text, cut if it is longer than any keyword. */
   text(): string {
     const { bytes, tokenStart, tokenEnd } = this;
     // Nearly all words of large files are one letter.
@@ -118,20 +121,23 @@ export class LineReader {
     return decodeText(bytes.subarray(tokenStart, Math.min(tokenEnd, tokenStart + longestText)));
   }
 
-  /** What follows the token on its line, trimmed, comments kept: names may hold blanks and `#`. */
+  /**
+   * The rest of the line after the token, trimmed, including comments, because names may contain
+   * blanks and `#`.
+   */
   rest(): string {
     const text = decodeText(this.bytes.subarray(this.tokenEnd, this.lineEnd));
     return (this.joins ? text.replace(/\\[ \t]*(\r\r\n|\r\n|\r|\n|$)/g, ' ') : text).trim();
   }
 
-  /** Whether the line is all comment. */
+  /** Whether the line consists only of a comment. */
   isComment(): boolean {
     let at = this.lineStart;
     while (at < this.lineEnd && isBlank(this.bytes[at]!)) at++;
     return at < this.lineEnd && this.bytes[at] === hash;
   }
 
-  /** How many tokens the line has; goes back to before the first. */
+  /** Counts the tokens of the line, and returns to the start of the line. */
   countTokens(): number {
     this.tokenEnd = this.lineStart;
     let count = 0;
@@ -164,14 +170,14 @@ export class LineReader {
     return next === undefined || next === lineFeed || next === carriageReturn;
   }
 
-  /** Blanks behind the backslash change nothing: editors leave them. */
+  /** Blanks after the backslash are ignored, because editors leave them there. */
   private endsOpen(): boolean {
     let last = this.lineEnd - 1;
     while (last >= this.lineStart && isSpace(this.bytes[last])) last--;
     return last >= this.lineStart && this.bytes[last] === backslash;
   }
 
-  /** Whether the line's first word is one behind which a name stands. */
+  /** Whether the line's first word is followed by a name. */
   private holdsName(): boolean {
     if (this.named.size === 0) return false;
     let start = this.lineStart;
@@ -195,7 +201,7 @@ export class LineReader {
   }
 }
 
-/** A blank within a line. */
+/** Whether a byte is a blank within a line. */
 function isSpace(byte: number | undefined): boolean {
   return byte === 0x20 || byte === 0x09;
 }

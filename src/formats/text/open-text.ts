@@ -2,7 +2,7 @@ import type { DiagnosticLog } from '../../core/diagnostics.ts';
 import { checkText } from './check-text.ts';
 import { LineReader, type LineOptions } from './line-reader.ts';
 
-/** A reader of a file's lines, or nothing (and a diagnostic) where the file is no text. */
+/** Returns a reader of a file's lines, or nothing, with a diagnostic, if the file is not text. */
 export function openText(
   file: string,
   bytes: Uint8Array,

@@ -1,13 +1,13 @@
 import { defaultLimits } from '../../core/limits.ts';
 
 /**
- * The double nearest to a decimal number, `[+-] digits [. digits] [e [+-] digits]`, or NaN where the
- * bytes are anything else (`Infinity`, `0x10`, `1e` and `1.2.3` among them) or more than `longest`.
- * Past the range of a double it is ±Infinity.
+ * Returns the double nearest to a decimal number, `[+-] digits [. digits] [e [+-] digits]`. Returns
+ * NaN if the bytes are anything else (such as `Infinity`, `0x10`, `1e` or `1.2.3`) or more than
+ * `longest`. Beyond the range of a double it is ±Infinity.
  *
- * Correctly rounded without a string in nearly all cases: up to 15 significant digits and a power of
- * ten up to 22 are both exact doubles, so that one multiplication or division rounds once (Clinger
- * 1990, "How to read floating point numbers accurately"). The rest goes to `Number`.
+ * It rounds correctly and makes no string in nearly all cases: up to 15 significant digits and a
+ * power of ten up to 22 are both exact doubles, so that one multiplication or division rounds once
+ * (Clinger 1990, "How to read floating point numbers accurately"). Other numbers go to `Number`.
  */
 export function readNumber(
   bytes: Uint8Array,
@@ -62,7 +62,7 @@ export function readNumber(
   return negative ? -value : value;
 }
 
-/** The whole number that the bytes spell in decimal with an optional sign, or NaN. */
+/** Returns the decimal whole number, with an optional sign, that the bytes contain, or NaN. */
 export function readInteger(
   bytes: Uint8Array,
   start: number,

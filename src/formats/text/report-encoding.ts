@@ -6,7 +6,7 @@ import { reportEncoding } from './line-problems.ts';
 const beyondAscii = 0x80;
 const longestSource = 160;
 
-/** Warns of the first line that is not UTF-8, in a text that is not read line by line. */
+/** Warns about the first line that is not UTF-8, in a text that is not read line by line. */
 export function reportTextEncoding(log: DiagnosticLog, bytes: Uint8Array): void {
   let line = 1;
   let start = 0;

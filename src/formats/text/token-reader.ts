@@ -9,10 +9,10 @@ const slash = 0x2f;
 const openBrace = 0x7b;
 const closeBrace = 0x7d;
 
-/** Longer words are cut where they are made text. */
+/** Longer words are cut when they are converted to text. */
 const longestText = 1024;
 
-/** Where a `TokenReader` stands, to come back to. */
+/** A position of a `TokenReader` to which it can return. */
 export interface TokenMark {
   readonly line: number;
   readonly lineStart: number;
@@ -21,9 +21,10 @@ export interface TokenMark {
 }
 
 /**
- * Walks over the tokens of a text whose lines mean nothing, byte by byte and without strings. A token
- * is a brace, or a run of anything but white space and braces, so that `leg{` is two. Comments are
- * skipped where a token could start: `//` and `#` to the end of the line, and from `/*` to its end.
+ * Scans the tokens of a text in which line breaks have no meaning, byte by byte, without making
+ * strings. A token is a brace, or a run of anything except white space and braces, so `leg{` is two
+ * tokens. Comments are skipped where a token could start: `//` and `#` to the end of the line, and
+ * from `/*` to its end.
  */
 export class TokenReader {
   readonly bytes: Uint8Array;
@@ -32,7 +33,7 @@ export class TokenReader {
   /** The current token's bytes, end exclusive; empty at the end of the file. */
   tokenStart = 0;
   tokenEnd = 0;
-  /** The line of a comment that nothing ends. */
+  /** The line of a comment that is never closed. */
   openComment: number | undefined;
   private lineStart = 0;
 
@@ -40,7 +41,7 @@ export class TokenReader {
     this.bytes = bytes;
   }
 
-  /** Goes on to the next token; false at the end of the file. */
+  /** Goes to the next token; returns false at the end of the file. */
   next(): boolean {
     const { bytes } = this;
     let at = this.skipBlanks(this.tokenEnd);
@@ -53,7 +54,7 @@ export class TokenReader {
     return at > this.tokenStart;
   }
 
-  /** Lengthens a token that begins with a quotation mark to the mark that ends it on the same line. */
+  /** Extends a token that begins with a quotation mark to the closing mark on the same line. */
   private endQuotation(): boolean {
     const { bytes } = this;
     if (bytes[this.tokenStart] !== quotationMark) return false;
@@ -64,7 +65,7 @@ export class TokenReader {
     return true;
   }
 
-  /** The token as text; where it begins with a quotation mark, what stands up to the next one. */
+  /** The token as text; if it begins with a quotation mark, the text up to the next one. */
   unquoted(): string {
     return this.endQuotation() ? this.text().slice(1, -1) : this.text();
   }
@@ -85,22 +86,22 @@ export class TokenReader {
     return !this.atEnd && !isBrace(this.bytes[this.tokenStart]!);
   }
 
-  /** Whether the token starts as numbers do, though it may be none. */
+  /** Whether the token starts like a number. */
   get looksNumeric(): boolean {
     return !this.atEnd && /^[+-]?\.?\d/.test(this.text().slice(0, 4));
   }
 
-  /** Bytes of the token. */
+  /** The number of bytes of the token. */
   get length(): number {
     return this.tokenEnd - this.tokenStart;
   }
 
-  /** The token as a number; NaN where it is none, or longer than this. */
+  /** The token as a number; NaN if it is not one, or if it is longer than this. */
   number(longest?: number): number {
     return readNumber(this.bytes, this.tokenStart, this.tokenEnd, longest);
   }
 
-  /** The token as a whole number; NaN where it is none, or longer than this. */
+  /** The token as a whole number; NaN if it is not one, or if it is longer than this. */
   integer(longest?: number): number {
     return readInteger(this.bytes, this.tokenStart, this.tokenEnd, longest);
   }
@@ -111,7 +112,7 @@ export class TokenReader {
     return decodeText(this.bytes.subarray(this.tokenStart, end));
   }
 
-  /** How many bytes follow the token: no count in the file can be larger. */
+  /** The number of bytes after the token; no valid count can be larger. */
   get bytesLeft(): number {
     return this.bytes.length - this.tokenEnd;
   }
@@ -130,7 +131,7 @@ export class TokenReader {
     return { line, lineStart, tokenStart, tokenEnd };
   }
 
-  /** Goes back to where the mark was made. */
+  /** Returns to the marked position. */
   back({ line, lineStart, tokenStart, tokenEnd }: TokenMark): void {
     this.line = line;
     this.lineStart = lineStart;

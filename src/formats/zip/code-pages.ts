@@ -1,20 +1,25 @@
-/** The upper half of code page 437, which PKZIP had, and which most of Europe's 850 shares in its letters. */
+/**
+ * The upper half of code page 437, which PKZIP used. Most of Europe's code page 850 has the same
+ * letters there.
+ */
 const codePage437 =
   'ÇüéâäàåçêëèïîìÄÅÉæÆôöòûùÿÖÜ¢£¥₧ƒáíóúñÑªº¿⌐¬½¼¡«»░▒▓│┤╡╢╖╕╣║╗╝╜╛┐└┴┬├─┼╞╟╚╔╩╦╠═╬╧╨╤╥╙╘╒╓╫╪┘┌█▄▌▐▀' +
   'αßΓπΣσµτΦΘΩδ∞φε∩≡±≥≤⌠⌡÷≈°∙·√ⁿ²■\u00a0';
 
-/** A way to read names that are not UTF-8. */
+/** An encoding of names that are not UTF-8. */
 interface CodePage {
-  /** Throws where the bytes are none of its text. */
+  /** Throws if the bytes are not valid in this encoding. */
   readonly decode: (bytes: Uint8Array) => string;
-  /** What its text never looks like, though the bytes of another code page may be read so. */
+  /**
+   * Text that never occurs in this encoding's languages, but results from decoding other encodings.
+   */
   readonly unlike: RegExp | undefined;
 }
 
 /**
- * In this order: models for MikuMikuDance come in Shift-JIS. Chinese and Korean read as Shift-JIS has
- * half-width punctuation, marks of sound behind letters that take none, or private letters; read as Korean,
- * Chinese has more than Korean letters.
+ * The order matters: models for MikuMikuDance have Shift-JIS names. Chinese and Korean decoded as
+ * Shift-JIS contain half-width punctuation, voicing marks after letters that take none, or
+ * private-use characters. Chinese decoded as Korean contains other characters than Korean letters.
  */
 const codePages: readonly CodePage[] = [
   {
@@ -28,8 +33,9 @@ const codePages: readonly CodePage[] = [
 ];
 
 /**
- * Names as the first code page has them that reads all of them without faults; a single high byte among the
- * small letters of a Western name is no letter of an Eastern one, whose second byte it would take.
+ * Decodes names with the first code page that decodes all of them without faults. A single high
+ * byte between small letters of a Western name is not valid in an Eastern encoding, because it
+ * would consume the next letter as its second byte.
  */
 export function decodeOldNames(names: readonly Uint8Array[]): string[] {
   const binary = names.map((bytes) => String.fromCharCode(...bytes));
@@ -47,10 +53,13 @@ export function decodeOldNames(names: readonly Uint8Array[]): string[] {
   return names.map(decodeWestern);
 }
 
-/** High bytes that stand alone, each between a letter and a small letter. */
+/** High bytes that are isolated, each between a letter and a small letter. */
 const western = /^(?:[\0-\x7f]|(?<=[A-Za-z])[\x80-\x9a\xa0-\xa5\xc0-\xff](?=[a-z]))+$/;
 
-/** As Windows has it where all high bytes are letters there, else as DOS had it. */
+/**
+ * Decodes with the code page of Windows if all high bytes are letters there, otherwise with that of
+ * DOS.
+ */
 function decodeWestern(bytes: Uint8Array): string {
   const isWindows = bytes.every((byte) => byte < 0x80 || byte >= 0xc0);
   const upper = (byte: number): string =>

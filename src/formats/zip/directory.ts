@@ -1,13 +1,13 @@
 import { decodeNames, type RawName } from './entry-names.ts';
 
-/** A file of an archive, as the archive's directory has it; none of it is checked. */
+/** A file of an archive, as the archive's directory lists it; nothing of it is checked. */
 export interface ZipEntry {
   readonly name: string;
   readonly isEncrypted: boolean;
   readonly method: number;
   readonly checksum: number;
   readonly size: number;
-  /** Nothing where the place that the directory says lies outside the archive. */
+  /** Undefined if the directory gives a place outside the archive. */
   readonly packed: Uint8Array | undefined;
 }
 
@@ -24,8 +24,9 @@ const encryptedFlag = 0x0001;
 const utf8Flag = 0x0800;
 
 /**
- * The files that a zip archive's directory lists (PKWARE APPNOTE 6.3.10, 4.3), or what is wrong with
- * it. Read from the directory, not from one file to the next, since only it is sure to be whole.
+ * Returns the files that a zip archive's directory lists (PKWARE APPNOTE 6.3.10, 4.3), or what is
+ * wrong with it. It reads the directory instead of the files' own headers, because only the
+ * directory is certain to be complete.
  */
 export function readDirectory(bytes: Uint8Array): readonly ZipEntry[] | string {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
@@ -34,7 +35,8 @@ export function readDirectory(bytes: Uint8Array): readonly ZipEntry[] | string {
   const count = view.getUint16(end + 10, true);
   const start = view.getUint32(end + 16, true);
   if (count === 0xffff || start === 0xffffffff) return 'a zip64 archive';
-  // Places are counted from the archive's beginning, before which a program may stand that unpacks it.
+  // Offsets count from the start of the archive, before which there may be a self-extracting
+  // program.
   const shift = Math.max(0, end - view.getUint32(end + 12, true) - start);
   const entries: RawEntry[] = [];
   let at = start + shift;
@@ -61,9 +63,9 @@ export function withNames(entries: readonly RawEntry[]): ZipEntry[] {
 }
 
 /**
- * What the directory and the header before a file's bytes say alike: flags, then the method.
+ * Reads what the directory and a file's own header have in common: flags, then the method.
  *
- * @param at where the flags stand
+ * @param at offset of the flags
  */
 export function entryHead(
   view: DataView,
@@ -79,7 +81,7 @@ export function entryHead(
   };
 }
 
-/** The end record stands last but for a comment. */
+/** The end record is last, except for a comment. */
 function findEnd(view: DataView): number | undefined {
   const last = view.byteLength - endSize;
   for (let at = last; at >= Math.max(0, last - longestComment); at--) {
@@ -88,7 +90,7 @@ function findEnd(view: DataView): number | undefined {
   return undefined;
 }
 
-/** What follows the local header of a directory's entry, which has lengths of its own. */
+/** The bytes after the local header of a directory's entry; that header has lengths of its own. */
 function packedBytes(
   bytes: Uint8Array,
   view: DataView,

@@ -1,20 +1,21 @@
 import { crc32 } from '../crc32.ts';
 import { decodeOldNames } from './code-pages.ts';
 
-/** The bytes of an entry's name, and what else the directory says of it. */
+/** The bytes of an entry's name, and other data from the directory that affects its decoding. */
 export interface RawName {
   readonly bytes: Uint8Array;
-  /** Whether the entry's flags say that it is UTF-8. */
+  /** Whether the entry's flags declare UTF-8. */
   readonly isUtf8: boolean;
-  /** Fields beside the entry (APPNOTE 4.5). */
+  /** The extra fields of the entry (APPNOTE 4.5). */
   readonly extra: Uint8Array;
 }
 
 /**
- * The names of an archive's files, with `/` between folders. A name is UTF-8 where it says so and is, else
- * as its Unicode field has it. The others are of one machine: UTF-8 where all of them could be, else of one
- * code page. They are decoded before `\` becomes `/`, since the second byte of a letter in Shift-JIS may be
- * a backslash.
+ * Decodes the names of an archive's files, with `/` between folders. A name that is declared and
+ * valid UTF-8 is decoded as such; otherwise its Unicode field is used if there is one. The
+ * remaining names come from one machine: they are UTF-8 if all of them are valid, otherwise of one
+ * code page. They are decoded before `\` becomes `/`, because the second byte of a Shift-JIS
+ * character may be a backslash.
  */
 export function decodeNames(names: readonly RawName[]): string[] {
   const told = names.map(
@@ -30,7 +31,9 @@ export function decodeNames(names: readonly RawName[]): string[] {
 
 const unicodePath = 0x7075;
 
-/** The name of the Info-ZIP Unicode Path field, where it was made of this very name (APPNOTE 4.6.9). */
+/**
+ * The name of the Info-ZIP Unicode Path field, if it was made for this very name (APPNOTE 4.6.9).
+ */
 function unicodeField(name: Uint8Array, extra: Uint8Array): string | undefined {
   const view = new DataView(extra.buffer, extra.byteOffset, extra.byteLength);
   for (let at = 0; at + 4 <= extra.length;) {

@@ -8,13 +8,13 @@ import { LeftOut } from './left-out.ts';
 import { recoverEntries } from './recover.ts';
 import { unpack } from './unpack.ts';
 
-/** Bounds on what an archive may unfold to; a few kilobytes can claim to be terabytes. */
+/** Limits on the unpacked size of an archive; a few kilobytes can claim to be terabytes. */
 export interface ArchiveLimits {
   readonly entryCount: number;
   readonly totalSize: number;
-  /** Unpacked over packed size of one file, where it is larger than `freeSize`. */
+  /** The largest ratio of unpacked to packed size for files that are larger than `freeSize`. */
   readonly ratio: number;
-  /** Weights of zeros and ones pack very well, and what is as small does no harm. */
+  /** Weights of zeros and ones compress very well, and files up to this size do no harm. */
   readonly freeSize: number;
 }
 
@@ -26,8 +26,8 @@ export const defaultArchiveLimits: ArchiveLimits = {
 };
 
 /**
- * The files, with those of zip archives in folders of the archives' names. Archives within archives are
- * not opened; files that no reader asks for are listed, not unpacked.
+ * Returns the files, with those of zip archives in folders of the archives' names. Archives within
+ * archives are not opened. Files that no reader uses are listed but not unpacked.
  */
 export async function expandArchives(
   files: readonly FileEntry[],
@@ -77,7 +77,7 @@ function expandArchive(bytes: Uint8Array, limits: ArchiveLimits, log: Diagnostic
   return unpacked;
 }
 
-/** By the archive's directory; where that is lost, by what the files themselves say, which is told. */
+/** Reads the archive's directory or, if it is missing, the files' own headers, with a warning. */
 function entriesOf(bytes: Uint8Array, log: DiagnosticLog): readonly ZipEntry[] {
   const entries = readDirectory(bytes);
   if (typeof entries !== 'string') return entries;
@@ -103,7 +103,7 @@ function refuse(
   log.error({ code: `file/${kind}`, expected, found, effect: 'the archive is not used' });
 }
 
-/** Programs that unpack write one over the other. */
+/** The last file of a name counts, because programs that unpack overwrite the earlier ones. */
 function lastOfEachName(entries: readonly ZipEntry[], log: DiagnosticLog): ZipEntry[] {
   const byName = new Map(entries.map((entry) => [entry.name, entry]));
   const twice = entries.find((entry) => byName.get(entry.name) !== entry);
@@ -123,7 +123,7 @@ function isRead({ name }: ZipEntry): boolean {
   return extension !== archiveExtension && readableExtensions.includes(extension);
 }
 
-/** Why a file is too large, by what the directory says; unpacking holds it to that. */
+/** Returns why a file is too large, by the size in the directory; unpacking enforces that size. */
 function excessOf(
   { size, packed }: ZipEntry,
   totalSize: number,

@@ -4,7 +4,7 @@ import { baseName, extensionOf } from '../file-entry.ts';
 
 const mostNames = 4;
 
-/** The files of an archive that can't be unpacked: counted, and told once for each reason. */
+/** The files of an archive that can't be unpacked: counted, and reported once for each reason. */
 export class LeftOut {
   private readonly namesOf = new Map<string, string[]>();
 
@@ -14,7 +14,7 @@ export class LeftOut {
     this.namesOf.set(reason, names);
   }
 
-  /** An image left out costs no number; any other file is an error. */
+  /** A missing image affects no numbers, so it is a warning; any other file is an error. */
   report(log: DiagnosticLog): void {
     for (const [reason, names] of this.namesOf) {
       const areImages = names.every((name) => textureExtensions.includes(extensionOf(name)));

@@ -12,8 +12,8 @@ const descriptorSignature = 0x08074b50;
 const descriptorFlag = 0x0008;
 
 /**
- * The files of an archive whose directory is lost, as one that was cut is: from one local header to the
- * next (APPNOTE 4.3.7). Where sizes stand behind a file, it ends where they say so.
+ * Finds the files of an archive without a directory, for example one that was cut short, from one
+ * local header to the next (APPNOTE 4.3.7). If a file's sizes follow it, they determine its end.
  */
 export function recoverEntries(bytes: Uint8Array): readonly ZipEntry[] {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
@@ -37,7 +37,7 @@ export function recoverEntries(bytes: Uint8Array): readonly ZipEntry[] {
   return withNames(entries);
 }
 
-/** Where checksum, packed size and size of a file stand, and where the file ends. */
+/** Checksum, packed size and size of a file, and where the file ends. */
 interface Sizes {
   readonly at: number;
   readonly end: number;
@@ -47,7 +47,10 @@ function sizesAt(view: DataView, at: number, start: number): Sizes {
   return { at, end: start + view.getUint32(at + 4, true) };
 }
 
-/** The sizes that follow a file: behind a signature of their own, which is optional, or before a header. */
+/**
+ * Finds the sizes that follow a file: after an optional signature of their own, or directly before
+ * a header.
+ */
 function findSizes(view: DataView, start: number): Sizes | undefined {
   for (let end = start; end + 16 <= view.byteLength; end++) {
     const isSigned = view.getUint32(end, true) === descriptorSignature;

@@ -5,10 +5,10 @@ import type { ZipEntry } from './directory.ts';
 const stored = 0;
 const deflated = 8;
 
-/** A piece unfolds to at most a thousand times its size, so that a lie is found out soon. */
+/** A piece unpacks to at most a thousand times its size, so that a false size is detected soon. */
 const pieceSize = 16 * 1024;
 
-/** The file's bytes, never more than its entry says; or what is wrong with it. */
+/** Returns the file's bytes, never more than its entry states, or what is wrong with it. */
 export function unpack(entry: ZipEntry): Uint8Array | string {
   const { isEncrypted, method, packed, size, checksum } = entry;
   if (isEncrypted) return 'under a password';
@@ -18,7 +18,7 @@ export function unpack(entry: ZipEntry): Uint8Array | string {
   return bytes?.length === size && crc32(bytes) === checksum ? bytes : 'broken';
 }
 
-/** Nothing where it is not deflated, ends early, or unfolds to more than `size`. */
+/** Returns nothing if the data is not Deflate, ends early, or unpacks to more than `size`. */
 function inflate(packed: Uint8Array, size: number): Uint8Array | undefined {
   const bytes = new Uint8Array(size);
   let length = 0;

@@ -3,12 +3,12 @@ import { firstPersonFrom, orbitFrom, walk } from '../../view/first-person.ts';
 import type { Editor } from '../editor.ts';
 import type { Command } from './command.ts';
 
-/** Radians. */
+/** In radians. */
 const orbitStep = Math.PI / 12;
-/** Scene units, in which a character is one tall. */
+/** In scene units; a character is one unit tall. */
 const walkStep = 0.05;
 
-/** Where the camera stands: about the character, or in first person. */
+/** Commands for the camera: orbiting the character, or walking in first person. */
 export const cameraCommands = [
   {
     id: 'frame',
@@ -19,7 +19,7 @@ export const cameraCommands = [
   },
   {
     id: 'play-or-reset-camera',
-    label: 'Reset the camera; with a bound clip, play or pause',
+    label: 'Reset the camera; while a clip is bound, play or pause it',
     keys: [{ key: ' ' }],
     run: (editor) => {
       if (editor.transport.isBound) editor.transport.togglePlay();
@@ -28,7 +28,7 @@ export const cameraCommands = [
   },
   {
     id: 'reset-camera',
-    label: 'Put the camera where the workspace has it',
+    label: "Reset the camera to the workspace's position",
     short: 'Reset camera',
     run: resetCamera,
   },
@@ -58,7 +58,7 @@ export const cameraCommands = [
   },
   {
     id: 'walk-ahead',
-    label: 'Walk ahead',
+    label: 'Walk forward',
     keys: [{ key: 'w' }, { key: 'ArrowUp' }],
     context: 'first person',
     run: (editor) => step(editor, 1, 0),

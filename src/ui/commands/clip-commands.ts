@@ -3,11 +3,11 @@ import type { Command } from './command.ts';
 
 const hasClip = ({ transport }: Editor): boolean => transport.clip !== undefined;
 
-/** The bound clip, or the one that Play binds. */
+/** These act on the bound clip, or on the clip that Play would bind. */
 export const clipCommands = [
   {
     id: 'play',
-    label: 'Play, pause the clip',
+    label: 'Play or pause the clip',
     keys: [{ key: 'p' }],
     isOn: ({ session }) => session.playing.value,
     describe: ({ session }) => (session.playing.value ? 'Pause' : 'Play'),
@@ -16,7 +16,7 @@ export const clipCommands = [
   },
   {
     id: 'play-here',
-    label: 'Play, pause',
+    label: 'Play or pause',
     keys: [{ key: ' ' }],
     context: 'timeline',
     isEnabled: hasClip,
@@ -24,7 +24,7 @@ export const clipCommands = [
   },
   {
     id: 'clip-start',
-    label: 'To the start',
+    label: 'Go to the start',
     keys: [{ key: 'Home' }],
     context: 'timeline',
     isEnabled: hasClip,
@@ -32,7 +32,7 @@ export const clipCommands = [
   },
   {
     id: 'clip-end',
-    label: 'To the end',
+    label: 'Go to the end',
     keys: [{ key: 'End' }],
     context: 'timeline',
     isEnabled: hasClip,
@@ -48,7 +48,7 @@ export const clipCommands = [
   },
   {
     id: 'step-on',
-    label: 'Step on',
+    label: 'Step forward',
     keys: [{ key: 'ArrowRight' }],
     context: 'timeline',
     isEnabled: hasClip,
@@ -56,7 +56,7 @@ export const clipCommands = [
   },
   {
     id: 'release-clip',
-    label: 'Own pose: let the clip go',
+    label: 'Own pose: unbind the clip',
     isEnabled: ({ transport }) => transport.isBound,
     run: ({ transport }) => transport.release(),
   },

@@ -1,48 +1,48 @@
 import { attempt } from '../attempt.ts';
 import type { Editor } from '../editor.ts';
 
-/** A press of a key. */
+/** A key combination. */
 export interface KeyPress {
-  /** As `KeyboardEvent.key`; letters lower case. */
+  /** As in `KeyboardEvent.key`; letters are lower case. */
   readonly key: string;
   /** With Ctrl, or Cmd on a Mac. */
   readonly control?: boolean;
   readonly shift?: boolean;
 }
 
-/** Where a command's keys act; see contexts.ts. */
+/** The states in which a command's keys apply; see contexts.ts. */
 export type ContextId =
   'first person' | 'timeline' | 'bone' | 'joint' | 'character' | 'everywhere' | 'control';
 
 /**
- * A seam: something that a user can do. Keys, buttons, rows of the controls, the help sheet and
- * docs/keys.md are views of these. A new one is a row in a file of this folder.
+ * Something that a user can do. Keys, buttons, rows of the controls, the help sheet and
+ * docs/keys.md are made from these. To add one, add a row to a file of this folder.
  */
 export interface Command {
   readonly id: string;
-  /** What it does, for the help sheet and as a button's title. */
+  /** The text of the help sheet and of a button's tooltip. */
   readonly label: string;
-  /** On a button or a row, where the label is too long. */
+  /** The text of a button or a row, if the label is too long. */
   readonly short?: string;
   readonly keys?: readonly KeyPress[];
-  /** Everywhere where absent; with Ctrl or Cmd, in fields too. */
+  /** Everywhere if absent; keys with Ctrl or Cmd also apply in text fields. */
   readonly context?: ContextId;
-  /** Of a switch: whether it is on. */
+  /** For a toggle: whether it is on. */
   readonly isOn?: (editor: Editor) => boolean;
-  /** Whether there is something to do; always where absent. */
+  /** Whether the command can do anything; always, if absent. */
   readonly isEnabled?: (editor: Editor) => boolean;
-  /** What it would do now, where that is more than the label says. */
+  /** What the command would do now, if that is more specific than the label. */
   readonly describe?: (editor: Editor) => string;
   readonly run: (editor: Editor) => void | Promise<void>;
 }
 
-/** Runs a command; where it fails, the status line says so. */
+/** Runs a command; if it fails, the status line shows the message. */
 export function runCommand({ run }: Command, editor: Editor): void {
   const work = run(editor);
   if (work) attempt(editor, work);
 }
 
-/** "Ctrl/Cmd+Shift+Z", for people. */
+/** The key's name in the interface, such as "Ctrl/Cmd+Shift+Z". */
 export function keyName({ key, control, shift }: KeyPress): string {
   const names: Record<string, string> = {
     ' ': 'Space',
@@ -56,7 +56,7 @@ export function keyName({ key, control, shift }: KeyPress): string {
   return [control ? 'Ctrl/Cmd' : '', shift ? 'Shift' : '', shown].filter(Boolean).join('+');
 }
 
-/** What a button's tooltip says: what it would do, and its first key. */
+/** A button's tooltip: what the command would do, and its first key. */
 export function titleOf(command: Command, editor: Editor): string {
   const [key] = command.keys ?? [];
   const text = command.describe?.(editor) ?? command.label;

@@ -3,35 +3,37 @@ import { type Command, type ContextId, keyName, type KeyPress } from './command.
 import { rolledJoint } from './joint-commands.ts';
 import { commands } from './registry.ts';
 
-/** Keys that act in one state of the editor, before those of the contexts below it. */
+/** A group of keys that act in one state of the editor; they take precedence over later groups. */
 export interface KeyContext {
   readonly id: ContextId;
   readonly label: string;
   isActive(editor: Editor): boolean;
 }
 
-/** Every context; the first match wins. Those of the timeline act where it has the focus. */
+/**
+ * Every context; the first match wins. The timeline handles its own keys while it has the focus.
+ */
 export const contexts: readonly KeyContext[] = [
-  { id: 'control', label: 'With Ctrl or Cmd, in fields too', isActive: () => true },
+  { id: 'control', label: 'With Ctrl or Cmd, also in text fields', isActive: () => true },
   {
     id: 'first person',
-    label: 'First person',
+    label: 'With the first-person camera',
     isActive: ({ session }) => session.firstPerson.value,
   },
-  { id: 'timeline', label: 'The timeline has the focus', isActive: () => false },
+  { id: 'timeline', label: 'While the timeline has the focus', isActive: () => false },
   {
     id: 'bone',
-    label: 'Bone mode, on a lit or selected joint',
+    label: 'In bone mode, with a highlighted or selected joint',
     isActive: ({ session }) => session.boneMode.value && rolledJoint(session) !== null,
   },
   {
     id: 'joint',
-    label: 'A selected joint',
+    label: 'While a joint is selected',
     isActive: ({ session }) => session.selectedJoint.value !== null,
   },
   {
     id: 'character',
-    label: 'No joint selected',
+    label: 'While no joint is selected',
     isActive: ({ session }) => session.selectedJoint.value === null,
   },
   { id: 'everywhere', label: '', isActive: () => true },
@@ -50,19 +52,19 @@ export function keysOf(context: ContextId): readonly KeyBinding[] {
     .flatMap((command) => (command.keys ?? []).map((press) => ({ press, command })));
 }
 
-/** A row of the help sheet and of docs/keys.md: the keys, and what they do. */
+/** A row of the help sheet and of docs/keys.md: the keys and their effect. */
 export type HelpRow = readonly [keys: string, does: string];
 
 export function keyRows(context: ContextId): readonly HelpRow[] {
   return keysOf(context).map(({ press, command }) => [keyName(press), command.label]);
 }
 
-/** What the pointer does on the view. */
+/** The actions of the pointer on the view. */
 export const pointerRows: readonly HelpRow[] = [
   [
     'Left drag',
-    'Orbit; in first person, look around; in bone mode, on a bone, turn it (Alt: roll)',
+    'Orbit; with the first-person camera, look around; in bone mode, turn the bone (Alt: roll it)',
   ],
-  ['Middle drag', 'Move sideways'],
+  ['Middle drag', 'Pan'],
   ['Right drag, wheel', 'Zoom'],
 ];

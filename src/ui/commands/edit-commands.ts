@@ -2,7 +2,7 @@ import { resetJoint } from '../../document/edits.ts';
 import type { Editor } from '../editor.ts';
 import type { Command } from './command.ts';
 
-/** Undo and redo, and what is done with characters and poses. */
+/** Undo and redo, and commands for characters and poses. */
 export const editCommands = [
   {
     id: 'undo',
@@ -60,7 +60,7 @@ export const editCommands = [
   },
   {
     id: 'cancel',
-    label: 'Cancel a drag; let the active value go',
+    label: 'Cancel a drag, or deselect the active value',
     keys: [{ key: 'Escape' }],
     run: takeBack,
   },
@@ -70,7 +70,10 @@ function told(verb: string, label: string | null): string {
   return label === null ? `Nothing to ${verb.toLowerCase()}` : `${verb}: ${label}`;
 }
 
-/** Takes a step of the history, says which, and frames what it brings; a renewed character keeps its name. */
+/**
+ * Takes a step of the history, shows its name, and frames new characters. A character that was
+ * opened again keeps its name, so the camera stays.
+ */
 function step(editor: Editor, verb: string, take: () => string | null): void {
   const { store, notice } = editor;
   const names = (): string =>
@@ -80,7 +83,7 @@ function step(editor: Editor, verb: string, take: () => string | null): void {
   if (label === null) return;
   if (names() !== before) editor.frameOpened();
   const text = `${verb}: ${label}`;
-  // Screen readers speak what changes: the same once more differs by a blank.
+  // Screen readers announce changes only, so a repeated text differs by a blank.
   notice.value = notice.value === text ? `${text}\u00a0` : text;
 }
 
@@ -90,7 +93,7 @@ function resetSelectedJoint({ store, session, evaluations }: Editor): void {
   if (shown && joint !== null) store.dispatch(resetJoint(shown.state, shown.pose.q, joint));
 }
 
-/** Takes back the nearest thing: a drag, else the active value, which drags would set alone. */
+/** Cancels a drag, or else deselects the active value, which drags would otherwise set. */
 function takeBack({ store, session }: Editor): void {
   if (!store.cancelGesture()) session.activeDof.value = null;
 }

@@ -1,7 +1,7 @@
 import { chooseFiles } from '../choose-files.ts';
 import type { Command } from './command.ts';
 
-/** What comes from files and goes to them. */
+/** Commands that read or write files. */
 export const fileCommands = [
   {
     id: 'open-files',

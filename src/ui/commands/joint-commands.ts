@@ -5,10 +5,10 @@ import { rollJoint } from '../../posing/roll-joint.ts';
 import type { Editor } from '../editor.ts';
 import type { Command } from './command.ts';
 
-/** Radians, as CS354's program. */
+/** In radians, as in CS354's program. */
 const rollStep = 0.1;
 
-/** From joint to joint, and what arrows do to one. */
+/** Commands that select joints and roll them. */
 export const jointCommands = [
   {
     id: 'previous-joint',
@@ -38,12 +38,12 @@ export const jointCommands = [
   },
 ] as const satisfies readonly Command[];
 
-/** The joint that the arrows roll: the lit one, else the selected. */
+/** The joint that the arrow keys roll: the highlighted one, or else the selected one. */
 export function rolledJoint({ hoveredJoint, selectedJoint }: Session): number | null {
   return hoveredJoint.value ?? selectedJoint.value;
 }
 
-/** Selects the joint before or after the selected one, round and round. */
+/** Selects the joint before or after the selected one, cyclically. */
 function stepJoint({ store, session }: Editor, step: 1 | -1): void {
   const count = selectedActor(store, session)?.character.skeleton.jointCount ?? 0;
   if (count === 0) return;

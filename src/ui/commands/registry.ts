@@ -17,7 +17,7 @@ const table = [
 
 export type CommandId = (typeof table)[number]['id'];
 
-/** Every command, in the order in which the help sheet tells their keys. */
+/** Every command, in the order of the help sheet. */
 export const commands: readonly Command[] = table;
 
 const byId = new Map(commands.map((command) => [command.id, command]));

@@ -3,11 +3,11 @@ import { methods } from '../../skinning/registry.ts';
 import type { Editor } from '../editor.ts';
 import { type Command, toggle } from './command.ts';
 
-/** What is shown, and what drags do. */
+/** Commands for what is shown, and for what drags do. */
 export const viewCommands = [
   {
     id: 'axes',
-    label: 'Axes on, off',
+    label: 'Show or hide the axes',
     short: 'Axes',
     keys: [{ key: 'a' }],
     isOn: ({ session }) => session.showAxes.value,
@@ -15,7 +15,7 @@ export const viewCommands = [
   },
   {
     id: 'drawn',
-    label: 'Skin, skeleton, both',
+    label: 'Show the skin, the skeleton, or both',
     keys: [{ key: 's' }],
     run: cycleDrawn,
   },
@@ -29,14 +29,14 @@ export const viewCommands = [
   },
   {
     id: 'compare',
-    label: 'Compare methods side by side, on, off',
+    label: 'Compare two methods side by side, or stop',
     keys: [{ key: 'x' }],
     isOn: ({ session }) => session.comparedKernel.value !== null,
     run: toggleCompared,
   },
   {
     id: 'bone-mode',
-    label: 'Bone mode: drags turn bones',
+    label: 'Bone mode: drag bones to turn them',
     short: 'Bone mode',
     keys: [{ key: 'm' }],
     isOn: ({ session }) => session.boneMode.value,
@@ -44,7 +44,7 @@ export const viewCommands = [
   },
   {
     id: 'first-person',
-    label: 'First person on, off',
+    label: 'First-person camera on or off',
     short: 'First person',
     keys: [{ key: 'c' }],
     isOn: ({ session }) => session.firstPerson.value,
@@ -52,7 +52,7 @@ export const viewCommands = [
   },
   {
     id: 'keys',
-    label: 'These keys',
+    label: 'Show all keys',
     short: 'Keys',
     keys: [{ key: '?' }],
     isOn: ({ helpOpen }) => helpOpen.value,
@@ -60,14 +60,14 @@ export const viewCommands = [
   },
 ] as const satisfies readonly Command[];
 
-/** Skin alone, skeleton alone, both, and round again. */
+/** Cycles through skin only, skeleton only, and both. */
 function cycleDrawn({ session: { showSkin, showSkeleton } }: Editor): void {
   if (showSkin.value && showSkeleton.value) showSkeleton.value = false;
   else if (showSkin.value) [showSkin.value, showSkeleton.value] = [false, true];
   else [showSkin.value, showSkeleton.value] = [true, true];
 }
 
-/** Beside the selected actor's method the first other one. */
+/** Compares the selected actor's method with the first other one. */
 function toggleCompared({ store, session }: Editor): void {
   const { comparedKernel } = session;
   const actor = selectedActor(store, session);

@@ -5,7 +5,7 @@ import { addCommandRow } from './command-row.ts';
 import { signalField } from './signal-field.ts';
 import { watch } from '../watch.ts';
 
-/** What dragging does in the view. */
+/** Controls for what dragging does in the view. */
 export function addBoneFolder(gui: GUI, editor: Editor): void {
   const { boneDrag } = editor.session;
   const folder = gui.addFolder('Drag');

@@ -5,7 +5,7 @@ import { type CommandId, commandOf } from '../commands/registry.ts';
 import type { Editor } from '../editor.ts';
 import { field } from './signal-field.ts';
 
-/** Adds a row that runs a command: a check box where that is a switch, else a button. */
+/** Adds a row that runs a command: a check box if the command is a toggle, otherwise a button. */
 export function addCommandRow(folder: GUI, editor: Editor, id: CommandId): void {
   const command = commandOf(id);
   const { isOn } = command;
@@ -22,7 +22,7 @@ export function addCommandRow(folder: GUI, editor: Editor, id: CommandId): void 
   row.domElement.title = titleOf(command, editor);
   if (!isOn) return;
   effect(() => {
-    // To ask whether it is on is to follow it.
+    // Reading the state subscribes to it.
     isOn(editor);
     row.updateDisplay();
   });

@@ -1,5 +1,5 @@
 import GUI from 'lil-gui';
-// lil-gui's package does not export its style; injecting it would be an innerHTML write.
+// lil-gui's package does not export its style sheet, and injecting it would write innerHTML.
 import '../../../node_modules/lil-gui/dist/lil-gui.min.css';
 import type { Editor } from '../editor.ts';
 import { addBoneFolder } from './bone-folder.ts';
@@ -12,7 +12,9 @@ import { addSliderRoles } from './slider-role.ts';
 import { addSkinFolder } from './skin-folder.ts';
 import { addViewFolder } from './view-folder.ts';
 
-/** Every folder of the controls, from top to bottom. A new one is a file and a line here. */
+/**
+ * Every folder of the controls, from top to bottom. To add one, write a file and add a line here.
+ */
 const folders: readonly ((gui: GUI, editor: Editor) => void)[] = [
   addPoseFolder,
   addMorphFolder,
@@ -24,7 +26,7 @@ const folders: readonly ((gui: GUI, editor: Editor) => void)[] = [
   addPictureFolder,
 ];
 
-/** Every number and switch, in lil-gui. */
+/** Creates the controls for all numbers and switches, with lil-gui. */
 export function createControls(container: HTMLElement, editor: Editor): void {
   const gui = new GUI({ container, injectStyles: false, title: 'Controls' });
   for (const add of folders) add(gui, editor);

@@ -7,8 +7,8 @@ import { axisNames, type JointValue, jointValues, valueName } from '../joint-val
 import { addValueRow, type ValueRow } from './value-row.ts';
 
 /**
- * A folder with the sliders of one joint. Its rows are built when it is first opened: a character
- * may have hundreds.
+ * A folder with the sliders of one joint. Its rows are built when it is first opened, because a
+ * character may have hundreds of joints.
  */
 export class JointFolder {
   private readonly rows: { readonly row: ValueRow; readonly fullName: string }[] = [];
@@ -17,7 +17,7 @@ export class JointFolder {
   private readonly joint: number;
   private readonly state: Actor;
   private built = false;
-  /** Opened by the selection or a search, not by hand. */
+  /** Whether the folder was opened by selection or search, not by hand. */
   private openedForShow = false;
 
   constructor(parent: GUI, editor: Looking & Posing, state: Actor, joint: number) {
@@ -37,13 +37,13 @@ export class JointFolder {
     this.folder.domElement.dataset['joint'] = String(joint);
   }
 
-  /** Opens the folder and brings it into sight. */
+  /** Opens the folder and scrolls it into view. */
   reveal(): void {
     this.openForShow();
     this.folder.domElement.scrollIntoView({ block: 'nearest' });
   }
 
-  /** Closes the folder again, where it was not the user who opened it. */
+  /** Closes the folder again, unless the user opened it. */
   conceal(): void {
     if (!this.openedForShow) return;
     this.folder.close();
@@ -51,8 +51,8 @@ export class JointFolder {
   }
 
   /**
-   * Shows the rows whose names have the words in them, and nothing where there is none.
-   * @param wanted lower case; all is shown where it is empty
+   * Shows the rows whose names contain the text, and hides the folder if there is none.
+   * @param wanted in lower case; if empty, all rows are shown
    */
   filter(wanted: string): void {
     const words = wanted.split(/\s+/);
@@ -65,7 +65,7 @@ export class JointFolder {
     for (const { row, fullName } of this.rows) row.show(wanted === '' || matches(fullName));
   }
 
-  /** Shows the values as they are now; rows that nobody sees wait until they are opened. */
+  /** Updates the shown values. Rows in closed folders are updated when they are opened. */
   refresh(): void {
     if (!this.folder._closed) this.refreshRows();
   }

@@ -3,7 +3,7 @@ import { type Light, studioLights } from '../../document/session.ts';
 import type { Looking } from '../editor.ts';
 import { watch } from '../watch.ts';
 
-/** Color, strength and direction of each light. */
+/** Adds controls for the color, strength and direction of each light. */
 export function addLightsFolder(gui: GUI, { session: { lights } }: Looking): void {
   const folder = gui.addFolder('Lights').close();
   const rows = lights.value.flatMap((light, index) => {

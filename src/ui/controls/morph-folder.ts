@@ -7,10 +7,10 @@ import { selectedActor } from '../../document/selected-actor.ts';
 import type { Looking } from '../editor.ts';
 import { addValueRow, type ValueRow } from './value-row.ts';
 
-/** What typing may reach: a morph says something from 0 to 1, and exaggerates beyond. */
+/** The largest weight that can be typed. A morph is defined from 0 to 1 and exaggerated beyond. */
 const reach = 100;
 
-/** A slider from 0 to 1 for every morph of the selected character. */
+/** Adds a slider from 0 to 1 for every morph of the selected character. */
 export function addMorphFolder(gui: GUI, editor: Looking): void {
   const { store, session } = editor;
   const folder = gui.addFolder('Morphs');

@@ -3,7 +3,10 @@ import type { PictureFormat } from '../../view/picture.ts';
 import { attempt } from '../attempt.ts';
 import type { Actions, PictureOptions, Telling } from '../editor.ts';
 
-/** A picture of exactly what the view shows, or of the same at any size. */
+/**
+ * Adds controls for saving a picture of exactly what the view shows, or of the same view at any
+ * size.
+ */
 export function addPictureFolder(gui: GUI, editor: Actions & Telling): void {
   const folder = gui.addFolder('Picture').close();
   const bound = {

@@ -6,7 +6,7 @@ import { selectedActor } from '../../document/selected-actor.ts';
 import type { Looking } from '../editor.ts';
 import { addValueRow, type ValueRow } from './value-row.ts';
 
-/** Scene units, in which a character is one tall. */
+/** In scene units; a character is one unit tall. */
 const reach = 3;
 const largestScale = 4;
 
@@ -21,7 +21,7 @@ interface PlaceValue {
   write(transform: Transform, value: number): Transform;
 }
 
-/** Where the selected character stands in the scene, how it is turned, and its size. */
+/** Adds controls for the position, rotation and size of the selected character in the scene. */
 export function addPlaceFolder(gui: GUI, editor: Looking): void {
   const { store, session } = editor;
   const folder = gui.addFolder('Place').close();
@@ -50,7 +50,7 @@ function moved(axis: 0 | 1 | 2): PlaceValue {
   };
 }
 
-/** About the upright axis; a place by hand has no other turn. */
+/** Rotation about the vertical axis, the only one that the controls offer. */
 const turned: PlaceValue = {
   name: 'Turn',
   label: 'Turn',

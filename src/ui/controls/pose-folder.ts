@@ -7,10 +7,10 @@ import { addCommandRow } from './command-row.ts';
 import { JointFolder } from './joint-folder.ts';
 import { rotationOrder } from './rotation-order.ts';
 
-/** All degrees of freedom of the selected character, and what can be done with its pose. */
+/** Adds all degrees of freedom of the selected character, and commands for its pose. */
 export function addPoseFolder(gui: GUI, editor: Editor): void {
   const folder = gui.addFolder('Pose');
-  // Two to a row, pairs side by side.
+  // Two commands per row.
   addCommandRow(folder, editor, 'previous-joint');
   addCommandRow(folder, editor, 'next-joint');
   addCommandRow(folder, editor, 'reset-pose');
@@ -21,7 +21,10 @@ export function addPoseFolder(gui: GUI, editor: Editor): void {
   let joints: GUI | null = null;
   let folders: JointFolder[] = [];
   let shown: Character | null = null;
-  /** Rows write to the character of this id, which may be opened again under another. */
+  /**
+   * The rows write to the actor with this id. The same character may be opened again with another
+   * id.
+   */
   let shownId: ActorId | null = null;
 
   effect(() => {
@@ -51,7 +54,8 @@ export function addPoseFolder(gui: GUI, editor: Editor): void {
   effect(() => {
     const joint = editor.session.selectedJoint.value;
     const next = (joint === null ? null : folders[joint]) ?? null;
-    // What was opened by hand stays open; stepping from joint to joint shows just one.
+    // Folders that the user opened stay open; selecting another joint closes only the folder that
+    // the last selection opened.
     if (revealed !== next) revealed?.conceal();
     next?.reveal();
     revealed = next;

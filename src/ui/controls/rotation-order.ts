@@ -3,8 +3,8 @@ import { DofKind, type Skeleton } from '../../core/skeleton.ts';
 import { ballValue } from '../../formats/ball-values.ts';
 
 /**
- * "R = Rx · Ry · Rz", read off a joint's hinges, or that of a ball's angles; empty where no joint has
- * three.
+ * The text "R = Rx · Ry · Rz" for the order of a joint's hinges or of a ball's angles; empty if no
+ * joint has three angles.
  */
 export function rotationOrder(skeleton: Skeleton): string {
   for (let joint = 0; joint < skeleton.jointCount; joint++) {

@@ -1,6 +1,6 @@
 import type { Signal } from '@preact/signals-core';
 
-/** What lil-gui reads and writes, over a signal. */
+/** Wraps a signal in a property that lil-gui can read and write. */
 export function signalField<T>(signal: Signal<T>): { value: T } {
   return field(
     () => signal.value,
@@ -8,7 +8,7 @@ export function signalField<T>(signal: Signal<T>): { value: T } {
   );
 }
 
-/** What lil-gui reads and writes, by two functions. */
+/** Wraps two functions in a property that lil-gui can read and write. */
 export function field<T>(get: () => T, set: (value: T) => void): { value: T } {
   return Object.defineProperty({} as { value: T }, 'value', { get, set, enumerable: true });
 }

@@ -10,7 +10,7 @@ import type { Editor } from '../editor.ts';
 import { watch } from '../watch.ts';
 import { addCommandRow } from './command-row.ts';
 
-/** How the skin is deformed and shaded, and the check of its numbers. */
+/** Adds controls for deformation and shading of the skin, and for verification. */
 export function addSkinFolder(gui: GUI, editor: Editor): void {
   const { store, session } = editor;
   const selected = () => selectedActor(store, session);

@@ -1,16 +1,16 @@
 import type { Controller, GUI } from 'lil-gui';
 
-/** What screen readers and keys need to know of a lil-gui slider. */
+/** The facts about a lil-gui slider that screen readers and keys need. */
 export interface SliderRole {
   readonly name: string;
   readonly minimum: number;
   readonly maximum: number;
   value(): number;
-  /** "12.5°" */
+  /** The value as text, such as "12.5°". */
   text(): string;
 }
 
-/** Makes the slider of a row one for assistive technology; the function returned keeps it true. */
+/** Gives a row's slider the ARIA role; the returned function updates its values. */
 export function addSliderRole(row: HTMLElement, role: SliderRole): () => void {
   const slider = row.querySelector<HTMLElement>('.lil-slider')!;
   slider.tabIndex = 0;
@@ -27,8 +27,8 @@ export function addSliderRole(row: HTMLElement, role: SliderRole): () => void {
 }
 
 /**
- * Where a key takes a slider: arrows by a 360th of the range, ten times that with Shift or the page
- * keys, Home and End to its ends; nothing for other keys.
+ * Returns the value to which a key moves a slider: arrow keys move it by a 360th of the range, ten
+ * times that with Shift or the page keys, Home and End to its ends. Other keys return undefined.
  */
 export function sliderTarget(event: KeyboardEvent, role: SliderRole): number | undefined {
   if (event.ctrlKey || event.metaKey || event.altKey) return undefined;
@@ -46,7 +46,7 @@ export function sliderTarget(event: KeyboardEvent, role: SliderRole): number | u
   return targets[event.key];
 }
 
-/** Gives every slider below the role and keys that lil-gui leaves out, but for those that have them. */
+/** Adds the role and the keys, which lil-gui lacks, to every slider that does not have them yet. */
 export function addSliderRoles(gui: GUI): void {
   for (const controller of gui.controllersRecursive()) {
     const slider = controller.domElement.querySelector('.lil-slider:not([role])');
@@ -54,7 +54,7 @@ export function addSliderRoles(gui: GUI): void {
   }
 }
 
-/** The part of lil-gui's number controller that its types leave private. */
+/** The fields of lil-gui's number controller that its types declare private. */
 type NumberController = Controller & { _min: number; _max: number; _name: string };
 
 function makeAccessible(controller: NumberController): void {

@@ -3,7 +3,10 @@ import type { Gesture } from '../../document/store.ts';
 import { formatDegrees, parseTyped } from '../angle-text.ts';
 import { addSliderRole, type SliderRole, sliderTarget } from './slider-role.ts';
 
-/** A number shown as a slider with a field; what is typed may go past the slider's range. */
+/**
+ * A number that is shown as a slider with a text field; a typed number may exceed the slider's
+ * range.
+ */
 export interface ValueRowOptions {
   readonly name: string;
   /** For screen readers: "Right elbow X". */
@@ -11,32 +14,33 @@ export interface ValueRowOptions {
   readonly minimum: number;
   readonly maximum: number;
   readonly isAngle: boolean;
-  /** Its limits leave it one value: it is shown, and can't be changed. */
+  /** Whether its limits allow only one value, so that it is shown but can't be changed. */
   readonly locked: boolean;
-  /** What typing may reach. */
+  /** The range of numbers that can be typed. */
   readonly legal: readonly [number, number];
   read(): number;
-  /** Begins one step of undo; the row previews values in it. */
+  /** Begins one step of undo, in which the row previews values. */
   begin(): Gesture;
   preview(gesture: Gesture, value: number): void;
   reset(): void;
 }
 
 export interface ValueRow {
-  /** Shows the value as it is now. */
+  /** Updates the shown value. */
   refresh(): void;
   show(visible: boolean): void;
 }
 
 /**
- * Adds a lil-gui row. lil-gui clamps what is typed to the slider, so the field's own events are taken
- * over here: typed numbers reach all legal values, in radians or, with °, degrees; arrow keys step.
+ * Adds a lil-gui row. lil-gui clamps typed numbers to the slider's range, so this code handles the
+ * events of the text field itself: typed numbers may be any legal value, in radians or, with °, in
+ * degrees, and arrow keys step.
  */
 export function addValueRow(folder: GUI, options: ValueRowOptions): ValueRow {
   let gesture: Gesture | null = null;
-  /** Whether keys, not the pointer, are at work on the slider. */
+  /** Whether the slider is being moved by keys, not by the pointer. */
   let keyed = false;
-  /** What the last press of the pointer did, which a second one right after it takes back. */
+  /** The gesture of the last pointer press; a second press right after it undoes that gesture. */
   let pressed: Gesture | null = null;
   const write = (value: number): void => {
     if (!gesture?.isOpen) gesture = options.begin();
@@ -53,12 +57,14 @@ export function addValueRow(folder: GUI, options: ValueRowOptions): ValueRow {
       return options.read();
     },
     set value(value: number) {
-      // A drag that was canceled, or ended by an undo, does nothing more until it is let go.
+      // After a drag was canceled or ended by an undo, it has no effect until the button is
+      // released.
       if (gesture && !gesture.isOpen) return;
       write(value);
     },
   };
-  // A range without width has no slider; a locked row gets one that nothing moves.
+  // lil-gui makes no slider for an empty range, so a locked row gets a range in which nothing
+  // moves.
   const minimum = options.locked ? options.minimum - 1 : options.minimum;
   const maximum = options.locked ? options.maximum + 1 : options.maximum;
   const controller = folder.add(bound, 'value', minimum, maximum).name(options.name).decimals(3);
@@ -100,7 +106,7 @@ export function addValueRow(folder: GUI, options: ValueRowOptions): ValueRow {
     if (keyed) finish();
   });
   field.addEventListener('blur', finish);
-  // The second press of a double click would begin another drag; it resets instead.
+  // The second press of a double click must not begin another drag; it resets the value.
   row.addEventListener(
     'mousedown',
     (event) => {
@@ -123,7 +129,7 @@ export function addValueRow(folder: GUI, options: ValueRowOptions): ValueRow {
   refresh();
   return { refresh, show: (visible) => void controller.show(visible) };
 
-  /** Arrows step in the field too; Home, End and the rest are the slider's alone. */
+  /** Arrow keys also step in the text field; Home, End and the others apply only to the slider. */
   function onKey(event: KeyboardEvent): void {
     const inField = event.target === field;
     if (inField && event.key !== 'ArrowUp' && event.key !== 'ArrowDown') return;
@@ -138,7 +144,8 @@ export function addValueRow(folder: GUI, options: ValueRowOptions): ValueRow {
 
   function refresh(): void {
     controller.updateDisplay();
-    // lil-gui leaves a field that has the focus alone, though an undo may have changed its number.
+    // lil-gui does not update a text field that has the focus, although undo may have changed its
+    // number.
     const typed = parseTyped(field.value);
     if (Number.isFinite(typed) && typed !== options.read()) {
       field.value = options.read().toFixed(3);

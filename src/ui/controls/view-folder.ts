@@ -7,7 +7,7 @@ import { watch } from '../watch.ts';
 
 const degreesPerRadian = 180 / Math.PI;
 
-/** What is drawn, and from where. */
+/** Adds controls for what is drawn, and for the camera. */
 export function addViewFolder(gui: GUI, editor: Editor): void {
   const { session, viewer, theme } = editor;
   const { camera } = viewer;

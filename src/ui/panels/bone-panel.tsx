@@ -5,15 +5,15 @@ import type { Looking } from '../editor.ts';
 import { fixedText } from '../number-text.ts';
 
 /**
- * The bone of the selected joint, or else of the lit one, as the Virtual Mannequin has it. A selection
- * opens the panel, unless the user has opened or closed it.
+ * Shows the bone of the selected joint, or else of the highlighted one, as defined by the Virtual
+ * Mannequin. A selection opens the panel, unless the user has opened or closed it.
  */
 export function BonePanel({ editor }: { readonly editor: Looking }) {
   const [chosenOpen, setChosenOpen] = useState<boolean | null>(null);
   const { session } = editor;
   const selected = session.selectedJoint.value;
   const open = chosenOpen ?? selected !== null;
-  // What is closed follows nothing.
+  // While the panel is closed, it subscribes to nothing.
   const joint = open ? (selected ?? session.hoveredJoint.value) : null;
   return (
     <details class="bone" open={open}>
@@ -98,14 +98,14 @@ function BonesOfJoint({ editor, joint }: BoneProperties) {
   );
 }
 
-/** Of a column-major 4 × 4. */
+/** The rotation part of a column-major 4 × 4 matrix. */
 const rotationRows = [0, 1, 2].map((row) => [row, row + 4, row + 8]);
 
 interface MatrixProperties {
   readonly caption: string;
-  /** Of the columns. */
+  /** Headings of the columns. */
   readonly heads?: readonly string[];
-  /** Which elements stand in each row. */
+  /** Indices of the elements in each row. */
   readonly rows: readonly (readonly number[])[];
   readonly of: ArrayLike<number>;
 }

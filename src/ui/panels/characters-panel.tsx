@@ -6,7 +6,10 @@ import { attempt } from '../attempt.ts';
 import type { Editor } from '../editor.ts';
 import { CommandButton } from './command-button.tsx';
 
-/** What stands in the scene, the bundled characters, one's own, and the way to more. */
+/**
+ * Lists the characters of the scene, the bundled characters and the user's own, with the menus to
+ * add more.
+ */
 export function CharactersPanel({ editor }: { readonly editor: Editor }) {
   const { bundled, own, openedId, fileExtensions } = editor;
   const shown = selectedActor(editor.store, editor.session)?.character;
@@ -68,11 +71,11 @@ export function CharactersPanel({ editor }: { readonly editor: Editor }) {
 
 interface AddMenuProperties {
   readonly editor: Editor;
-  /** Of the user's own characters. */
+  /** Names of the user's own characters. */
   readonly ownNames: readonly string[];
 }
 
-/** Adds a character beside those that are there, where the list above replaces the selected one. */
+/** Adds a character and keeps the others, whereas the list above replaces the selected one. */
 function AddMenu({ editor, ownNames }: AddMenuProperties) {
   const [open, setOpen] = useState(false);
   const add = (label: string, run: () => void) => (
@@ -110,7 +113,7 @@ function AddMenu({ editor, ownNames }: AddMenuProperties) {
   );
 }
 
-/** The actors, one of them selected; a scene of one needs no list. */
+/** The actors, one of them selected; a scene with one actor shows no list. */
 function SceneList({ editor }: { readonly editor: Editor }) {
   const { actors } = editor.store.scene.value;
   const selected = editor.session.selectedActorId.value;
@@ -136,7 +139,7 @@ function SceneList({ editor }: { readonly editor: Editor }) {
   );
 }
 
-/** "human", "human 2": each tells its own from its copies. */
+/** Numbers repeated names ("human", "human 2"), so that copies can be told apart. */
 function numberedNames(names: readonly string[]): string[] {
   return names.map((name, index) => {
     const before = names.slice(0, index).filter((other) => other === name).length;

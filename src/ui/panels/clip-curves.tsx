@@ -8,20 +8,20 @@ interface ClipCurvesProperties {
   readonly editor: Looking & Posing;
   readonly clip: Clip;
   readonly skeleton: Skeleton;
-  /** Seconds. */
+  /** In seconds. */
   readonly time: number;
 }
 
 const width = 1000;
 const height = 100;
 
-/** The curves of the selected joint's values, or the root's, over the range that is played. */
+/** The curves of the selected joint's values, or of the root's, over the range that is played. */
 export function ClipCurves({ editor, clip, skeleton, time }: ClipCurvesProperties) {
   const joint = editor.session.selectedJoint.value ?? firstRoot(skeleton);
   const curves = useMemo(() => clipCurves(clip, skeleton, joint), [clip, skeleton, joint]);
   const { start, end } = clip;
   const across = (seconds: number): number => ((seconds - start) / (end - start || 1)) * width;
-  // Playing moves the playhead alone: what is the very same is not rendered again.
+  // During playback only the playhead moves; an identical element is not rendered again.
   const paths = useMemo(
     () => curves.map((curve) => <CurvePath key={curve.name} curve={curve} across={across} />),
     [curves],
@@ -64,7 +64,8 @@ function CurvePath({ curve, across }: { curve: Curve; across: (seconds: number) 
     <g class={`axis-${curve.axis} ${curve.isAngle ? 'turn' : 'move'}`}>
       <polyline points={points.join(' ')} />
       {curve.keys.map(({ time, part }) => (
-        // A line without length and with round ends is a dot, round however the picture is stretched.
+        // A line of length zero with round ends is a dot that stays round when the picture is
+        // stretched.
         <path key={time} class="key" d={`M${across(time)} ${down(part)}h0`} />
       ))}
     </g>

@@ -6,13 +6,16 @@ interface CommandButtonProperties {
   readonly editor: Editor;
   readonly command: CommandId;
   readonly class?: string;
-  /** A sign instead of words; the command's label is then its name. */
+  /** A symbol instead of text; the command's label is then its accessible name. */
   readonly sign?: string;
   /** Runs before the command does. */
   readonly onRun?: () => void;
 }
 
-/** A button that runs a command: pressed while that is on, disabled while there is nothing to do. */
+/**
+ * A button that runs a command: pressed while a toggle is on, disabled while the command can do
+ * nothing.
+ */
 export function CommandButton({
   editor,
   command: id,

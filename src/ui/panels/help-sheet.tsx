@@ -3,14 +3,14 @@ import { useEffect, useRef } from 'preact/hooks';
 import type { PageState } from '../editor.ts';
 import { contexts, keyRows, pointerRows } from '../commands/contexts.ts';
 
-/** The keys and what the pointer does, while it is open. */
+/** Lists all keys and the actions of the pointer, while it is open. */
 export function HelpSheet({ editor }: { readonly editor: PageState }) {
   const { helpOpen, letterKeys } = editor;
   const dialog = useRef<HTMLDialogElement>(null);
   useEffect(() => {
     const sheet = dialog.current;
     sheet?.showModal();
-    // Closing gives the focus back to where it was.
+    // Closing returns the focus to where it was.
     return () => sheet?.close();
   }, []);
   const sections = [
@@ -19,7 +19,7 @@ export function HelpSheet({ editor }: { readonly editor: PageState }) {
   ];
   return (
     <dialog ref={dialog} aria-labelledby="help-title" onClose={() => (helpOpen.value = false)}>
-      {/* First, so that the focus, and with it what is in sight, is at the top. */}
+      {/* The button comes first, so that the focus and the scroll position start at the top. */}
       <header>
         <h2 id="help-title">Keys and pointer</h2>
         <button type="button" onClick={() => (helpOpen.value = false)}>

@@ -4,7 +4,7 @@ import { selectedActor } from '../../document/selected-actor.ts';
 import type { Actions, Looking } from '../editor.ts';
 import { ancestorsOf, type TreeRow, visibleRows } from '../joint-rows.ts';
 
-/** The joints as a tree to search, fold and choose from, by pointer or keys. */
+/** The joints as a tree that can be searched, folded and selected from, by pointer or keys. */
 export function JointTree({ editor }: { readonly editor: Looking & Actions }) {
   const skeleton = selectedActor(editor.store, editor.session)?.character.skeleton;
   if (!skeleton || skeleton.jointCount === 0) return null;
@@ -26,7 +26,7 @@ function Tree({ editor, skeleton }: TreeProperties) {
   const focused = rows.some(({ joint }) => joint === current) ? current : rows[0]?.joint;
   const selected = selectedJoint.value;
 
-  // A joint chosen elsewhere comes into sight here.
+  // A joint that was selected elsewhere is scrolled into view.
   useEffect(() => {
     if (selected === null) return;
     setFolded((old) => {

@@ -1,7 +1,7 @@
 import type { Editor } from '../editor.ts';
 import { Sections } from './sections.tsx';
 
-/** The panel at the left: where from, what with, what it is made of, what went wrong. */
+/** The panel on the left: characters, workspaces, joints and problems. */
 export function LeftPanel({ editor }: { readonly editor: Editor }) {
   return (
     <>

@@ -8,7 +8,7 @@ import { attempt } from '../attempt.ts';
 import { copyText } from '../copy-text.ts';
 import type { Looking, Telling } from '../editor.ts';
 
-/** Everything that the last files had to say, errors first. */
+/** Lists all problems of the last files, errors first. */
 export function ProblemsPanel({ editor }: { readonly editor: Looking & Telling }) {
   const problems = editor.session.problems.value;
   const errors = problems.filter(({ severity }) => severity === 'error');

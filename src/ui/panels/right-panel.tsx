@@ -2,7 +2,7 @@ import { useEffect, useRef } from 'preact/hooks';
 import { createControls } from '../controls/controls.ts';
 import type { Editor } from '../editor.ts';
 
-/** The controls at the right: lil-gui makes its own elements. */
+/** The controls on the right; lil-gui creates its own elements. */
 export function RightPanel({ editor }: { readonly editor: Editor }) {
   const container = useRef<HTMLDivElement>(null);
   useEffect(() => {

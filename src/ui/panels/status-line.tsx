@@ -4,7 +4,7 @@ import { kernelOf } from '../../skinning/registry.ts';
 import type { Editor } from '../editor.ts';
 import { CommandButton } from './command-button.tsx';
 
-/** One line on what is shown, and on what was just done. */
+/** One line about what is shown, and about the last action. */
 export function StatusLine({ editor }: { readonly editor: Editor }) {
   const { session, viewer, notice } = editor;
   const state = selectedActor(editor.store, editor.session);

@@ -15,8 +15,8 @@ const modes: Readonly<Record<PlayMode, string>> = {
 };
 
 /**
- * Below the view, where a character has clips: plays them and shows their curves. It is as high while one
- * without clips is selected, so that the view stays as it is.
+ * Plays clips and shows their curves, below the view, while a character has clips. Its height stays
+ * the same while a character without clips is selected, so that the view keeps its size.
  */
 export function Timeline({ editor }: { readonly editor: Editor }) {
   const { store, session, transport } = editor;
@@ -28,7 +28,7 @@ export function Timeline({ editor }: { readonly editor: Editor }) {
   const time = clipTime.value;
   const onKey = (event: KeyboardEvent): void => {
     const { target, key } = event;
-    // A list has keys of its own, and of a button Space is a click.
+    // A list handles its own keys, and Space clicks a focused button.
     if (target instanceof HTMLSelectElement) return;
     if (key === ' ' && target instanceof HTMLButtonElement) return;
     runKey(editor, event, ['timeline']);

@@ -7,10 +7,13 @@ import { formatDegrees } from '../angle-text.ts';
 import type { Drawer, Editor, Looking, PageState, Posing } from '../editor.ts';
 import { CommandButton } from './command-button.tsx';
 
-/** Of the joints above, those nearest are told. */
+/** The number of ancestors that are named, the nearest ones. */
 const longestChain = 4;
 
-/** Over the view: what is under way, why there is no picture, and the drawers' buttons. */
+/**
+ * Shown over the view: progress, the reason why there is no picture, and the buttons of the
+ * drawers.
+ */
 export function ViewOverlay({ editor }: { readonly editor: Editor }) {
   return (
     <>
@@ -24,7 +27,7 @@ export function ViewOverlay({ editor }: { readonly editor: Editor }) {
   );
 }
 
-/** On narrow pages the panels are drawers; wide ones hide these buttons. */
+/** On narrow pages the panels are drawers; on wide pages these buttons are hidden. */
 function DrawerButtons({ editor: { drawer } }: { readonly editor: PageState }) {
   const button = (side: Drawer, label: string) => (
     <button
@@ -57,7 +60,7 @@ function ProgressBox({ editor }: { readonly editor: Editor }) {
   );
 }
 
-/** Over two halves, the method of each. */
+/** Names the method of each half of the picture. */
 function ComparedMethods({ editor: { store, session } }: { readonly editor: Looking }) {
   const compared = session.comparedKernel.value;
   const actor = selectedActor(store, session);
@@ -71,7 +74,7 @@ function ComparedMethods({ editor: { store, session } }: { readonly editor: Look
   );
 }
 
-/** The degree of freedom last touched, with its value, in a corner of the picture. */
+/** The degree of freedom that was last changed, with its value, in a corner of the picture. */
 function ActiveDofText({ editor }: { readonly editor: Looking & Posing }) {
   const dof = editor.session.activeDof.value;
   if (!dof) return null;
@@ -85,7 +88,7 @@ function ActiveDofText({ editor }: { readonly editor: Looking & Posing }) {
   );
 }
 
-/** The lit bone's name and the chain that it hangs on, beside the pointer. */
+/** The highlighted bone's name and its ancestors, next to the pointer. */
 function LitBoneLabel({ editor: { store, session } }: { readonly editor: Looking }) {
   const place = session.hoverPlace.value;
   const joint = session.hoveredJoint.value;

@@ -11,7 +11,7 @@ import type { Tool, ToolDrag, ToolPlace } from '../tool.ts';
 
 /** A pointer that moves less has clicked; CSS pixels. */
 const stillDistance = 4;
-/** A grabbed point nearer to its joint than this does not follow; CSS pixels. */
+/** A grabbed point that is nearer than this to its joint does not follow; CSS pixels. */
 const leastReach = 8;
 
 /** Bone mode: a left drag on a bone, or on the skin of a joint, turns it. */
@@ -29,8 +29,9 @@ export const boneTool: Tool = {
 };
 
 /**
- * A drag is counted from its start, so that returning the pointer returns the pose. With Alt it rolls
- * the bone; each time that Alt comes or goes, the drag goes on from the pose of the moment.
+ * A drag depends only on its start, so that moving the pointer back restores the pose. With Alt it
+ * rolls the bone. When Alt is pressed or released, the drag starts again from the pose of that
+ * moment.
  */
 function turnBone(editor: Looking, from: ToolPlace, target: BoneTarget): ToolDrag {
   const { store, session, viewer, evaluations } = editor;
@@ -47,7 +48,8 @@ function turnBone(editor: Looking, from: ToolPlace, target: BoneTarget): ToolDra
     move({ place }) {
       const distance = Math.hypot(place.pixelX - from.pixelX, place.pixelY - from.pixelY);
       moved ||= distance > stillDistance;
-      // Canceled, or ended by an undo: nothing more until the button is let go.
+      // After the drag was canceled or ended by an undo, it has no effect until the button is
+      // released.
       if (!moved || !gesture.isOpen) return;
       if (place.alt !== alt) {
         alt = place.alt;
@@ -79,7 +81,7 @@ function turnBone(editor: Looking, from: ToolPlace, target: BoneTarget): ToolDra
   function modeOf(): DragMode {
     if (alt && target.bone) return { kind: 'roll', farEnd: target.bone.vector };
     const active = session.activeDof.value;
-    // The three sliders of a ball are no values of their own: it turns freely.
+    // A ball's three sliders have no values of their own in q, so a ball rotates freely.
     const isValue = active !== null && active.ballAxis === undefined;
     if (isValue && jointOfValue(skeleton, active.index) === target.joint) {
       return { kind: 'value', index: active.index };

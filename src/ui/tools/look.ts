@@ -4,7 +4,7 @@ import type { Tool } from '../tool.ts';
 /** Radians for a drag over the height of the view. */
 const turnPerHeight = 2;
 
-/** First person: a left drag turns the head. */
+/** In first person, a left drag turns the camera in place. */
 export const lookTool: Tool = {
   id: 'look',
   press(_, button, { session, viewer: { camera } }) {

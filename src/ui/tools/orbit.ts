@@ -5,7 +5,9 @@ import type { Tool } from '../tool.ts';
 const turnPerHeight = 4;
 const zoomPerHeight = 3;
 
-/** The camera by mouse, as in 6.837's program: left orbits, middle pans, right zooms. */
+/**
+ * Moves the camera with the mouse, as in 6.837's program: left orbits, middle pans, right zooms.
+ */
 export const orbitTool: Tool = {
   id: 'orbit',
   press: (_, button, { viewer: { camera } }) => ({

@@ -3,5 +3,5 @@ import { boneTool } from './bone.ts';
 import { lookTool } from './look.ts';
 import { orbitTool } from './orbit.ts';
 
-/** Every tool; a drag goes to the first that takes it. */
+/** Every tool; the first one that accepts a drag gets it. */
 export const tools: readonly Tool[] = [boneTool, lookTool, orbitTool];

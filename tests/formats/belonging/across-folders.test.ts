@@ -8,7 +8,7 @@ const skel = '0 0 0 -1\n0 1 0 0\n';
 const obj = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n';
 const attach = '1\n1\n1\n';
 
-/** What each character is made of, and what is said of its files. */
+/** The files and the messages of each character. */
 async function read(contents: FileContents) {
   const { characters, diagnostics } = await readContents(contents);
   const shapes = characters.map(({ character }) => {
@@ -26,7 +26,7 @@ async function read(contents: FileContents) {
   return { shapes, messages: ofFiles.map(({ file, code }) => `${file} ${code}`) };
 }
 
-/** A triangle for each of the textures. */
+/** A PMD with a triangle for each of the textures. */
 function pmdWith(...textures: (string | readonly number[])[]): Uint8Array {
   return pmdFile({
     vertices: [[0, 0, 0] as const, [1, 0, 0] as const, [0, 1, 0] as const].map((position) => ({
@@ -38,7 +38,7 @@ function pmdWith(...textures: (string | readonly number[])[]): Uint8Array {
   }).bytes;
 }
 
-/** Told by its one byte. */
+/** An image that is identified by its only byte. */
 const image = (byte: number): Uint8Array => Uint8Array.of(byte);
 
 describe('characters whose files lie in several folders', () => {
@@ -128,7 +128,7 @@ describe('characters whose files lie in several folders', () => {
     ]);
   });
 
-  it('take images from where each of their materials says', async () => {
+  it('take each image from the path that its material names', async () => {
     const { shapes, messages } = await read({
       'm/a.pmd': pmdWith('face\\t.bmp', 'hair/t.bmp', 'D:\\x\\hair\\t.bmp', '..\\up.bmp'),
       'm/face/t.bmp': image(1),
@@ -145,7 +145,7 @@ describe('characters whose files lie in several folders', () => {
     expect(messages).toEqual(['up.bmp file/unknown']);
   });
 
-  it('take images of one name each from its own folder', async () => {
+  it('take images of the same name from their own folders', async () => {
     const { shapes, messages } = await read({
       'A/a.pmd': pmdWith('tex.bmp'),
       'A/tex.bmp': image(1),
@@ -159,7 +159,7 @@ describe('characters whose files lie in several folders', () => {
     expect(messages).toEqual([]);
   });
 
-  it('stay apart in two archives, each of which is a folder', async () => {
+  it('stay separate in two archives, each of which is a folder', async () => {
     const { shapes } = await read({
       'one.zip': zipOf({ 'a.pmd': pmdWith('tex.bmp'), 'tex.bmp': image(1) }),
       'two.zip': zipOf({ 'b.pmd': pmdWith('tex.bmp'), 'tex.bmp': image(2) }),
@@ -171,7 +171,7 @@ describe('characters whose files lie in several folders', () => {
   });
 
   it('find decomposed names of macOS', async () => {
-    const ending = [0x2e, 0x62, 0x6d, 0x70]; // .bmp, behind ガ in Shift-JIS
+    const ending = [0x2e, 0x62, 0x6d, 0x70]; // .bmp, after ガ in Shift-JIS
     const { shapes } = await read({
       [`${'ガ'.normalize('NFD')}/a.pmd`]: pmdWith([0x78, 0x5c, 0x83, 0x4b, ...ending]),
       [`${'ガ'.normalize('NFD')}/x/${'ガ'.normalize('NFD')}.bmp`]: image(1),
@@ -195,7 +195,7 @@ describe('a .skel of which course', () => {
   ] as const)('%j is told from its tokens: without %j', async (text, missing) => {
     const { characters, diagnostics } = await readContents({ 'a.skel': text });
     const found = characters.map(({ character }) => character.missing);
-    // Comments of the other course are errors of the first one's reader.
+    // The other course's comments are errors for this reader.
     if (characters.length > 0) expect(found).toEqual([missing]);
     else expect(diagnostics[0]!.effect).toBe('the skeleton is not used');
   });

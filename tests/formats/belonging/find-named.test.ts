@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { findNamed } from '../../../src/formats/belonging/find-named.ts';
 import { memoryFile } from '../../../src/formats/file-entry.ts';
 
-/** The path that is found, with `?` where it is a guess and how many others would do. */
+/** The path that is found, with `?` if it is a guess and the number of other files that fit. */
 function find(named: string, from: string, ...paths: string[]): string | undefined {
   const files = paths.map((path) => memoryFile(path, new Uint8Array(0)));
   const found = findNamed(named, from, files);

@@ -23,7 +23,7 @@ it.each([[['a.skel']], [['x/a.skel', 'x/a.obj']], [['a.obj', 'b.obj']], [['a.ske
   },
 );
 
-/** The files of each character, and whether something was said about it. */
+/** The files of each character, and whether there was a message about it. */
 function outcome(...paths: string[]): string[] {
   return group(cse169, ...paths).map(({ paths: own, notes }) => {
     return [...own, ...(notes.length > 0 ? ['told'] : [])].join(' ');
@@ -75,11 +75,11 @@ describe('the parts of a character, by their names', () => {
     ]);
   });
 
-  it('are not guessed at where a kind comes twice', () => {
+  it('are not guessed if a kind occurs twice', () => {
     expect(group(mit, 'a.obj', 'b.obj', 'c.skel')).toHaveLength(3);
   });
 
-  it('are told of where two differ in case alone, and none is lost', () => {
+  it('are reported if two differ only in case, and none is lost', () => {
     const groups = group(mit, 'a.skel', 'A.OBJ', 'a.obj');
     expect(groups.map(({ paths }) => paths)).toEqual([['a.skel', 'A.OBJ'], ['a.obj']]);
     expect(groups[0]!.notes).toEqual([
@@ -87,11 +87,11 @@ describe('the parts of a character, by their names', () => {
     ]);
   });
 
-  it('are none where there are no files', () => {
+  it('are empty without files', () => {
     expect(group(mit)).toEqual([]);
   });
 
-  it('take no more than a moment, ten thousand of them', () => {
+  it('are grouped quickly even for ten thousand files', () => {
     const paths = Array.from({ length: 5000 }, (_, i) => [`a/${i}/x.skel`, `b/${i}/x.skin`]).flat();
     const names = Array.from({ length: 5000 }, (_, i) => [`a/n${i}.skel`, `b/n${i}_2.skin`]).flat();
     expect(group(cse169, ...names)).toHaveLength(5000);
@@ -158,7 +158,7 @@ describe('the parts of a character, by their folders', () => {
   });
 });
 
-describe('parts of which there are many', () => {
+describe('kinds of which a character may have many files', () => {
   it.each<[string, string[], string[]]>([
     [
       'a clip goes with the character of its folder, not the first of the name',
@@ -201,7 +201,7 @@ describe('parts of which there are many', () => {
     expect(outcome(...paths)).toEqual(groups);
   });
 
-  it('are told of once a character', () => {
+  it('are reported once per character', () => {
     const clips = Array.from({ length: 9 }, (_, i) => `clips/${i}.anim`);
     expect(group(cse169, 'a.skel', ...clips)[0]!.notes).toEqual([
       `file/pairing: ${Array.from({ length: 9 }, (_, i) => `${i}.anim`).join(', ')}: ` +

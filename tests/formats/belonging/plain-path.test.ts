@@ -25,7 +25,7 @@ describe('plainPath', () => {
     expect(plainPath(path)).toBe(plain);
   });
 
-  it('leads out of no folder, whatever the text', () => {
+  it('never leads out of its folder, whatever the text', () => {
     const piece = fc.constantFrom('..', '.', '/', '\\', 'C:', 'a', ' ', '\0', 'nul', '\u202e', '%');
     const text = fc
       .array(fc.oneof(piece, fc.string()), { maxLength: 12 })
@@ -41,13 +41,13 @@ describe('plainPath', () => {
     );
   });
 
-  it('leaves a name one segment', () => {
+  it('makes a name one segment', () => {
     expect(plainName('../a/b:c')).toBe('.._a_b_c');
   });
 });
 
 describe('withPlainPaths', () => {
-  it('has no path twice, case aside', () => {
+  it('has no two paths that differ only in case', () => {
     const paths = ['../a.bmp', 'a.bmp', 'A.BMP', 'x/a', 'x\\a', 'a (2).bmp'];
     expect(withPlainPaths(paths.map((path) => ({ path }))).map(({ path }) => path)).toEqual([
       'a.bmp',

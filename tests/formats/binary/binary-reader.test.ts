@@ -7,7 +7,7 @@ const codes = { truncated: 'pmd/truncated', count: 'pmd/count' } as const;
 
 function readerOf(...bytes: readonly number[]) {
   const log = new DiagnosticLog('a');
-  const file = Uint8Array.of(9, ...bytes).subarray(1); // not at the start of its buffer
+  const file = Uint8Array.of(9, ...bytes).subarray(1); // does not start at the start of its buffer
   return { log, reader: new BinaryReader(file, log, codes, 'not used') };
 }
 
@@ -44,7 +44,7 @@ describe('BinaryReader', () => {
     ]);
   });
 
-  it('says what is cut, as a warning where the file goes on without it', () => {
+  it('reports what is cut off, as a warning if the file is usable without it', () => {
     const { reader, log } = readerOf(1, 2, 3);
     expect(reader.record(4, 'a number')).toBeUndefined();
     expect(reader.left).toBe(3);

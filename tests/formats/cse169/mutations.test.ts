@@ -19,7 +19,7 @@ const readers: readonly (readonly [string, Read, string])[] = [
   ['.rig', readRig, legRig],
 ];
 
-/** A value or an error, never an exception; every number in a value is one. */
+/** Reading gives a value or an error, never an exception, and no NaN in a value. */
 function expectOutcome({ value, diagnostics }: Parsed<unknown>): void {
   expect(value === undefined).toBe(hasErrors(diagnostics));
   expect(diagnostics.length).toBeLessThanOrEqual(101);
@@ -40,13 +40,13 @@ function expectFinite(value: unknown): void {
 describe.each(readers)('the reader of %s', (ending, read, text) => {
   const good = bytesOf(text);
 
-  it('takes a good file cut at any byte', () => {
+  it('handles a valid file cut at any byte', () => {
     for (let end = 0; end < good.length; end++) {
       expectOutcome(read(`a${ending}`, good.subarray(0, end)));
     }
   });
 
-  it('takes 2,000 files with bytes changed, taken out, put in or moved', () => {
+  it('handles 2,000 files with bytes changed, removed, inserted or moved', () => {
     const word = fc.constantFrom(
       ...'{ } -1 1e39 1e400 nan 4294967295 0 2 /* */ // # \r'.split(' '),
     );

@@ -24,7 +24,7 @@ async function read(contents: FileContents) {
 }
 
 describe('the format of CSE169', () => {
-  it('puts a whole set together by names, in any order, with the image that it names', async () => {
+  it('groups a complete set by names, in any order, with the image that it names', async () => {
     const { shapes, messages } = await read({
       'x/LEG.BMP': image,
       'x/leg_walk.anim': legAnim,
@@ -39,7 +39,7 @@ describe('the format of CSE169', () => {
     expect(shapes[0]!.files).toContain('x/LEG.BMP');
   });
 
-  it('knows a skeleton alone, a skin alone, and what each lacks', async () => {
+  it('reads a skeleton alone or a skin alone, and lists what is missing', async () => {
     expect((await read({ 'a.skel': legSkel })).shapes).toMatchObject([
       { joints: 3, points: 0, missing: ['.skin'] },
     ]);
@@ -48,7 +48,7 @@ describe('the format of CSE169', () => {
     expect(messages).toEqual([]);
   });
 
-  it('takes a lone set together whatever its names, and says so', async () => {
+  it('groups a single set whatever its names, and reports the guess', async () => {
     const { shapes, messages } = await read({
       'a.skel': legSkel,
       'b.skin': legSkin,
@@ -59,7 +59,7 @@ describe('the format of CSE169', () => {
     expect(messages.filter((message) => message.includes('[file/pairing]'))).toHaveLength(1);
   });
 
-  it('gives each of several characters its own, the longest name first', async () => {
+  it('gives each of several characters its own files, the longest name first', async () => {
     const { shapes } = await read({
       'leg.skel': legSkel,
       'leg.skin': legSkin,
@@ -75,7 +75,7 @@ describe('the format of CSE169', () => {
     ]);
   });
 
-  it('follows a rig, in any folder and case, and says what it names and is not there', async () => {
+  it('follows a rig, in any folder and case, and reports the missing files that it names', async () => {
     const { shapes, messages } = await read({
       'rigs/leg.rig': legRig
         .replace('2', '1')
@@ -101,7 +101,7 @@ describe('the format of CSE169', () => {
     expect(shapes[0]!.files).toContain('z/leg.bmp');
   });
 
-  it('uses the channels that fit, and says how many there should be', async () => {
+  it('uses the channels that fit, and reports how many there should be', async () => {
     const anim = legAnim
       .replace('numchannels 12', '')
       .replace(/ {2}channel \{ ext.*0\.25 flat.*\n\}/, '}');
@@ -112,7 +112,7 @@ describe('the format of CSE169', () => {
     );
   });
 
-  it('names what came without a body', async () => {
+  it('reports clips and morphs without a character', async () => {
     const { shapes, messages } = await read({ 'a.anim': legAnim });
     expect(shapes).toEqual([]);
     expect(messages).toEqual([
@@ -121,7 +121,7 @@ describe('the format of CSE169', () => {
     ]);
   });
 
-  it('refuses a morph of vertices that the skin has not', async () => {
+  it('refuses a morph of vertices that the skin does not have', async () => {
     const { shapes, messages } = await read({
       'a.skel': legSkel,
       'a.skin': legSkin,
@@ -131,7 +131,7 @@ describe('the format of CSE169', () => {
     expect(messages[0]).toContain('expected vertices from 0 to 3, which the skin has, found "4"');
   });
 
-  it('moves vertices to their targets, several morphs added up, normals unit', async () => {
+  it('moves vertices to their targets, adds several morphs, and normalizes normals', async () => {
     const other = 'positions 1 { 3 1 0 0.3 } normals 1 { 3 0 0 -2 }';
     const character = await readOne({
       'leg.skel': legSkel,

@@ -16,7 +16,7 @@ describe('readRig', () => {
     expect(read('rig{skin a.skin}').value).toEqual({ name: '', skin: 'a.skin', morphs: [] });
   });
 
-  it('takes names out of their quotation marks, with blanks and braces', () => {
+  it('reads names in quotation marks, with blanks and braces', () => {
     const text =
       'rig "a leg" { skeleton "my {leg}.skel" skin "leg.skin" morphs 2 { "b c.morph" d } }';
     expect(read(text)).toEqual({
@@ -57,7 +57,7 @@ describe('readMorph', () => {
     expect([...value!.normalPoints]).toEqual([2]);
   });
 
-  it('takes a section alone, and the last of two rows for a vertex', () => {
+  it('accepts a single section, and uses the last of two rows for a vertex', () => {
     const { value, diagnostics } = read('positions 2 { 0 1 2 3 0 4 5 6 }');
     expect([...value!.positions.values]).toEqual([4, 5, 6]);
     expect(value!.normals.points).toHaveLength(0);

@@ -36,11 +36,12 @@ describe('readSkin', () => {
     expect([...skin!.weights]).toEqual([1, 0.5, 0.5, 0.25, 0.5, 0.25, 1]);
   });
 
-  it('takes rows of a binding for its columns, the fourth for the translation', () => {
+  it('reads the rows of a binding as its columns, the fourth as the translation', () => {
     const { skin } = read(legSkin).value!;
     const first = Array.from(skin?.bindFromJoint ?? []).slice(0, 16);
     expect(first).toEqual([0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 1]);
-    // Its inverse takes the joint's place to the origin, and what is above it to the joint's x.
+    // Its inverse maps the joint's position to the origin, and a point above it to the joint's x
+    // axis.
     const jointFromBind = numbersAt(skin?.jointFromBind ?? [], 0, 16);
     const apply = (x: number, y: number, z: number): number[] =>
       [0, 1, 2].map((row) =>
@@ -118,7 +119,7 @@ describe('readSkin', () => {
     ).toBeLessThan(1e-12);
   });
 
-  it('takes the printed form, without "{" after skinweights and bindings', () => {
+  it('accepts the form of the assignment, without "{" after skinweights and bindings', () => {
     const printed = skinText({
       skinweights: 'skinweights 3 1 0 1 1 0 1 1 0 1 }',
       bindings: 'bindings 1 matrix { 1 0 0 0 1 0 0 0 1 0 0 0 } }',

@@ -18,7 +18,10 @@ function withFile(contents: FileContents, name: string, bytes: Uint8Array): File
   return { ...contents, [name]: bytes };
 }
 
-/** Tests a format with what is none of its files, or nearly. A file each, since they run side by side. */
+/**
+ * Tests a format with files that are invalid or nearly valid. Each format has a test file, so that
+ * they run in parallel.
+ */
 export function testGarbage(id: FormatId): void {
   const { characters = {}, tokens = [], oddNumbers = [] } = formatSamples[id] ?? {};
   const extensions = formatExtensions[id];

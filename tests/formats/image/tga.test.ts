@@ -11,7 +11,7 @@ interface TgaContent {
   readonly height?: number;
   readonly flags?: number;
   readonly id?: readonly number[];
-  /** Bits of a color of the list, the number of its first, and their bytes. */
+  /** Bits per color of the color map, the index of its first color, and its bytes. */
   readonly list?: { readonly bits: number; readonly first: number; readonly bytes: number[] };
   readonly data: readonly number[];
 }
@@ -30,7 +30,7 @@ function decoded(content: TgaContent | Uint8Array): DecodedImage {
   return image;
 }
 
-/** Four bytes of each pixel, the bottom row first. */
+/** The four bytes of each pixel, the bottom row first. */
 function pixelsOf(content: TgaContent): number[][] {
   const { pixels } = decoded(content);
   return Array.from({ length: pixels.length / 4 }, (_, i) => [...pixels.slice(i * 4, i * 4 + 4)]);
@@ -42,7 +42,7 @@ const [red, green, blue, white] = [
   [0, 0, 255, 255],
   [255, 255, 255, 255],
 ];
-/** Of the file: blue, green, red. */
+/** In the file's order: blue, green, red. */
 const [storedRed, storedGreen, storedBlue, storedWhite] = [
   [0, 0, 255],
   [0, 255, 0],
@@ -87,7 +87,7 @@ describe('TGA', () => {
     expect(pixelsOf({ ...samples['24 bits']!, flags })).toEqual(expected);
   });
 
-  it('has 5 bits a channel in 15 and 16, and a bit that says what is seen where the header does', () => {
+  it('has 5 bits per channel in 15 and 16 bits, and an alpha bit if the header says so', () => {
     const sixteen = samples['16 bits']!;
     expect(pixelsOf({ ...sixteen, bits: 15 })).toEqual([red, green, blue, white]);
     expect(pixelsOf({ ...sixteen, flags: 0 })).toEqual([red, green, blue, white]);
@@ -97,7 +97,7 @@ describe('TGA', () => {
     ]);
   });
 
-  it('has alpha in 32 bits, but for writers that leave it 0 everywhere', () => {
+  it('has alpha in 32 bits, unless it is 0 everywhere', () => {
     const pixel = (alpha: number): number[] => [1, 2, 3, alpha];
     const image = { type: 2, bits: 32, width: 2, height: 1 };
     expect(pixelsOf({ ...image, data: [...pixel(0), ...pixel(9)] })).toEqual([
@@ -110,7 +110,7 @@ describe('TGA', () => {
     ]);
   });
 
-  it('has colors of a list, whose first has a number of its own', () => {
+  it('has a color map, whose first color has an index of its own', () => {
     expect(pixelsOf(samples['colors of a list']!)).toEqual([red, green, blue, white]);
     expect(pixelsOf(samples['colors of a long list']!)).toEqual([
       [255, 0, 0, 9],
@@ -121,7 +121,7 @@ describe('TGA', () => {
     expect(pixelsOf(samples['colors of a list, packed']!)).toEqual([red, red, red, white]);
   });
 
-  it('passes over a list that colors do not need', () => {
+  it('skips a color map that is not used', () => {
     const list = { bits: 24, first: 0, bytes: [9, 9, 9] };
     expect(pixelsOf({ ...samples['24 bits']!, list })).toEqual([red, green, blue, white]);
   });
@@ -134,7 +134,7 @@ describe('TGA', () => {
     expect(pixelsOf(samples['gray, packed']!).map(([gray]) => gray)).toEqual([9, 77, 77, 77]);
   });
 
-  it('has packets that go on over rows, and over the end', () => {
+  it('has packets that continue across rows, and beyond the end', () => {
     const half = [128, 0, 255, 128];
     expect(pixelsOf(samples['32 bits, packed']!)).toEqual([
       ...[0, 1, 2].map(() => [255, 0, 0, 128]),
@@ -144,13 +144,13 @@ describe('TGA', () => {
     expect(pixelsOf(over)).toEqual([half, half, half, half]);
   });
 
-  it('may be followed by what else there is', () => {
+  it('may be followed by other data', () => {
     const bytes = tga(samples['24 bits']!);
     expect(decoded(Uint8Array.of(...bytes, 1, 2, 3))).toEqual(decoded(bytes));
   });
 });
 
-describe('what is no TGA, or no whole one', () => {
+describe('files that are not TGA, or not complete', () => {
   it.each(Object.entries(samples))('%s: cut at any byte it is told', (_, content) => {
     const bytes = tga(content);
     for (let end = 0; end < bytes.length; end++) {
@@ -185,7 +185,7 @@ describe('what is no TGA, or no whole one', () => {
     expect(decodeTga(tga({ ...samples['24 bits']!, ...change }))).toMatch(message);
   });
 
-  it('no allocation goes past the limit of pixels', () => {
+  it('no allocation exceeds the limit of pixels', () => {
     const packed = tga({ ...samples['gray, packed']!, width: 64, height: 64 });
     expect(decodeTga(packed, 1000)).toMatch(/64 × 64 pixels, more than 1000/);
     expect(decodeTga(packed)).toMatch(/at least 64 are needed/);

@@ -17,7 +17,7 @@ describe('a version', () => {
     expect(versionOf(text)).toEqual({ read: true, messages: [] });
   });
 
-  it('that is newer is told as such', () => {
+  it('that is newer is reported as newer', () => {
     expect(versionOf('{"version": 2}')).toEqual({
       read: false,
       messages: [
@@ -56,7 +56,7 @@ describe('values of a shape', () => {
     });
   });
 
-  it('name their place where they are an error, whatever the order of the questions', () => {
+  it('report the place of an error, whatever the order of access', () => {
     const { messages } = decode('{"é": [1,\n2], "b": 3}', (json) => {
       json.member('b').text('a text');
       json.member('é').member(0).text('a text');

@@ -19,11 +19,11 @@ function accepts(text: string): boolean {
   }
 }
 
-/** What could stand in a JSON text, so that random texts of it come close to one. */
+/** Pieces of JSON texts, so that random texts of them are nearly valid. */
 const pieces = ['{', '}', '[', ']', ',', ':', '"', '\\', '"a"', '1', '-', '.5', 'e2', 'true', ' '];
 
 describe('parseJson', () => {
-  it('gives what JSON.parse gives', () => {
+  it('gives the same values as JSON.parse', () => {
     fc.assert(
       fc.property(fc.json({ stringUnit: 'binary' }), (text) => {
         const { json, log } = parsed(text);
@@ -39,7 +39,7 @@ describe('parseJson', () => {
     );
   });
 
-  it('refuses what JSON.parse refuses, and only that', () => {
+  it('refuses exactly what JSON.parse refuses', () => {
     const texts = fc.oneof(
       fc.string(),
       fc.array(fc.constantFrom(...pieces), { maxLength: 12 }).map((parts) => parts.join('')),
@@ -81,7 +81,7 @@ describe('parseJson', () => {
     ['"a\\x"', '1:3', '\\ and one of " \\ / b f n r t, or u and four digits', '\\x'],
     ['"\\u12g4"', '1:2', '\\ and one of " \\ / b f n r t, or u and four digits', '\\u'],
     ['[1] // one', '1:5', 'the end of the text', '/'],
-    // Columns are counted in bytes, and a byte order mark is none of them.
+    // Columns are counted in bytes, and a byte order mark is not counted.
     ['\uFEFF[é骨🦴]', '1:2 ([0])', 'a value', 'é'],
     ['["é骨🦴" x]', '1:14', '"," or "]"', 'x'],
     ['[1,\r\n2,\r\r\n3,\r4 5]', '4:3', '"," or "]"', '5'],
@@ -92,7 +92,7 @@ describe('parseJson', () => {
     ]);
   });
 
-  it('shows the line of a fault, and its start alone where it is long', () => {
+  it('shows the line of a fault, or only its start if it is long', () => {
     expect(parsed('[1,\r\n  2 3\r\n]').log.diagnostics).toMatchObject([{ source: '  2 3' }]);
     const [long] = parsed(`["${'a'.repeat(1000)}" 1]`).log.diagnostics;
     expect(long).toMatchObject({ column: 1005, source: `["${'a'.repeat(158)}` });
@@ -109,7 +109,7 @@ describe('parseJson', () => {
     expect(parsed('{"a":'.repeat(1e6)).log.failed).toBe(true);
   });
 
-  it('takes the last of values under one name, with a warning', () => {
+  it('takes the last value of a repeated name, with a warning', () => {
     const { json, messages } = parsed('{"a": 1, "b": {"c": 1, "c": 2},\n "\\u0061": 3}');
     expect(json!.value).toEqual({ a: 3, b: { c: 2 } });
     expect(messages).toEqual([
@@ -118,7 +118,7 @@ describe('parseJson', () => {
     ]);
   });
 
-  it('takes "__proto__" as a name like any other', () => {
+  it('treats "__proto__" like any other name', () => {
     const value = parsed('{"__proto__": {"a": 1}, "constructor": 2}').json!.value as object;
     expect(Object.getPrototypeOf(value)).toBe(Object.prototype);
     expect(Object.keys(value)).toEqual(['__proto__', 'constructor']);

@@ -8,7 +8,7 @@ const contents = golden(...oddities);
 const character = await readOne(contents);
 const { skeleton, mesh, skin } = character;
 
-/** [joint of the file, weight] of a point. */
+/** [file index of the joint, weight] of a point. */
 function rowOf(point: number): number[][] {
   const row: number[][] = [];
   for (let i = skin.start[point]!; i < skin.start[point + 1]!; i++) {
@@ -34,7 +34,7 @@ describe('the golden files with all their oddities', () => {
     expect(skeleton.names).toEqual(['joint 02', 'joint 00', 'joint 01']);
   });
 
-  it('give the points in order and split one where texture coordinates part', () => {
+  it('give the points in order and split one where texture coordinates differ', () => {
     expect(mesh.pointCount).toBe(9);
     expect([...mesh.pointOf]).toEqual([0, 1, 2, 3, 4, 5, 6, 7, 8, 3, 2]);
     expect(numbersAt(mesh.positions, 1, 3)).toEqual([1, 0, 0]);
@@ -52,7 +52,7 @@ describe('the golden files with all their oddities', () => {
     ]);
     expect([...mesh.indices.subarray(0, 6)]).toEqual([0, 1, 2, 0, 2, 3]);
     const arrow = [...mesh.indices.subarray(6, 12)];
-    // Both halves hold the dent 6 and the tip 4, since the other diagonal runs outside.
+    // Both halves contain the dent 6 and the tip 4, because the other diagonal is outside.
     expect([arrow.slice(0, 3), arrow.slice(3)].map((half) => half.toSorted())).toEqual(
       expect.arrayContaining([
         [4, 5, 6],
@@ -88,7 +88,7 @@ describe('the golden files with all their oddities', () => {
     ]);
   });
 
-  it('are read with these words', async () => {
+  it('are read with these messages', async () => {
     const { diagnostics } = await readContents(contents);
     expect(shown(diagnostics)).toEqual([
       'warning: oddities.skel:5:16: expected the root to be the first joint, found "joint 2" ' +

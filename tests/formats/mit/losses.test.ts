@@ -34,12 +34,12 @@ async function readAgain(character: Character): Promise<Character> {
 }
 
 describe('what writing to .skel, .obj and .attach loses', () => {
-  it('is nothing, of what these files hold', async () => {
+  it('is nothing for a character that these files can hold', async () => {
     expect(losses(await readOne(files))).toEqual([]);
     expect(losses(await readOne({ 'a.skel': courseSkel }))).toEqual([]);
   });
 
-  it('is told for each kind, with how many', () => {
+  it('is reported for each kind, with a count', () => {
     const turned = loss(
       'rig.skel',
       'rest rotations and poses of joints: 9',
@@ -54,7 +54,7 @@ describe('what writing to .skel, .obj and .attach loses', () => {
     expect(messages[3]).toMatch(/found "weights on joint 0, for vertices: \d+"/);
   });
 
-  it('is the limits of joints', () => {
+  it('includes the limits of joints', () => {
     const parts = partsOfRig(rotatedTree());
     const joints = parts.skeleton!.joints.map((joint, index) => ({
       ...joint,
@@ -66,10 +66,10 @@ describe('what writing to .skel, .obj and .attach loses', () => {
     );
   });
 
-  it('is the weights of the first joint, but where it has a vertex to itself', async () => {
+  it('includes the weights of the first joint, unless it alone has a vertex', async () => {
     const character = await readOne(files);
     const { skin } = character;
-    // The third row follows the root alone; the second joins it here.
+    // The third row follows only the root; here the second one does too.
     const entries = skin.entries.with(1, 0);
     expect(losses({ ...character, skin: { ...skin, entries } })).toEqual([
       loss(
@@ -81,12 +81,12 @@ describe('what writing to .skel, .obj and .attach loses', () => {
     ]);
   });
 
-  it('is binds apart from the rest pose', () => {
+  it('includes binds that differ from the rest pose', () => {
     const messages = losses(characterOfRig(allRigs['own binds']!()));
     expect(messages.at(-1)).toContain('found "binds of joints: 9" [attach/lost]');
   });
 
-  it('is what ends a line in the name of a material', async () => {
+  it('includes line ends in the name of a material', async () => {
     const character = await readOne(files);
     const [submesh] = character.mesh.submeshes;
     const named = (material: string): Character => ({
@@ -104,8 +104,8 @@ describe('what writing to .skel, .obj and .attach loses', () => {
   });
 });
 
-describe('what is written for lack of better', () => {
-  it('keeps joints and vertices in place at rest, whatever stands turned', async () => {
+describe('approximations in written files', () => {
+  it('keep joints and vertices in place at rest, even if joints are rotated', async () => {
     const character = characterOfRig(rotatedTree());
     const again = await readAgain(character);
     const places = ({ skeleton }: Character): number[] => {
@@ -121,7 +121,7 @@ describe('what is written for lack of better', () => {
     expect(positions).toHaveLength(character.mesh.positions.length);
   });
 
-  it('binds a lone joint by blank rows', async () => {
+  it('bind a single joint by blank rows', async () => {
     const lone = { ...files, 'a.skel': '1 2 3 -1\n', 'a.attach': '\n\n\n' };
     const character = await readOne(lone);
     expect([...character.skin.paletteJoint]).toEqual([0]);

@@ -14,7 +14,7 @@ import { jointMatrices } from '../../../src/core/forward-kinematics.ts';
 import { readOne } from '../../support/files.ts';
 import { meshParts, skinnedParts } from '../../support/random-parts.ts';
 
-/** Runs of one material as one, since writing does not tell them apart. */
+/** Joins adjacent runs of one material, because writing does not distinguish them. */
 function withoutSeams({ submeshes, ...mesh }: Mesh) {
   const triangles = submeshes.flatMap(({ material, indexCount }) =>
     new Array<string>(indexCount / 3).fill(material),

@@ -26,7 +26,7 @@ describe('the format of 6.837', () => {
     expect(await read(contents)).toEqual({ sizes: [whole], messages: [] });
   });
 
-  it('shows what there is and tells what is missing', async () => {
+  it('shows the parts that exist and lists the missing ones', async () => {
     const alone = { name: 'a', joints: 0, points: 3, missing: ['.skel', '.attach'], bound: false };
     expect(await read({ 'a.obj': obj })).toEqual({ sizes: [alone], messages: [] });
     const skeleton = { ...whole, points: 0, missing: ['.obj', '.attach'], bound: false };
@@ -66,7 +66,7 @@ describe('the format of 6.837', () => {
     expect(messages.at(-1)).toContain('a.skel:1:7: expected parents that lead to a root (-1)');
   });
 
-  it('tells the wrong columns before it says that a row is missing', async () => {
+  it('reports wrong columns before a missing row', async () => {
     const { messages } = await read({ 'a.skel': skel, 'a.obj': obj, 'a.attach': '1\n1\n' });
     expect(messages).toHaveLength(1);
   });

@@ -40,7 +40,7 @@ describe('readSkel', () => {
     expect([many?.[3]?.name, many?.[100]?.name]).toEqual(['joint 003', 'joint 100']);
   });
 
-  it('reads over comments and blank lines, and takes parents after their children', () => {
+  it('skips comments and blank lines, and accepts parents after their children', () => {
     const { joints, messages } = read('# two joints\n\n0 0 0 1 # child\n\n0 1 0 -1\n');
     expect(joints).toMatchObject([
       { place: { line: 3 }, parent: 1 },
@@ -52,7 +52,7 @@ describe('readSkel', () => {
     ]);
   });
 
-  it('takes a forest and says so', () => {
+  it('accepts a forest, with a warning', () => {
     const { joints, messages } = read('0 0 0 -1\n0 0 0 -1');
     expect(joints).toHaveLength(2);
     expect(messages).toEqual([

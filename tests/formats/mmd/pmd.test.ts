@@ -20,7 +20,7 @@ function read(): Promise<Character> {
 }
 
 describe('readPmd', () => {
-  it('turns the mesh into the right-handed space, outside still outside', async () => {
+  it('converts the mesh to the right-handed space, with its triangles still facing outwards', async () => {
     const character = await read();
     expectSound(character);
     expectPosable(character);
@@ -38,7 +38,7 @@ describe('readPmd', () => {
 
   it('gives each material its triangles, images and colors, and what its program shows of them', async () => {
     const { materials, mesh } = await read();
-    const light = 154 / 255; // MikuMikuDance's own
+    const light = 154 / 255; // that of MikuMikuDance
     expect(materials).toEqual([
       {
         name: 'material 00',
@@ -92,7 +92,7 @@ describe('readPmd', () => {
     expect([...other.skeleton.dofKind]).toEqual([...movable, ball, ...movable, ...movable]);
   });
 
-  it('weighs by joint, and follows the joints', async () => {
+  it('has weights by joint, and follows the joints', async () => {
     const character = await read();
     const { skin, skeleton, mesh } = character;
     expect([...skin.start]).toEqual([0, 1, 3, 5, 6]);
@@ -100,14 +100,14 @@ describe('readPmd', () => {
     const weights = [1, 0.25, 0.75, 0.7, 0.3, 1];
     expect(largestDifference(skin.weights, weights)).toBeLessThan(1e-7);
     const q = skeleton.qRest.slice();
-    q.set([1, 2, 3], 0); // the first root's slides
+    q.set([1, 2, 3], 0); // the slides of the first root
     const moved = skinVertices(character, skin, { q }, linearBlend).positions;
     const wanted = mesh.positions.map((value, i) => value + [1, 2, 3][i % 3]!);
     expect(largestDifference(moved, wanted)).toBeLessThan(1e-6);
     expect([...jointMatrices(skeleton, q).subarray(12, 15)]).toEqual([1, 2, 1]);
   });
 
-  it('lays morphs on the vertices of the base', async () => {
+  it('maps morphs to the vertices of the base', async () => {
     const character = await read();
     expect(
       character.morphs.map(({ name, vertices, offsets }) => [name, [...vertices], [...offsets]]),
@@ -126,7 +126,7 @@ describe('readPmd', () => {
     });
   });
 
-  it('holds a morph that hides a part by a move past all numbers, which then stands far off', async () => {
+  it('clamps a morph that hides a part by a huge offset, so that the part is far away', async () => {
     const [base, smile] = square.morphs!;
     const hides = { ...smile!, entries: [[1, [0, -1e30, 0.5]]] as const };
     const bytes = pmdFile({ ...square, morphs: [base!, hides], shownMorphs: [1] }).bytes;
@@ -143,7 +143,7 @@ describe('readPmd', () => {
     expect(posed.positions[morph!.vertices[0]! * 3 + 1]).toBeLessThan(-0.9 * far);
   });
 
-  it('keeps what motions and writers need, on the other side of a worker too', async () => {
+  it('keeps the data that motions and writers need, also after a transfer between threads', async () => {
     const mmd = mmdOf(structuredClone(await read()));
     expect(mmd).toMatchObject({
       version: 1,
@@ -179,7 +179,7 @@ describe('readPmd', () => {
     expect([...mmd!.vertices.normals.subarray(9)]).toEqual([0, 0, 2]);
   });
 
-  it('turns physics too: a lower bound in z is an upper one', async () => {
+  it('mirrors physics too: a lower bound in z becomes an upper one', async () => {
     const { bodies, joints } = mmdOf(await read())!.physics!;
     const single = (values: readonly number[]): number[] => values.map(Math.fround);
     expect(bodies.map(({ bone, shape }) => [bone, shape])).toEqual([
@@ -219,7 +219,7 @@ describe('readPmd', () => {
     ]);
   });
 
-  it('says where a file is cut, at every byte, and loads what stands before', () => {
+  it('reports where a file is cut, at every byte, and reads what comes before', () => {
     const soundEnds = [at.english, at.toons, at.physics];
     for (let end = 0; end < squarePmd.length; end++) {
       const { value, diagnostics } = readPmd('a.pmd', squarePmd.subarray(0, end));

@@ -57,7 +57,7 @@ describe('readObj', () => {
     const corners = await cornersOf(`${dart}f 1 2 3\nf 1 2 3 4\nf 1 3 4`);
     expect(corners.slice(0, 3)).toEqual([0, 1, 2]);
     expect(corners.slice(-3)).toEqual([0, 2, 3]);
-    // From the corner that points inwards to the one across: the other diagonal lies outside.
+    // From the reflex corner to the opposite one, because the other diagonal is outside.
     expect([corners.slice(3, 6), corners.slice(6, 9)].every((each) => each.includes(2))).toBe(true);
   });
 

@@ -27,7 +27,10 @@ function outlineArea(polygon: Polygon): number {
   }, 0);
 }
 
-/** All corners used, nothing outside, nothing turned over: the parts make up the whole. */
+/**
+ * All corners are used and no triangle is outside or reversed, so the parts cover exactly the
+ * polygon.
+ */
 function expectExact(polygon: Polygon, triangles = cut(polygon)): void {
   const parts = areas(polygon, triangles);
   const whole = outlineArea(polygon);
@@ -59,7 +62,7 @@ const ell: Polygon = [
   [1, 2, 0],
   [0, 2, 0],
 ];
-/** The same with corners in the middle of straight edges, as meshes with a T-junction have them. */
+/** The same with corners in the middle of straight edges, as in meshes with T-junctions. */
 const ellWithMiddles: Polygon = ell.flatMap((corner, index) => {
   const next = ell[(index + 1) % ell.length]!;
   return [corner, corner.map((value, axis) => (value + next[axis]!) / 2)];

@@ -24,14 +24,14 @@ describe('text in a PNG', () => {
     );
   });
 
-  it('leaves a picture that other programs open, checksums and all', () => {
+  it('leaves a picture that other programs open, with valid checksums', () => {
     const { width, height, data } = PNG.sync.read(Buffer.from(noted));
     expect([width, height]).toEqual([4, 3]);
     expect(data).toEqual(PNG.sync.read(Buffer.from(picture)).data);
     expect(noted.slice(-12)).toEqual(picture.slice(-12));
   });
 
-  it('stands under its keyword alone', () => {
+  it('is found only under its keyword', () => {
     expect(readPngText(noted, 'Comment')).toBeUndefined();
     expect(readPngText(noted, 'Sine')).toBeUndefined();
     expect(readPngText(picture, 'Sinew')).toBeUndefined();
@@ -45,7 +45,7 @@ describe('text in a PNG', () => {
     expect(readPngText(buffer.subarray(17, 17 + noted.length), 'Sinew')).toBe(note);
   });
 
-  it('is whole or not there, wherever the file is cut', () => {
+  it('is complete or absent, wherever the file is cut', () => {
     for (let end = 0; end < noted.length; end++) {
       const text = readPngText(noted.subarray(0, end), 'Sinew');
       expect(text).toBe(end < noted.length - 12 ? undefined : note);

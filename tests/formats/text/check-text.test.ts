@@ -11,7 +11,7 @@ function check(content: string | Uint8Array) {
 }
 
 describe('checkText', () => {
-  it('passes text on, less its byte order mark', () => {
+  it('returns text without its byte order mark', () => {
     expect(check('\uFEFFv 1 2 3')).toEqual({ text: 'v 1 2 3', messages: [] });
     expect(check('< 3').messages).toEqual([]);
   });

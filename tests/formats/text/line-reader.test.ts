@@ -52,7 +52,7 @@ describe('LineReader', () => {
     );
   });
 
-  it('takes a mark within a token as part of it', () => {
+  it('reads a comment mark within a token as part of it', () => {
     expect(tokensOf('a#b \\ c\\d')).toEqual([
       [1, 1, 'a#b'],
       [1, 5, '\\'],
@@ -71,7 +71,7 @@ describe('LineReader', () => {
     ]);
   });
 
-  it('joins no line to one that is all comment', () => {
+  it('does not continue a line that is only a comment', () => {
     const tokens = tokensOf('  # in C:\\\na b # c\\\nd\ne', true);
     expect(tokens.map(([line, , token]) => [line, token])).toEqual([
       [2, 'a'],
@@ -80,7 +80,7 @@ describe('LineReader', () => {
     ]);
   });
 
-  it('gives names over joined lines without the marks between', () => {
+  it('reads names across joined lines without the backslashes', () => {
     const reader = new LineReader(bytesOf('usemtl dark \\\r\n  skin \\\\ x\\'), log, {
       continuations: true,
     });
@@ -89,7 +89,7 @@ describe('LineReader', () => {
     expect(reader.rest()).toBe('dark    skin \\\\ x');
   });
 
-  it('copes with a continuation that nothing follows', () => {
+  it('accepts a continuation at the end of the file', () => {
     expect(tokensOf('a b\\', true).map(([, , token]) => token)).toEqual(['a', 'b']);
     expect(tokensOf('a \\\n', true).map(([, , token]) => token)).toEqual(['a']);
   });
@@ -110,7 +110,7 @@ describe('LineReader', () => {
     expect(reader.rest()).toBe('z');
   });
 
-  it('tells of the first line that is no UTF-8, once', () => {
+  it('reports the first line that is not UTF-8, once', () => {
     const own = new DiagnosticLog('a.obj');
     const bytes = [...bytesOf('a Ä\nb '), 0xc4, 0x0a, 0xff];
     const reader = new LineReader(Uint8Array.from(bytes), own);
@@ -139,8 +139,8 @@ describe('LineReader', () => {
     expect(reader.linePlace.source).toHaveLength(160);
   });
 
-  // Looking ahead for the line feed from every one of them would take minutes.
-  it('takes time in proportion to the file, even where it is all returns', () => {
+  // Searching for the line feed from each of them would take minutes.
+  it('takes time proportional to the file, even if it has only carriage returns', () => {
     const reader = new LineReader(new Uint8Array(300_000).fill(0x0d), log);
     let count = 0;
     while (reader.next()) count++;

@@ -5,7 +5,7 @@ import { writeFloat32, writeFloat64 } from '../../../src/formats/text/write-numb
 import { bytesOf } from '../../support/files.ts';
 import { characterOf, decimalText } from '../../support/decimals.ts';
 
-/** The text between other digits, since the reader must stop at its end. */
+/** Reads the text from between other digits, because the reader must stop at its end. */
 function read(text: string, reader = readNumber): number {
   const bytes = bytesOf(`9${text}9`);
   return reader(bytes, 1, bytes.length - 1);
@@ -52,7 +52,7 @@ describe('readNumber', () => {
     expect(read(text)).toBeNaN();
   });
 
-  it('refuses what its grammar has not, whatever Number makes of it', () => {
+  it('refuses text outside its grammar, even if Number accepts it', () => {
     const letters = characterOf('0123456789+-.eExX_ \tInfatyN');
     fc.assert(
       fc.property(fc.string({ unit: letters, maxLength: 8 }), (text) => {
@@ -63,13 +63,13 @@ describe('readNumber', () => {
     );
   });
 
-  it('takes tokens of 64 characters and none longer', () => {
+  it('accepts tokens of at most 64 characters', () => {
     expect(read('1'.padStart(64, '0'))).toBe(1);
     expect(read('1'.padStart(65, '0'))).toBeNaN();
     expect(read('1'.repeat(100_000))).toBeNaN();
   });
 
-  it('takes another limit', () => {
+  it('accepts another limit', () => {
     const bytes = bytesOf('12345');
     expect([4, 5].map((longest) => readNumber(bytes, 0, 5, longest))).toEqual([NaN, 12345]);
     expect([4, 5].map((longest) => readInteger(bytes, 0, 5, longest))).toEqual([NaN, 12345]);

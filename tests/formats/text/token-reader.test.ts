@@ -13,7 +13,7 @@ function tokens(text: string): [string, number, number][] {
 const texts = (text: string): string[] => tokens(text).map(([token]) => token);
 
 describe('TokenReader', () => {
-  it('takes braces apart from what they touch', () => {
+  it('separates braces from the text that they touch', () => {
     expect(texts('leg_fl{channel 14{}}{a')).toEqual([
       ...['leg_fl', '{', 'channel', '14', '{', '}', '}', '{', 'a'],
     ]);
@@ -30,7 +30,7 @@ describe('TokenReader', () => {
     expect(tokens(`a${end} b c${end}\td`).slice(-1)).toEqual([['d', line, 2]]);
   });
 
-  it('goes over every kind of white space', () => {
+  it('skips every kind of white space', () => {
     expect(texts(' a\tb\vc\fd\r\n e ')).toEqual(['a', 'b', 'c', 'd', 'e']);
   });
 
@@ -41,7 +41,7 @@ describe('TokenReader', () => {
     expect(tokens('/* 1\r\n2\r\n3 */ a')).toEqual([['a', 3, 6]]);
   });
 
-  it('remembers a comment that nothing ends', () => {
+  it('remembers a comment that is never closed', () => {
     const reader = new TokenReader(bytesOf('a\n/* b\nc'));
     reader.next();
     expect(reader.openComment).toBeUndefined();

@@ -17,7 +17,7 @@ async function read(zip: Uint8Array) {
   return { paths: files.map(({ path }) => path), messages: shown(diagnostics), files };
 }
 
-describe('one bad file of an archive is left out and told, and the others are read', () => {
+describe('one bad file of an archive is left out and reported, and the others are read', () => {
   it.each([
     ['less than it unfolds to', { size: 100 }, 'broken'],
     ['nothing, of what unfolds', { size: 0 }, 'broken'],
@@ -38,7 +38,7 @@ describe('one bad file of an archive is left out and told, and the others are re
     ]);
   });
 
-  it('is no error where it is an image', async () => {
+  it('is not an error if it is an image', async () => {
     const { paths, messages } = await read(
       patched(zipOf({ 'x/a.bmp': 'image', ...contents }), { checksum: 1 }),
     );
@@ -46,7 +46,7 @@ describe('one bad file of an archive is left out and told, and the others are re
     expect(messages[0]).toMatch(/^warning: .* "1 broken: a\.bmp"/);
   });
 
-  it('is told once for each reason, however many there are', async () => {
+  it('is reported once for each reason, however many there are', async () => {
     const many = Object.fromEntries(Array.from({ length: 9 }, (_, i) => [`${i}.obj`, 'v']));
     const limits = { ...defaultArchiveLimits, totalSize: 2 };
     const { files, diagnostics } = await expandArchives([memoryFile('a.zip', zipOf(many))], limits);
@@ -57,7 +57,7 @@ describe('one bad file of an archive is left out and told, and the others are re
     ]);
   });
 
-  it('is a name that comes twice: the last counts', async () => {
+  it('may be a name that occurs twice; the last one counts', async () => {
     const zip = zipOf({ 'a.obj': 'first', 'b.obj': 'other' });
     const twice = zip.map((byte, i) => (byte === 0x62 && zip[i + 1] === 0x2e ? 0x61 : byte));
     const { files, messages } = await read(twice);
@@ -70,7 +70,7 @@ describe('one bad file of an archive is left out and told, and the others are re
   });
 });
 
-describe('archives that are none', () => {
+describe('files that are not archives', () => {
   it.each([
     ['nothing', new Uint8Array(0)],
     ['text', new TextEncoder().encode('PK not a zip')],
@@ -85,22 +85,22 @@ describe('archives that are none', () => {
   });
 });
 
-describe('archives whose directory is lost', () => {
+describe('archives without a directory', () => {
   const lost =
     'error: a.zip: expected a whole zip archive, found "no directory at its end" [file/archive]';
 
-  it('give their files by what stands before each', async () => {
+  it('give their files by the header before each', async () => {
     const { paths, messages } = await read(sound.slice(0, -22));
     expect(paths).toEqual(['a.zip/a.obj', 'a.zip/b.skel']);
     expect(messages).toEqual([`${lost}; what is left of it is read: 2 files`]);
   });
 
-  it.each([true, false])('or behind each, signed: %s', async (isSigned) => {
+  it.each([true, false])('or by the sizes after each, with a signature: %s', async (isSigned) => {
     const { paths } = await read(describedZip(contents, isSigned));
     expect(paths).toEqual(['a.zip/a.obj', 'a.zip/b.skel']);
   });
 
-  it('tell of the file that they were cut in', async () => {
+  it('report the file in which they were cut', async () => {
     const second = sound.findIndex((byte, i) => i > 0 && byte === 0x50 && sound[i + 2] === 3);
     const { paths, messages } = await read(sound.slice(0, second + 38));
     expect(paths).toEqual(['a.zip/a.obj']);
@@ -108,7 +108,7 @@ describe('archives whose directory is lost', () => {
     expect(messages[1]).toContain('1 not all in the archive: b.skel');
   });
 
-  it('cut at every byte, are told, and give no file but whole ones', async () => {
+  it('that are cut at any byte are reported, and give only complete files', async () => {
     for (let end = 0; end < sound.length; end++) {
       const { files, messages } = await read(sound.subarray(0, end));
       expect(messages.length).toBeGreaterThan(0);
@@ -118,13 +118,13 @@ describe('archives whose directory is lost', () => {
     }
   });
 
-  it('lie behind a program that unpacks them', async () => {
+  it('may follow a self-extracting program', async () => {
     const program = new TextEncoder().encode('MZ and more');
     const { paths, messages } = await read(Uint8Array.of(...program, ...sound));
     expect([paths, messages]).toEqual([['a.zip/a.obj', 'a.zip/b.skel'], []]);
   });
 
-  it('changed in 2,000 ways: files as they were, or it is told', async () => {
+  it('that are changed in 2,000 ways give unchanged files or a message', async () => {
     await fc.assert(
       fc.asyncProperty(mutated(sound, ['0', 'PK']), async (bytes) => {
         const { files } = await read(bytes);
@@ -135,7 +135,7 @@ describe('archives whose directory is lost', () => {
     );
   });
 
-  it('of any bytes behind a sound one are read or refused, all the way', async () => {
+  it('of random bytes after a valid part are read or refused without an exception', async () => {
     await fc.assert(
       fc.asyncProperty(fc.uint8Array({ maxLength: 200 }), (bytes) =>
         expectOutcome({ 'a.zip': Uint8Array.of(...sound, ...bytes) }),

@@ -10,7 +10,7 @@ function raw(...bytes: number[]): RawName {
   return { bytes: Uint8Array.from(bytes), isUtf8: false, extra: none };
 }
 
-/** A Unicode Path field for a name, behind a field of another kind. */
+/** A Unicode Path field for a name, after a field of another kind. */
 function field(name: Uint8Array, text: string, checksum = crc32(name)): Uint8Array {
   const bytes = bytesOf(text);
   const out = new ByteWriter()
@@ -30,7 +30,7 @@ describe('names of archives', () => {
   it.each<[string, RawName[], string[]]>([
     ['are UTF-8 where they say so', [{ ...raw(0xe9, 0xa1, 0x94), isUtf8: true }], ['顔']],
     ['are UTF-8 where they could be', [raw(0xe9, 0xa1, 0x94), raw(...ascii('a'))], ['顔', 'a']],
-    // ソ表能, whose second bytes are all 0x5C, and a backslash that parts folders.
+    // ソ表能, whose second bytes are all 0x5C, and a backslash that separates folders.
     [
       'are Shift-JIS, decoded before backslashes part folders',
       [raw(0x83, 0x5c, 0x95, 0x5c, 0x5c, 0x94, 0x5c, ...ascii('.bmp'))],
@@ -66,7 +66,7 @@ describe('names of archives', () => {
     }
   });
 
-  it('that say UTF-8 and are none are decoded all the same', () => {
+  it('that claim to be UTF-8 but are not are decoded nevertheless', () => {
     expect(decodeNames([{ ...raw(0x83, 0x5c), isUtf8: true }])).toEqual(['ソ']);
   });
 });

@@ -6,7 +6,7 @@ import { said } from '../../support/diagnose.ts';
 import { bytesOf, type FileContents, textOf } from '../../support/files.ts';
 import { zipOf } from '../../support/zip.ts';
 
-/** Paths and texts of what comes out, and what is said. */
+/** The resulting paths and texts, and the messages. */
 async function expand(zip: Uint8Array, limits = defaultArchiveLimits) {
   const { files, diagnostics } = await expandArchives([memoryFile('a.zip', zip)], limits);
   const entries = files.map(
@@ -20,7 +20,7 @@ async function messagesOf(contents: FileContents, limits: Partial<typeof default
 }
 
 describe('expandArchives', () => {
-  it('puts the files of an archive in a folder of its name, packed and stored ones', async () => {
+  it('puts the files of an archive in a folder of its name, compressed and stored ones', async () => {
     const text = 'v 0 0 0\n'.repeat(50);
     const packed = await expand(zipOf({ 'x/a.obj': text, 'b.skel': '0 0 0 -1' }));
     expect(packed).toEqual({
@@ -49,7 +49,7 @@ describe('expandArchives', () => {
     expect(files).toEqual([[path, 'v']]);
   });
 
-  it('passes over what systems leave beside files, and folders', async () => {
+  it('skips files that operating systems add, and folders', async () => {
     const zip = zipOf({
       'x/': '',
       'x/a.obj': 'v',
@@ -60,7 +60,7 @@ describe('expandArchives', () => {
     expect(await expand(zip)).toEqual({ files: [['x/a.obj', 'v']], messages: [] });
   });
 
-  it('lists files that nothing reads, without their bytes', async () => {
+  it('lists files that no format reads, without their bytes', async () => {
     const { files } = await expand(zipOf({ 'readme.txt': 'hello', 'a.obj': 'v' }));
     expect(files).toEqual([
       ['readme.txt', ''],
@@ -86,7 +86,7 @@ describe('the limits of archives', () => {
     expect(await messagesOf(contents, { entryCount: 2 })).toEqual([`${usual} ${found}`]);
   });
 
-  it('hold for the bytes in all that are read', async () => {
+  it('apply to the total bytes that are read', async () => {
     const contents = { 'a.obj': 'v'.repeat(60), 'b.obj': 'v'.repeat(40), 'c.txt': 'x'.repeat(999) };
     expect(await messagesOf(contents, { totalSize: 100 })).toEqual([]);
     expect(await messagesOf(contents, { totalSize: 99 })).toEqual([
@@ -95,7 +95,7 @@ describe('the limits of archives', () => {
     ]);
   });
 
-  it('hold for how much a file unfolds, where it is large', async () => {
+  it('apply to the ratio of a file if it is large', async () => {
     const contents = { 'a.obj': 'v'.repeat(1_000_000) };
     expect(await messagesOf(contents, { freeSize: 1_000_000 })).toEqual([]);
     expect(await messagesOf(contents, { freeSize: 0, ratio: 2000 })).toEqual([]);
@@ -103,7 +103,7 @@ describe('the limits of archives', () => {
     expect(message).toMatch(/found "1 too large, 1000000 bytes from \d+: a/);
   });
 
-  it('take the weights of a stiff model, which pack four hundred to one', async () => {
+  it('allow the weights of a rigid model, which compress four hundred to one', async () => {
     const weights = `${'0 '.repeat(56)}1\n`.repeat(10_000);
     const zip = zipOf({ 'a.attach': weights });
     expect(weights.length / zip.length).toBeGreaterThan(200);

@@ -6,7 +6,7 @@ export type { BadInput, Left } from '../../bad-input.ts';
 
 const skel = 'balljoint a {\n}\n';
 
-/** The sections of a sound skin: a triangle on one joint. Each is a line. */
+/** The sections of a valid skin, a triangle on one joint, one per line. */
 export const sections = {
   positions: 'positions 3 { 0 0 0 1 0 0 0 1 0 }',
   normals: 'normals 3 { 0 0 1 0 0 1 0 0 1 }',
@@ -15,12 +15,12 @@ export const sections = {
   bindings: 'bindings 1 { matrix { 1 0 0 0 1 0 0 0 1 0 0 0 } }',
 };
 
-/** The sound skin with some of its sections put in other words, and more behind them. */
+/** The valid skin with some of its sections replaced, and more text at its end. */
 export function skinText(changed: Partial<typeof sections> = {}, more = ''): string {
   return [...Object.values({ ...sections, ...changed }), more].join('\n');
 }
 
-/** A sound character: a joint, a triangle that follows it. */
+/** A valid character: a joint and a triangle that follows it. */
 export const whole: FileContents = { 'a.skel': skel, 'a.skin': skinText() };
 
 export const all: Left = { joints: 1, vertices: 3, triangles: 1, bound: true };
@@ -28,7 +28,7 @@ export const unbound: Left = { ...all, bound: false };
 export const meshOnly: Left = { ...all, joints: 0, bound: false };
 export const skeletonOnly: Left = { joints: 1, vertices: 0, triangles: 0, bound: false };
 
-/** A skeleton of which nothing is left; its message goes behind "error: a.skel". */
+/** A skeleton that is refused; its message follows "error: a.skel". */
 export function noSkel(title: string, text: string | Uint8Array, message: string): BadInput {
   return {
     title,
@@ -38,7 +38,7 @@ export function noSkel(title: string, text: string | Uint8Array, message: string
   };
 }
 
-/** A skeleton alone that is read, with warnings or none; each goes behind "warning: a.skel". */
+/** A skeleton alone that is read, possibly with warnings; each follows "warning: a.skel". */
 export function readSkeleton(
   title: string,
   text: string | Uint8Array,
@@ -55,7 +55,7 @@ export function readSkeleton(
   };
 }
 
-/** A skin of which nothing is left. */
+/** A skin that is refused. */
 export function noSkin(title: string, text: string, message: string): BadInput {
   return {
     title,
@@ -65,7 +65,7 @@ export function noSkin(title: string, text: string, message: string): BadInput {
   };
 }
 
-/** A skin that is read, with warnings or none. */
+/** A skin that is read, possibly with warnings. */
 export function readSkinOf(
   title: string,
   text: string,

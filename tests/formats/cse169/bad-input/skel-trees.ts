@@ -6,7 +6,7 @@ const nested = (depth: number): string =>
 const wide = (count: number): string =>
   `balljoint a {${'balljoint b{offset 1 0 0}'.repeat(count - 1)}}`;
 
-/** Names as the user sees them; the file's own are kept for writing. */
+/** Checks the displayed name of a joint; the file's own name is kept for writing. */
 function named(title: string, name: string, shown: string, warnings: string[] = []): BadInput {
   const text = `balljoint root { balljoint ${name} { offset 1 2 3 } }`;
   return readSkeleton(`B14 ${title}`, text, warnings, 2, ({ skeleton }) => {
@@ -18,7 +18,7 @@ function named(title: string, name: string, shown: string, warnings: string[] = 
 const unnamed = 'expected a name, found "{" [skel/name]; it is shown by its number';
 const skipped = 'it is skipped, with its numbers or its block';
 
-/** B1 to B9, B13, B14, B25 to B28 and B30: how joints are nested, named and set off. */
+/** B1 to B9, B13, B14, B25 to B28 and B30: nesting, names and offsets of joints. */
 export const skelTrees: readonly BadInput[] = [
   noSkel(
     'B2 no balljoint',

@@ -4,10 +4,10 @@ import type { Character } from '../../../../src/core/character.ts';
 import { DofKind } from '../../../../src/core/skeleton.ts';
 import { type BadInput, noSkel, readSkeleton } from './bad-input.ts';
 
-/** A joint with this property, its first byte the fifteenth of the line. */
+/** A joint with this property, which starts at the fifteenth byte of the line. */
 const joint = (property: string): string => `balljoint a { ${property} }`;
 
-/** Angle, least and most of the hinges about x, y and z of the first joint. */
+/** Angle, minimum and maximum of the hinges about x, y and z of the first joint. */
 function hingesOf({ skeleton }: Character): number[][] {
   return axisDofs(skeleton, 0)
     .filter(({ kind }) => kind === DofKind.hinge)

@@ -11,7 +11,7 @@ import {
 
 const positions = (text: string): string => skinText({ positions: `positions ${text}` });
 const triangles = (text: string): string => skinText({ triangles: `triangles ${text}` });
-/** The sound skin in another form. */
+/** A valid skin in another form. */
 function sameSkin(title: string, text: string): BadInput {
   return readSkinOf(`B37 ${title}`, text, [], ({ mesh, skin }) => {
     expect([...mesh.positions]).toEqual([0, 0, 0, 1, 0, 0, 0, 1, 0]);

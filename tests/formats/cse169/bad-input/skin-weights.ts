@@ -1,11 +1,11 @@
 import { expect } from 'vitest';
 import { type BadInput, noSkin, readSkinOf, skinText, unbound, whole } from './bad-input.ts';
 
-/** Rows of weights whose first byte is the seventeenth of the third line. */
+/** Rows of weights that start at the seventeenth byte of the third line. */
 const weights = (rows: string, count = 3): string =>
   skinText({ skinweights: `skinweights ${count} { ${rows} }` });
 
-/** Bindings whose first element is the twenty-third byte of the fifth line. */
+/** Bindings whose first element starts at the twenty-third byte of the fifth line. */
 const matrix = (elements: string): string =>
   skinText({ bindings: `bindings 1 { matrix { ${elements} } }` });
 

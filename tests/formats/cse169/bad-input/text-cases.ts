@@ -5,7 +5,7 @@ import { type BadInput, meshOnly, noSkel, readSkeleton, whole } from './bad-inpu
 
 const skipped = 'it is skipped, with its numbers or its block';
 
-/** A whole leg, whatever its lines end with, and the two words that no reader knows. */
+/** The complete leg, with any line ends, and the two words that no reader knows. */
 function sameLeg(title: string, text: string, at: readonly [string, string]): BadInput {
   const unknown = ['mass', 'joint'].map(
     (word, i) =>
@@ -30,12 +30,12 @@ function notText(title: string, content: string | Uint8Array, message: string): 
 }
 
 const spaces = ' '.repeat(10 * 1024 * 1024);
-/** "# Größe", as Windows wrote it. */
+/** "# Größe" in the encoding of Windows. */
 const latin1 = Uint8Array.of(...bytesOf('balljoint a { }\n# Gr'), 0xf6, 0xdf, 0x65, 0x0a);
 const invalid =
   'expected UTF-8 text, found "byte 0xF6" [file/encoding]; such characters are shown as \uFFFD; all else is read';
 
-/** B1, B31, B32 and B34: what a file is made of; and B26, how its lines end. */
+/** B1, B31, B32 and B34: encodings and kinds of files; B26: line ends. */
 export const textCases: readonly BadInput[] = [
   notText('B1 empty file', '', '.skel text, found "an empty file" [file/empty]'),
   noSkel(

@@ -22,7 +22,7 @@ function warned(
   };
 }
 
-/** Joint of the file and weight, of a point's row. */
+/** A point's row: file index of each joint, and its weight. */
 function rowOf({ skeleton, skin }: Character, point: number): number[][] {
   return Array.from(skin.entries.subarray(skin.start[point], skin.start[point + 1]), (entry, i) => [
     skeleton.sourceIndex[skin.paletteJoint[entry]!]!,

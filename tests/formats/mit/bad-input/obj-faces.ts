@@ -3,7 +3,7 @@ import { type BadInput, square, withObj } from './bad-input.ts';
 
 const noMesh = { joints: 3, vertices: 0, triangles: 0, bound: false };
 
-/** A square's points, this face, and one that is sound. */
+/** A square's points, this face, and a valid one. */
 function refused(title: string, face: string, message: string): BadInput {
   return {
     title,
@@ -13,7 +13,7 @@ function refused(title: string, face: string, message: string): BadInput {
   };
 }
 
-/** A face that costs only itself, or a part of it. */
+/** A face that is left out, or part of it, while the rest is kept. */
 function leftOut(title: string, face: string, message: string, triangles = 1): BadInput {
   return {
     title,
@@ -32,7 +32,7 @@ const range = 'expected 1 to 4 or -4 to -1';
 const few = 'expected faces of at least 3 corners, found "1 of fewer" [obj/face]';
 const open = 'expected corners that end in a number, found "3 that end in a slash" [obj/face]';
 
-/** Outline points and one face over all of them. */
+/** The points of an outline, and one face over all of them. */
 function polygon(points: readonly (readonly [number, number])[]): string {
   const lines = points.map(([x, y]) => `v ${x} ${y} 0\n`).join('');
   return `${lines}f ${points.map((_, i) => i + 1).join(' ')}\n`;
@@ -48,7 +48,7 @@ function cut(title: string, points: readonly (readonly [number, number])[]): Bad
       for (let i = 0; i < mesh.indices.length; i += 3) {
         const [a, b, c] = [0, 1, 2].map((k) => points[mesh.indices[i + k]!]!);
         const area = (b![0] - a![0]) * (c![1] - a![1]) - (b![1] - a![1]) * (c![0] - a![0]);
-        expect(area).toBeGreaterThan(0); // no triangle outside, none turned over
+        expect(area).toBeGreaterThan(0); // no triangle outside, none reversed
       }
     },
   };

@@ -40,7 +40,7 @@ const strangeNames = [
 ];
 const manyWords = Array.from({ length: 150 }, (_, i) => `word${i} 1\nword${i} 2\n`).join('');
 
-/** A28 to A32, A43 to A48, A50, A51, A53 and A54: all lines but faces. */
+/** A28 to A32, A43 to A48, A50, A51, A53 and A54: all lines except faces. */
 export const objLines: readonly BadInput[] = [
   refused(
     'A28 no vertex',
@@ -181,7 +181,7 @@ export const objLines: readonly BadInput[] = [
   ),
 ];
 
-/** One error, after which nothing more is read. */
+/** One error, after which nothing is read. */
 function tooMany(
   what: string,
   limits: NonNullable<BadInput['limits']>,

@@ -13,7 +13,7 @@ import {
 
 const [skel, obj, attach] = ['a.skel', 'a.obj', 'a.attach'].map((name) => whole[name] as string);
 
-/** These files of the sound character, and what it then lacks. */
+/** These files of the valid character, and what is missing then. */
 function some(
   title: string,
   names: readonly string[],
@@ -29,7 +29,7 @@ function some(
   };
 }
 
-/** A55 and A67: files cut short, and sets of files that are not whole. */
+/** A55 and A67: truncated files and incomplete sets of files. */
 export const setCases: readonly BadInput[] = [
   {
     title: 'A55 skeleton cut within its last number',

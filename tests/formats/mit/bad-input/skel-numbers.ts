@@ -1,6 +1,6 @@
 import { type BadInput, meshOnly, withSkel } from './bad-input.ts';
 
-/** A `.skel` whose second line is this one. */
+/** A `.skel` with this second line. */
 function line(text: string): string {
   return `0 0 0 -1\n${text}\n0 1 0 1\n`;
 }
@@ -9,7 +9,7 @@ function refused(title: string, text: string, message: string): BadInput {
   return { title, files: withSkel(text), messages: [`error: a.skel${message}`], left: meshOnly };
 }
 
-/** A number for y, in the sixth byte of the second line. */
+/** A number for y, at the sixth byte of the second line. */
 function badNumber(title: string, y: string, hint = ''): BadInput {
   const message = `:2:3: expected a number for y${hint}, found "${y}" [skel/number]`;
   return refused(title, line(`0 ${y} 0 0`), message);

@@ -14,7 +14,7 @@ const chain = (count: number): string =>
   Array.from({ length: count }, (_, joint) => `0 1 0 ${joint - 1}\n`).join('');
 const ring = Array.from({ length: 12 }, (_, i) => `0 1 0 ${i === 11 ? 1 : i + 2}\n`).join('');
 
-/** A14 to A19, A24 and A26: what the joints of a `.skel` hang on. */
+/** A14 to A19, A24 and A26: the hierarchy of a `.skel`. */
 export const skelTrees: readonly BadInput[] = [
   refused(
     'A14 parent of itself',
@@ -55,7 +55,7 @@ export const skelTrees: readonly BadInput[] = [
     ],
     left: all,
     check({ skeleton, skin }) {
-      // The first column is joint 1 of the file, root or not.
+      // The first column is joint 1 of the file, even if that is a root.
       expect(skeleton.sourceIndex[skin.paletteJoint[skin.entries[0]!]!]).toBe(1);
     },
   },

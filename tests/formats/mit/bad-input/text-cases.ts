@@ -24,11 +24,11 @@ function refused(title: string, content: string | Uint8Array, message: string): 
 
 const page = '<!DOCTYPE html>\n<html><head><title>404</title></head></html>\n';
 const pngHead = Uint8Array.of(0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0, 0, 0, 0x0d);
-/** "# Größe", as Windows wrote it. */
+/** "# Größe" in the encoding of Windows. */
 const latin1 = Uint8Array.of(0x23, 0x20, 0x47, 0x72, 0xf6, 0xdf, 0x65, 0x0a, ...bytesOf(skel));
 
 /**
- * A21 to A23, A25, A27 and A68: what a text file is made of, the same for all three kinds.
+ * A21 to A23, A25, A27 and A68: encodings and kinds of text files, the same for all three formats.
  */
 export const textCases: readonly BadInput[] = [
   sameSkeleton('A21 byte order mark', `\uFEFF${skel}`),

@@ -9,14 +9,14 @@ import {
   squarePmd,
 } from '../../../support/pmd-files.ts';
 
-/** A row of the table: a file, what is said of it, and what is left. */
+/** A row of the table: a file, the expected messages, and what remains of the character. */
 export interface BadPmd {
-  /** The number of the case and what it is: "C33 bone past the end". */
+  /** The number and the description of the case: "C33 bone past the end". */
   readonly title: string;
   readonly bytes: Uint8Array;
-  /** Files beside it. */
+  /** Other files that are opened with it. */
   readonly beside?: FileContents;
-  /** Smaller ones than Sinew's own, where a case would be large. */
+  /** Smaller limits than Sinew's own, for cases that would otherwise be large. */
   readonly limits?: Partial<Limits>;
   /** Every message, `severity: a.pmd @ byte N (0xN): expected …, found "…" [code]`. */
   readonly messages: readonly string[];
@@ -31,18 +31,18 @@ export interface Left {
   readonly bound: boolean;
 }
 
-/** Of the sound file. */
+/** What remains of the valid file: everything. */
 export const whole: Left = { joints: 4, vertices: 4, triangles: 2, bound: true };
 export const meshOnly: Left = { ...whole, joints: 0, bound: false };
 export const bonesOnly: Left = { joints: 4, vertices: 0, triangles: 0, bound: false };
 
-/** Where the sound file's sections start. */
+/** Where the sections of the valid file start. */
 export const { at } = pmdFile(square);
 
-/** Bytes of a record of each kind. */
+/** The bytes of a record of each kind. */
 const size = { vertex: 38, material: 70, bone: 39, body: 83, spring: 124 } as const;
 
-/** Where a record of the sound file starts: past the section's count. */
+/** Where a record of the valid file starts, after the section's count. */
 export function vertexAt(index: number): number {
   return at.vertices + 4 + index * size.vertex;
 }
@@ -59,7 +59,7 @@ export function place(offset: number): string {
   return `a.pmd @ byte ${offset} (0x${offset.toString(16)}): expected`;
 }
 
-/** An error at a place, and nothing left. */
+/** An error at a place; nothing remains. */
 export function refused(
   title: string,
   bytes: Uint8Array,
@@ -70,7 +70,7 @@ export function refused(
   return { title, bytes, limits, messages: [`error: ${place(offset)} ${message}`], left: null };
 }
 
-/** Warnings, and what is left: all of it, as a rule. */
+/** Warnings, and what remains: usually everything. */
 export function warned(
   title: string,
   bytes: Uint8Array,
@@ -82,7 +82,7 @@ export function warned(
   return { title, bytes, messages, left, ...(check ? { check } : {}) };
 }
 
-/** The sound file with other bytes at a place. */
+/** The valid file with other bytes at a place. */
 export function put(offset: number, ...bytes: readonly number[]): Uint8Array {
   return patched(squarePmd, offset, bytes);
 }
@@ -99,12 +99,12 @@ export function putCount(offset: number, value: number): Uint8Array {
   return put(offset, ...word);
 }
 
-/** The sound content with parts changed. */
+/** The valid content with some parts replaced. */
 export function changed(content: Partial<PmdContent>): Uint8Array {
   return pmdFile({ ...square, ...content }).bytes;
 }
 
-/** A name as its field begins in the file. */
+/** A name field that starts with these bytes. */
 export function named(...bytes: readonly number[]): Uint8Array {
   return changed({
     bones: square.bones.map((bone, i) => (i === 1 ? { ...bone, name: bytes } : bone)),

@@ -20,7 +20,7 @@ import {
 
 const unskinned = { ...square, listed: [], bodies: [], springs: [], ik: [] };
 
-/** The skeleton is lost, the mesh is not. */
+/** The skeleton is lost, but the mesh is not. */
 function withoutBones(title: string, bytes: Uint8Array, offset: number, message: string): BadPmd {
   return { title, bytes, messages: [`error: ${place(offset)} ${message}`], left: meshOnly };
 }
@@ -33,7 +33,7 @@ function tail(title: string, bone: number, found: number | null): BadPmd {
   );
 }
 
-/** The file with this many bones, children of the first. */
+/** The file with this many bones, all children of the first. */
 function manyBones(count: number): Uint8Array {
   const bones = Array.from({ length: count }, (_, i) => {
     return { name: '', parent: i === 0 ? noBone : 0, head: [i, 1, 1] as const };

@@ -4,7 +4,7 @@ import { mmdOf } from '../../../../src/formats/mmd/mmd-parts.ts';
 import { noBone, pmdFile, square, squarePmd } from '../../../support/pmd-files.ts';
 import { at, type BadPmd, changed, put, putCount, putFloat, warned } from './bad-pmd.ts';
 
-/** What is left of the sections past the IK chains, in the order of the file. */
+/** What remains of the sections after the IK chains, in the order of the file. */
 function expectSections(
   ...wanted: readonly [
     morphs: number,
@@ -33,12 +33,12 @@ function cut(
   return warned(title, squarePmd.subarray(0, end), [[offset, message]], check);
 }
 
-/** Where the square's morph 1 has its first entry, and the base its own. */
+/** Where morph 1 of the square has its first entry, and where the base has its own. */
 const [base, smile] = [at.morphs + 2 + 25, at.morphs + 2 + 25 + 32 + 25];
 const bodies = at.physics + 4;
 const springs = bodies + 2 * 83 + 4;
 
-/** C65 and C66: what follows the IK chains. */
+/** C65 and C66: the sections after the IK chains. */
 export const extraCases: readonly BadPmd[] = [
   cut(
     'C65 cut before the morphs',

@@ -25,7 +25,7 @@ function cut(title: string, end: number, offset: number, message: string): BadPm
   return refused(title, squarePmd.subarray(0, end), offset, message);
 }
 
-/** A name of bone 1, and how it is shown. */
+/** A name of bone 1, and its displayed form. */
 function name(title: string, bytes: readonly number[], shown: string, fileName = shown): BadPmd {
   return warned(title, named(...bytes), [], (character) => {
     expect(nameOf(character, 1)).toBe(shown);
@@ -36,7 +36,7 @@ function name(title: string, bytes: readonly number[], shown: string, fileName =
 const archive = 'this is an archive: unpack it first';
 const text = (characters: string): number[] => [...bytesOf(characters)];
 
-/** C1 to C23: what the file is, where it is cut, and its names. */
+/** C1 to C23: kinds of files, truncation, and names. */
 export const headerCases: readonly BadPmd[] = [
   ...[0, 1, 2].map((length) =>
     cut(
