@@ -13,9 +13,12 @@ uniform vec3 eye;
 const vec3 skyColor = vec3(0.84, 0.91, 1.0) * 0.4;
 const vec3 groundColor = vec3(1.0, 0.92, 0.83) * 0.2;
 
-// Lambert, let a little past the terminator as clay does.
+// How far past the terminator light is let, as clay does it: the negative of a cosine.
+const float wrap = 0.12;
+
+// Lambert, let a little past the terminator.
 float wrapped(float cosine) {
-  return max(0.0, (cosine + 0.12) / 1.12);
+  return max(0.0, (cosine + wrap) / (1.0 + wrap));
 }
 
 // Blinn's highlight: how much of a light it sends to the eye.
@@ -27,17 +30,23 @@ float highlight(vec3 toLight, vec3 view, vec3 normal, float shininess) {
 // A matte surface with a highlight of its own, of key and fill.
 vec3 shade(vec3 albedo, vec3 specular, float shininess, vec3 normal, vec3 position) {
   vec3 view = normalize(eye - position);
-  float visibility = keyVisibility(position, normal);
+  // Where the light does not reach a surface, nothing can stand in its way.
+  float facing = dot(normal, keyDirection);
+  float visibility = facing > -wrap ? keyVisibility(position, normal) : 0.0;
   vec3 light = mix(groundColor, skyColor, 0.5 + 0.5 * normal.y);
-  light += keyColor * wrapped(dot(normal, keyDirection)) * visibility;
+  light += keyColor * wrapped(facing) * visibility;
   light += fillColor * wrapped(dot(normal, fillDirection));
   light += rimColor * wrapped(dot(normal, rimDirection));
-  float grazing = pow(1.0 - max(dot(normal, view), 0.0), 4.0);
+  float across = 1.0 - max(dot(normal, view), 0.0);
+  float grazing = across * across * across * across;
   vec3 edge = rimColor * 0.35 * grazing * (0.5 + 0.5 * normal.y);
   vec3 halfway = normalize(keyDirection + view);
   vec3 sheen = keyColor * 0.06 * pow(max(dot(normal, halfway), 0.0), 28.0) * visibility;
-  vec3 glint = keyColor * highlight(keyDirection, view, normal, shininess) * visibility;
-  glint += fillColor * highlight(fillDirection, view, normal, shininess);
+  vec3 glint = vec3(0.0);
+  if (specular != vec3(0.0)) {
+    glint = keyColor * highlight(keyDirection, view, normal, shininess) * visibility;
+    glint += fillColor * highlight(fillDirection, view, normal, shininess);
+  }
   return albedo * light + edge + sheen + specular * glint;
 }
 

@@ -20,7 +20,8 @@ export class Renderer {
   passes: readonly Pass[] = [];
   private readonly programs: Programs;
   private readonly pools = new GpuPools();
-  private readonly lighting: Lighting;
+  /** One for each frame of a picture, so that halves with different poses keep their shadows. */
+  private readonly lightings: Lighting[] = [];
   private readonly instances = new Map<Pass, PassInstance>();
   private readonly layout: LayoutChoice;
   private readonly onImage: OnImage;
@@ -34,7 +35,6 @@ export class Renderer {
     this.gpu = new Gpu(gl);
     this.layout = layout;
     this.programs = new Programs(this.gpu);
-    this.lighting = new Lighting(this.gpu, this.programs);
     gl.enable(gl.DEPTH_TEST);
   }
 
@@ -90,7 +90,7 @@ export class Renderer {
   dispose(): void {
     for (const view of this.views.values()) view.dispose();
     for (const pass of this.instances.values()) pass.dispose();
-    this.lighting.dispose();
+    for (const lighting of this.lightings) lighting.dispose();
     this.programs.dispose();
     this.target?.dispose();
   }
@@ -127,14 +127,14 @@ export class Renderer {
   private drawInto(target: RenderTarget, frames: readonly Frame[]): void {
     const [only] = frames;
     if (only && frames.length === 1) {
-      this.drawFrame(target, only);
+      this.drawFrame(target, only, 0);
       return;
     }
-    for (const frame of frames) {
+    for (const [index, frame] of frames.entries()) {
       const { x, y, width, height } = frame.viewport;
       const part = new RenderTarget(this.gpu, width, height);
       try {
-        this.drawFrame(part, frame);
+        this.drawFrame(part, frame, index);
         target.paste(part, x, y);
       } finally {
         part.dispose();
@@ -142,14 +142,17 @@ export class Renderer {
     }
   }
 
-  private drawFrame(target: RenderTarget, frame: Frame): void {
+  private drawFrame(target: RenderTarget, frame: Frame, index: number): void {
     const { gl } = this.gpu;
-    const lights = this.lighting.prepare(frame);
+    const lighting = (this.lightings[index] ??= new Lighting(this.gpu, this.programs));
+    const lights = lighting.prepare(frame);
     const litFrame = { ...frame, uniforms: { ...frame.uniforms, ...lights } };
     target.begin();
     gl.clearColor(0, 0, 0, 0);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-    for (const pass of this.passes) this.instanceOf(pass).draw(litFrame);
+    for (const pass of this.passes) {
+      if (pass.isShown(frame.options)) this.instanceOf(pass).draw(litFrame);
+    }
     gl.bindVertexArray(null);
     target.resolve();
   }

@@ -18,7 +18,7 @@ addShaderFiles(
     [
       '../../shaders/lib/*.glsl',
       '../../shaders/skinning/{stage.*,linear-blend}.glsl',
-      '../../shaders/passes/{backdrop,blur,contact-shadow,floor,key-shadow,mesh}.*.glsl',
+      '../../shaders/passes/{backdrop,blur,contact-shadow,floor,key-shadow,mesh,mesh-textured}.*.glsl',
     ],
     { query: '?raw', import: 'default', eager: true },
   ),

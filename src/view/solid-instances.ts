@@ -2,7 +2,7 @@ import { mat4 } from 'gl-matrix';
 import { tangentAxes } from '../core/bone-frames.ts';
 import type { Bone } from '../core/bones.ts';
 import type { CharacterView } from './character-view.ts';
-import type { ViewOptions } from './frame.ts';
+import type { ViewOptions } from './view-options.ts';
 import { instanceSize } from './instanced-solid.ts';
 import { boneRadius, boneReach, jointRadius } from './solid-sizes.ts';
 import { palette } from './theme.ts';

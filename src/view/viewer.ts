@@ -1,4 +1,4 @@
-import { effect, signal } from '@preact/signals-core';
+import { computed, effect, signal } from '@preact/signals-core';
 import { assert } from '../core/assert.ts';
 import type { Bounds } from '../core/bounds.ts';
 import type { Actor } from '../document/scene.ts';
@@ -17,6 +17,7 @@ import { Renderer } from './renderer.ts';
 import { type RenderView, sideBySide, type ViewContent } from './render-view.ts';
 import type { LayoutChoice } from './skinned-mesh.ts';
 import { type ThemeName, themes } from './theme.ts';
+import { viewOptionsOf } from './view-options.ts';
 
 export interface CaptureSize {
   readonly width: number;
@@ -49,6 +50,11 @@ export class Viewer {
   hadContext = false;
   /** Why the selected character can't be drawn, or null. */
   readonly refusal = signal<string | null>(null);
+  /** By their ids, so that passes that come and show nothing yet bring no new picture. */
+  private readonly shownPasses = computed(() => {
+    const options = viewOptionsOf(this.session);
+    return this.passes.value.flatMap((pass) => (pass.isShown(options) ? pass.id : [])).join();
+  });
   private readonly canvas: HTMLCanvasElement;
   private readonly store: Store;
   private readonly evaluations: Evaluations;
@@ -222,7 +228,10 @@ export class Viewer {
   private show(): void {
     cancelAnimationFrame(this.frameRequest);
     this.frameRequest = 0;
-    if (!this.available.value) return;
+    if (!this.available.value) {
+      this.evaluations.keepOnly([]);
+      return;
+    }
     const { width, height } = this.size.value;
     const frames = this.createFrames(sideBySide(this.contents, width, height), true);
     this.present().draw(frames, width, height).show();
@@ -230,9 +239,9 @@ export class Viewer {
   }
 
   private createFrames(views: readonly RenderView[], showStudio: boolean): Frame[] {
-    const { passes, selected, device, options, theme } = this.readState();
+    const { selected, device, options, theme } = this.readState();
     const renderer = this.present();
-    renderer.passes = passes;
+    renderer.passes = this.passes.peek();
     const shown = views.map(({ overrides }) => this.evaluations.all(overrides));
     this.evaluations.keepOnly(shown.flat());
     renderer.sync(shown.flat(), device);
@@ -249,23 +258,10 @@ export class Viewer {
     const { session } = this;
     return {
       selected: selectedActor(this.store, session),
-      passes: this.passes.value,
+      shownPasses: this.shownPasses.value,
       evaluations: this.evaluations.all(),
       device: session.skinDevice.value,
-      options: {
-        showSkin: session.showSkin.value,
-        showSkeleton: session.showSkeleton.value,
-        skeletonStyle: session.skeletonStyle.value,
-        showTextures: session.showTextures.value,
-        showAxes: session.showAxes.value,
-        translucent: session.translucent.value,
-        faceted: session.shading.value === 'faceted',
-        selectedActorId: session.selectedActorId.value,
-        selectedJoint: session.selectedJoint.value,
-        hoveredJoint: session.hoveredJoint.value,
-        hoveredBone: session.hoveredBone.value,
-        lights: session.lights.value,
-      },
+      options: viewOptionsOf(session),
       theme: this.theme.value,
       contents: this.contents,
       size: this.size.value,

@@ -9,14 +9,14 @@ import { cylinder } from '../solid-shapes.ts';
  */
 export const axesPass: Pass = {
   id: 'axes',
+  isShown: ({ showAxes }) => showAxes,
   create(gpu, programs) {
     const { gl } = gpu;
     const program = programs.pass('solid');
     const axes = new InstancedSolid(gpu, program, cylinder());
     return {
       draw(frame) {
-        const { showAxes, showSkeleton, skeletonStyle } = frame.options;
-        if (!showAxes) return;
+        const { showSkeleton, skeletonStyle } = frame.options;
         const ofBones = showSkeleton && skeletonStyle === 'lines';
         const ofJoints = showSkeleton && !ofBones;
         axes.update(`${ofJoints} ${ofBones} ${keyOf(frame.characters)}`, () =>

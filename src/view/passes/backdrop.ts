@@ -1,19 +1,19 @@
 import type { Pass } from '../pass.ts';
 
-/** The studio's gradient, behind everything. */
+/** The studio's gradient, where the floor does not hide it. */
 export const backdropPass: Pass = {
   id: 'backdrop',
+  isShown: ({ showStudio }) => showStudio,
   create({ gl }, programs) {
     return {
       draw(frame) {
-        if (!frame.options.showStudio) return;
         const program = programs.pass('backdrop');
         program.use();
         program.set(frame.uniforms);
         gl.bindVertexArray(null);
-        gl.disable(gl.DEPTH_TEST);
+        gl.depthFunc(gl.LEQUAL);
         gl.drawArrays(gl.TRIANGLES, 0, 3);
-        gl.enable(gl.DEPTH_TEST);
+        gl.depthFunc(gl.LESS);
       },
       dispose: () => undefined,
     };

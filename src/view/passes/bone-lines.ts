@@ -3,6 +3,7 @@ import { InstancedSolid } from '../instanced-solid.ts';
 import type { Pass } from '../pass.ts';
 import { boneLineInstances, keyOf, litBoneInstance, marksOf } from '../solid-instances.ts';
 import { lineGrid, segment } from '../solid-shapes.ts';
+import type { ViewOptions } from '../view-options.ts';
 
 /** Of the grid that is wrapped to a cylinder. */
 const gridSize = 8;
@@ -17,6 +18,7 @@ const [boneWidth, gridWidth] = [2.5, 1.25];
  */
 export const boneLinesPass: Pass = {
   id: 'bone-lines',
+  isShown: (options) => showsLines(options) || options.hoveredBone !== null,
   create(gpu, programs) {
     const { gl } = gpu;
     const program = programs.pass('line');
@@ -25,8 +27,7 @@ export const boneLinesPass: Pass = {
     return {
       draw(frame) {
         const { options } = frame;
-        const { showSkeleton, skeletonStyle, translucent } = options;
-        const withLines = showSkeleton && skeletonStyle === 'lines' ? frame.characters : [];
+        const withLines = showsLines(options) ? frame.characters : [];
         bones.update(keyOf(withLines, options), () =>
           withLines.map((view) => boneLineInstances(view, marksOf(view, options))),
         );
@@ -36,7 +37,7 @@ export const boneLinesPass: Pass = {
         gl.depthMask(false);
         gl.enable(gl.BLEND);
         gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
-        drawBoth(gl.GREATER, translucent ? innerOpacity : hiddenOpacity);
+        drawBoth(gl.GREATER, options.translucent ? innerOpacity : hiddenOpacity);
         drawBoth(gl.LEQUAL, 1);
         gl.disable(gl.BLEND);
         gl.depthMask(true);
@@ -66,3 +67,7 @@ export const boneLinesPass: Pass = {
     }
   },
 };
+
+function showsLines({ showSkeleton, skeletonStyle }: ViewOptions): boolean {
+  return showSkeleton && skeletonStyle === 'lines';
+}

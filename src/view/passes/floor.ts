@@ -5,10 +5,10 @@ const halfSize = 24;
 /** A floor of large soft checks that fades into the backdrop, with the characters' shadow on it. */
 export const floorPass: Pass = {
   id: 'floor',
+  isShown: ({ showStudio }) => showStudio,
   create({ gl }, programs) {
     return {
-      draw({ theme, uniforms, options }) {
-        if (!options.showStudio) return;
+      draw({ theme, uniforms }) {
         const program = programs.pass('floor');
         program.use();
         program.set(uniforms);

@@ -9,7 +9,9 @@ const translucentOpacity = 0.42;
 
 const textureUnit = 4;
 const white = [1, 1, 1];
-const clay = { albedo: palette.clay, specular: [0, 0, 0], textured: false };
+const clay = { albedo: palette.clay, specular: [0, 0, 0] };
+/** What is less can't be seen, and hides nothing. */
+const leastOpacity = 0.002;
 
 /**
  * The posed skin, smooth or faceted, with the colors and textures of its materials, or as clay. It is
@@ -18,11 +20,11 @@ const clay = { albedo: palette.clay, specular: [0, 0, 0], textured: false };
  */
 export const meshPass: Pass = {
   id: 'mesh',
+  isShown: ({ showSkin }) => showSkin,
   create({ gl }, programs) {
     return {
       draw(frame) {
-        const { showSkin, translucent } = frame.options;
-        if (!showSkin) return;
+        const { translucent } = frame.options;
         gl.depthFunc(gl.LEQUAL);
         if (translucent) {
           gl.colorMask(false, false, false, false);
@@ -40,51 +42,52 @@ export const meshPass: Pass = {
     };
 
     function drawSkins(frame: Frame, opacity: number): void {
-      const program = programs.pass('mesh');
-      program.use();
-      program.set(frame.uniforms);
-      program.set({ faceted: frame.options.faceted, colorTexture: textureUnit });
-      for (const view of frame.characters) {
-        program.set({ sceneFromCharacter: view.display.sceneFromCharacter });
-        drawSurfaces(gl, program, view, frame.options.showTextures, opacity);
+      for (const view of frame.characters) drawSurfaces(frame, view, opacity);
+    }
+
+    function drawSurfaces(frame: Frame, view: CharacterView, opacity: number): void {
+      const { surfaces, textures } = view;
+      const isDressed = surfaces.some(({ albedo, texture }) => albedo ?? textures.find(texture));
+      if (!frame.options.showTextures || !isDressed) {
+        const program = programs.pass('mesh');
+        useProgram(program, frame, view);
+        program.set({ ...clay, opacity });
+        view.skinned.draw(program);
+        return;
+      }
+      let used: Program | undefined;
+      for (const { submesh, albedo, alpha, twoSided, texture: name, ...gloss } of surfaces) {
+        if (alpha * opacity < leastOpacity) continue;
+        const texture = textures.find(name);
+        const program = programs.pass(texture ? 'mesh-textured' : 'mesh');
+        if (program !== used) useProgram((used = program), frame, view);
+        texture?.bind(textureUnit);
+        program.set({
+          albedo: albedo ?? (texture ? white : palette.clay),
+          ...gloss,
+          opacity: alpha * opacity,
+        });
+        // Of what is seen through, the inner side comes before the outer one.
+        const culled = alpha < 1 ? [gl.FRONT, gl.BACK] : [twoSided ? gl.NONE : gl.BACK];
+        for (const side of culled) {
+          if (side !== gl.NONE) {
+            gl.enable(gl.CULL_FACE);
+            gl.cullFace(side);
+          }
+          view.skinned.draw(program, submesh);
+          gl.disable(gl.CULL_FACE);
+        }
       }
     }
   },
 };
 
-function drawSurfaces(
-  gl: WebGL2RenderingContext,
-  program: Program,
-  view: CharacterView,
-  showMaterials: boolean,
-  opacity: number,
-): void {
-  const { surfaces, textures } = view;
-  const isDressed = surfaces.some(({ albedo, texture }) => albedo ?? textures.find(texture));
-  if (!showMaterials || !isDressed) {
-    program.set({ ...clay, opacity });
-    view.skinned.draw(program);
-    return;
-  }
-  for (const { submesh, albedo, alpha, twoSided, texture: name, ...gloss } of surfaces) {
-    if (alpha === 0) continue;
-    const texture = textures.find(name);
-    texture?.bind(textureUnit);
-    program.set({
-      albedo: albedo ?? (texture ? white : palette.clay),
-      ...gloss,
-      textured: texture !== undefined,
-      opacity: alpha * opacity,
-    });
-    // Of what is seen through, the inner side comes before the outer one.
-    const culled = alpha < 1 ? [gl.FRONT, gl.BACK] : [twoSided ? gl.NONE : gl.BACK];
-    for (const side of culled) {
-      if (side !== gl.NONE) {
-        gl.enable(gl.CULL_FACE);
-        gl.cullFace(side);
-      }
-      view.skinned.draw(program, submesh);
-      gl.disable(gl.CULL_FACE);
-    }
-  }
+function useProgram(program: Program, frame: Frame, view: CharacterView): void {
+  program.use();
+  program.set(frame.uniforms);
+  program.set({
+    faceted: frame.options.faceted,
+    colorTexture: textureUnit,
+    sceneFromCharacter: view.display.sceneFromCharacter,
+  });
 }

@@ -9,8 +9,8 @@ import { hiddenSkeletonPass, skeletonPass } from './skeleton.ts';
 
 /** Every pass, in the order of drawing. */
 export const passes: readonly Pass[] = [
-  backdropPass,
   floorPass,
+  backdropPass,
   skeletonPass,
   meshPass,
   hiddenSkeletonPass,

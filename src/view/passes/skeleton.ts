@@ -22,14 +22,13 @@ const glass = 0.3;
 /** Spheres at the joints, cylinders along the bones, boxes of the file: one instanced draw each. */
 export const skeletonPass: Pass = {
   id: 'skeleton',
+  isShown: ({ showSkeleton }) => showSkeleton,
   create(gpu, programs) {
     const solids = new SkeletonSolids(gpu, programs);
     return {
       draw(frame) {
-        const { showSkeleton, showSkin } = frame.options;
-        if (!showSkeleton) return;
         solids.drawSticks(frame, 1);
-        if (!showSkin) solids.drawBoxes(frame, 1);
+        if (!frame.options.showSkin) solids.drawBoxes(frame, 1);
       },
       dispose: () => solids.dispose(),
     };
@@ -39,18 +38,17 @@ export const skeletonPass: Pass = {
 /** With a skin: its skeleton once more, faintly, where it hides it; and boxes about it. */
 export const hiddenSkeletonPass: Pass = {
   id: 'hidden-skeleton',
+  isShown: ({ showSkeleton, showSkin }) => showSkeleton && showSkin,
   create(gpu, programs) {
     const { gl } = gpu;
     const solids = new SkeletonSolids(gpu, programs);
     return {
       draw(frame) {
-        const { showSkeleton, showSkin, translucent } = frame.options;
-        if (!showSkeleton || !showSkin) return;
         gl.depthMask(false);
         gl.enable(gl.BLEND);
         gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
         gl.depthFunc(gl.GREATER);
-        if (!translucent) solids.drawSticks(frame, throughSkin);
+        if (!frame.options.translucent) solids.drawSticks(frame, throughSkin);
         gl.depthFunc(gl.ALWAYS);
         gl.enable(gl.CULL_FACE);
         solids.drawBoxes(frame, glass);

@@ -1,0 +1,43 @@
+import type { Bone } from '../core/bones.ts';
+import type { ActorId } from '../document/scene.ts';
+import type { Light, Session, SkeletonStyle } from '../document/session.ts';
+
+/** What is shown of the scene, beside the document. */
+export interface ViewOptions {
+  readonly showSkin: boolean;
+  readonly showSkeleton: boolean;
+  readonly skeletonStyle: SkeletonStyle;
+  readonly showTextures: boolean;
+  readonly showAxes: boolean;
+  readonly translucent: boolean;
+  /** Floor and backdrop; without them the picture is transparent around the characters. */
+  readonly showStudio: boolean;
+  readonly faceted: boolean;
+  readonly selectedActorId: ActorId | null;
+  /** Of the selected actor, or null. */
+  readonly selectedJoint: number | null;
+  readonly hoveredJoint: number | null;
+  /** Of the selected character, or null: one of its own bones. */
+  readonly hoveredBone: Bone | null;
+  /** Key, fill and rim. */
+  readonly lights: readonly Light[];
+}
+
+/** The options as the session has them, with the studio; reading follows the session. */
+export function viewOptionsOf(session: Session): ViewOptions {
+  return {
+    showStudio: true,
+    showSkin: session.showSkin.value,
+    showSkeleton: session.showSkeleton.value,
+    skeletonStyle: session.skeletonStyle.value,
+    showTextures: session.showTextures.value,
+    showAxes: session.showAxes.value,
+    translucent: session.translucent.value,
+    faceted: session.shading.value === 'faceted',
+    selectedActorId: session.selectedActorId.value,
+    selectedJoint: session.selectedJoint.value,
+    hoveredJoint: session.hoveredJoint.value,
+    hoveredBone: session.hoveredBone.value,
+    lights: session.lights.value,
+  };
+}
