@@ -1,6 +1,6 @@
 import { expect, test as base, type Page } from '@playwright/test';
 import { convertTargets, labelOf } from '../src/formats/registry.ts';
-import { openApp } from './support/app.ts';
+import { choose, openApp } from './support/app.ts';
 import { madeCharacter } from './support/made-character.ts';
 
 // What fails outside of Sinew ends in a message, and nothing is thrown. The browser logs what it could
@@ -31,6 +31,16 @@ test('a part that is gone, a picture that canâ€™t be encoded, a folder that canâ
     await page.route(/save-as-/, (route) => route.fulfill({ status: 404, body: 'gone' }));
     await targets.first().click();
     await expect(notice(page)).toHaveText(/could not be loaded; reload the page/);
+  });
+
+  await test.step('a method does not come: what stands in for it is named, and others open', async () => {
+    await page.route(/\/rigid-/, (route) => route.fulfill({ status: 404, body: 'gone' }));
+    await choose(page, 'Method', 'Rigid parts');
+    await expect(notice(page)).toHaveText(/could not be loaded; reload the page/);
+    await expect(page.locator('.status')).toContainText('Linear blend (SSD), in place of Rigid');
+    await choose(page, 'Method', 'Linear blend (SSD)');
+    await page.evaluate(() => window.sinew.open('insect'));
+    await expect(page.locator('.status strong')).toHaveText(/insect/i);
   });
 
   await test.step('the browser has no memory for the file of a picture', async () => {

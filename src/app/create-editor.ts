@@ -89,12 +89,12 @@ export function createEditor(opening: Opening): Editor {
     },
 
     async exportMesh() {
+      await evaluations.settled();
       const state = selected();
       if (!state || state.character.mesh.pointCount === 0) {
         notice.value = 'There is no mesh to export';
         return;
       }
-      await evaluations.settled();
       const bytes = writeObj(state.character.mesh, viewer.vertices(state, 'cpu'));
       download(`${state.character.name}-posed.obj`, bytes as BlobPart, 'text/plain');
       notice.value = 'Posed mesh saved as OBJ';

@@ -82,7 +82,7 @@ export class FileOpener {
   /** Loads what characters are deformed by, so that none is shown by a stand-in first. */
   async prepare(found: readonly ReadCharacter[]): Promise<void> {
     const deformations = found.map(({ character }) => defaultDeformation(character));
-    await this.evaluations.settled(deformations.map((each) => kernelOf(each).id));
+    await this.evaluations.prepare(deformations.map((each) => kernelOf(each).id));
   }
 
   /**

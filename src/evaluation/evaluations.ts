@@ -32,14 +32,19 @@ export class Evaluations {
   }
 
   /**
-   * Settles when nothing is pending, of the actors and of these kernels; rejects where something can't be
-   * loaded.
+   * Resolves when nothing is pending, for the actors and for these kernels. Rejects if one of these kernels
+   * or of those that the actors need can't be loaded.
    */
   async settled(beside: readonly KernelId[] = []): Promise<void> {
     const { kernels } = this.pool;
     const shown = this.store.scene.peek().actors.map((actor) => kernelOf(actor).id);
     await Promise.all([...shown, ...beside].map((id) => kernels.load(id)));
     await kernels.settled();
+  }
+
+  /** Loads kernels before they are needed; linear blend will stand in for one that can't be loaded. */
+  async prepare(ids: readonly KernelId[]): Promise<void> {
+    await Promise.allSettled(ids.map((id) => this.pool.kernels.load(id)));
   }
 
   /** Of every actor. */

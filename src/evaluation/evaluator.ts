@@ -117,7 +117,7 @@ export class Evaluator implements Evaluation {
 
   get pending(): readonly string[] {
     const { id, label } = kernelOf(this.now);
-    return this.kernels.of(id) ? [] : [label];
+    return this.kernels.isPending(id) ? [label] : [];
   }
 
   get palette(): Float32Array {

@@ -16,6 +16,7 @@ export class Kernels {
     new Map([[linearBlend.id, linearBlend]]),
   );
   private readonly loads = new Map<KernelId, Promise<void>>();
+  private readonly failed = new Set<KernelId>();
   private readonly options: KernelsOptions;
 
   constructor(options: KernelsOptions = {}) {
@@ -29,20 +30,29 @@ export class Kernels {
     return kernel;
   }
 
+  /** Whether the kernel will come: it is not there yet, and nothing has kept it from coming. */
+  isPending(id: KernelId): boolean {
+    return !this.of(id) && !this.failed.has(id);
+  }
+
+  /** Resolves when the kernel is there; rejects if it can't be loaded, without trying again. */
   async load(id: KernelId): Promise<void> {
     if (this.ready.peek().has(id)) return;
     let load = this.loads.get(id);
     if (!load) {
       // One that failed stays here, so that it is not tried at each picture again.
       this.loads.set(id, (load = this.fetch(id)));
-      load.catch((error: unknown) => this.options.onFailed?.(error));
+      load.catch((error: unknown) => {
+        this.failed.add(id);
+        this.options.onFailed?.(error);
+      });
     }
     await load;
   }
 
-  /** Settles when all that was asked for is there; rejects where one can't be loaded. */
+  /** Resolves when every kernel that was asked for is there or can't be loaded. */
   async settled(): Promise<void> {
-    await Promise.all(this.loads.values());
+    await Promise.allSettled(this.loads.values());
   }
 
   private async fetch(id: KernelId): Promise<void> {

@@ -57,9 +57,25 @@ describe('a method whose code is on the way', () => {
     });
     expect(kernels.of('rigid')).toBeUndefined();
     expect(kernels.of('rigid')).toBeUndefined();
-    await expect(kernels.settled()).rejects.toThrow('gone');
+    expect(kernels.isPending('rigid')).toBe(true);
+    await kernels.settled();
+    await expect(kernels.load('rigid')).rejects.toThrow('gone');
+    expect(kernels.isPending('rigid')).toBe(false);
     expect(kernels.of('rigid')).toBeUndefined();
     expect(told).toHaveLength(1);
     expect(asked.value).toBe(1);
+  });
+
+  it('keeps nothing else from being opened where it can’t be had', async () => {
+    const store = new Store();
+    store.dispatch(openCharacter(null, character, 'linear-blend'));
+    const kernels = new Kernels({ prepare: () => Promise.reject(new Error('gone')) });
+    const evaluations = new Evaluations(store, new Session(), kernels);
+    await evaluations.prepare(['rigid']);
+    await evaluations.settled();
+
+    store.dispatch(setMethod(store.scene.value.actors[0]!.id, 'rigid'));
+    await expect(evaluations.settled()).rejects.toThrow('gone');
+    expect(evaluations.all()[0]).toMatchObject({ pending: [], method: { id: 'linear-blend' } });
   });
 });

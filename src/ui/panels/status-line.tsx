@@ -1,6 +1,7 @@
 import { printable } from '../../core/diagnostics.ts';
 import { selectedActor } from '../../document/selected-actor.ts';
-import { kernelOf } from '../../skinning/registry.ts';
+import type { Actor } from '../../document/scene.ts';
+import { kernelById, kernelOf } from '../../skinning/registry.ts';
 import type { Editor } from '../editor.ts';
 import { CommandButton } from './command-button.tsx';
 
@@ -17,7 +18,7 @@ export function StatusLine({ editor }: { readonly editor: Editor }) {
           <strong>{printable(state.character.name, 80)}</strong>
           <span>{state.character.skeleton.jointCount} joints</span>
           <span>{state.character.mesh.pointCount.toLocaleString('en')} vertices</span>
-          <span>{kernelOf(state).label}</span>
+          <span>{methodText(editor, state)}</span>
           <span>pose {viewer.poseMilliseconds.value.toFixed(1)} ms</span>
         </>
       )}
@@ -35,4 +36,11 @@ export function StatusLine({ editor }: { readonly editor: Editor }) {
       <CommandButton editor={editor} command="bone-mode" class="bone-mode" />
     </footer>
   );
+}
+
+/** The method that the picture shows, and the one that it stands in for. */
+function methodText({ evaluations }: Editor, state: Actor): string {
+  const chosen = kernelOf(state);
+  const shown = kernelById(evaluations.of(state).method.id);
+  return shown === chosen ? chosen.label : `${shown.label}, in place of ${chosen.label}`;
 }
