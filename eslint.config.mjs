@@ -1,7 +1,16 @@
 import tseslint from 'typescript-eslint';
 
 export default tseslint.config(
-  { ignores: ['dist/', 'coverage/', 'test-results/', 'node_modules/', 'src/pure-globals.d.ts'] },
+  {
+    ignores: [
+      '.cache/',
+      'dist/',
+      'coverage/',
+      'test-results/',
+      'node_modules/',
+      'src/pure-globals.d.ts',
+    ],
+  },
   {
     files: ['**/*.ts', '**/*.tsx'],
     extends: [tseslint.configs.strictTypeChecked],
