@@ -1,6 +1,6 @@
 /**
- * The table of docs/architecture.md, "Who may import whom", as rules. Each layer lists the only
- * folders it may import; what is not listed is forbidden.
+ * These rules enforce the table "Who may import whom" of docs/architecture.md. Each layer lists the
+ * folders that it may import; all others are forbidden.
  */
 const layers = {
   core: [],
@@ -8,17 +8,16 @@ const layers = {
   formats: ['core'],
   skinning: ['core'],
   posing: ['core'],
-  modelling: ['core'],
-  document: ['core', 'formats', 'skinning', 'posing', 'modelling'],
-  evaluation: ['core', 'skinning', 'posing', 'modelling', 'document'],
-  view: [...['core', 'formats', 'skinning', 'posing', 'modelling', 'document', 'evaluation'], 'gl'],
-  ui: ['core', 'formats', 'skinning', 'posing', 'modelling', 'document', 'evaluation', 'view'],
+  document: ['core', 'formats', 'skinning', 'posing'],
+  evaluation: ['core', 'skinning', 'posing', 'document'],
+  view: ['core', 'formats', 'skinning', 'posing', 'document', 'evaluation', 'gl'],
+  ui: ['core', 'formats', 'skinning', 'posing', 'document', 'evaluation', 'view'],
   app: [
-    ...['core', 'formats', 'skinning', 'posing', 'modelling', 'document', 'evaluation'],
+    ...['core', 'formats', 'skinning', 'posing', 'document', 'evaluation'],
     ...['gl', 'view', 'ui', 'workers'],
   ],
-  workers: ['core', 'formats', 'skinning', 'posing', 'modelling'],
-  cli: ['core', 'formats', 'skinning', 'posing', 'modelling', 'document', 'evaluation'],
+  workers: ['core', 'formats', 'skinning', 'posing'],
+  cli: ['core', 'formats', 'skinning', 'posing', 'document', 'evaluation'],
 };
 
 const layerRules = Object.entries(layers).map(([layer, allowed]) => ({
@@ -29,35 +28,35 @@ const layerRules = Object.entries(layers).map(([layer, allowed]) => ({
   to: { path: '^src/', pathNot: `^src/(${[layer, ...allowed].join('|')})/` },
 }));
 
-const pure = '^src/(core|formats|skinning|posing|modelling|document|evaluation)/';
+const pure = '^src/(core|formats|skinning|posing|document|evaluation)/';
 
 module.exports = {
   forbidden: [
     ...layerRules,
     {
       name: 'core-libraries',
-      comment: 'core knows gl-matrix only',
+      comment: 'core may import no library except gl-matrix',
       severity: 'error',
       from: { path: '^src/core/' },
       to: { path: 'node_modules', pathNot: 'node_modules/gl-matrix/' },
     },
     {
       name: 'gl-libraries',
-      comment: 'the GL layer knows no library',
+      comment: 'gl may import no library',
       severity: 'error',
       from: { path: '^src/gl/' },
       to: { path: 'node_modules' },
     },
     {
       name: 'pure-without-page',
-      comment: 'core to evaluation run in Node and in workers',
+      comment: 'the layers from core to evaluation also run in Node and in workers',
       severity: 'error',
       from: { path: pure },
       to: { path: 'node_modules/(preact|lil-gui|@preact/signals/)' },
     },
     {
       name: 'pure-without-node',
-      comment: 'core to evaluation run in the page',
+      comment: 'the layers from core to evaluation also run in the page',
       severity: 'error',
       from: { path: pure },
       to: { dependencyTypes: ['core'] },

@@ -16,13 +16,14 @@ export default tseslint.config(
     extends: [tseslint.configs.strictTypeChecked],
     languageOptions: {
       parserOptions: {
-        // One program for nearly all: five, as the compiler has them, check the pure code five times.
+        // One program covers nearly all files. The compiler's five programs would check the pure code
+        // five times.
         project: ['./tsconfig.lint.json', './tsconfig.worker.json'],
         tsconfigRootDir: import.meta.dirname,
       },
     },
     rules: {
-      // Typed-array reads in kernels are in range by construction; a guard there would be noise.
+      // Typed-array reads in kernels are in range by construction, so guards would only be noise.
       '@typescript-eslint/no-non-null-assertion': 'off',
       '@typescript-eslint/restrict-template-expressions': ['error', { allowNumber: true }],
       '@typescript-eslint/switch-exhaustiveness-check': 'error',
@@ -32,12 +33,12 @@ export default tseslint.config(
       'no-console': 'error',
     },
   },
-  // What a user starts ends in a message where it fails: `attempt` of src/ui/attempt.ts sees to it.
+  // If an action of the user fails, `attempt` of src/ui/attempt.ts must show a message.
   {
     files: ['src/{app,ui,view}/**'],
     rules: { '@typescript-eslint/no-floating-promises': ['error', { ignoreVoid: false }] },
   },
-  // A part that a deploy took away is a failure with a message.
+  // loadPart reports a part that a deploy removed from the server as a failure with a message.
   {
     files: ['src/**'],
     ignores: ['src/cli/**'],
@@ -52,7 +53,7 @@ export default tseslint.config(
       ],
     },
   },
-  // Specs patch prototypes of the page on purpose.
+  // Specs patch prototypes of the page intentionally.
   { files: ['e2e/**'], rules: { '@typescript-eslint/unbound-method': 'off' } },
   { files: ['src/cli/**', 'tools/**'], rules: { 'no-console': 'off' } },
 );

@@ -4,12 +4,12 @@ import { browserFlags, findBrowser } from './tools/browser.mjs';
 
 const { env } = process;
 
-// Every worker loads this file again: what was found and chosen once is handed on in the environment.
+// Every worker loads this file again, so the environment passes on what was found and chosen once.
 env['TEST_BROWSER'] ??= findBrowser().path ?? 'playwright';
 env['TEST_PORT'] ??= String(await freePort());
 const browserFile = env['TEST_BROWSER'] === 'playwright' ? undefined : env['TEST_BROWSER'];
 
-// The built app, from a folder of a server: what works there works everywhere.
+// The built app is served from a subfolder; an app that works there works at any path.
 const folder = '/deep/sinew/';
 const address = `http://127.0.0.1:${env['TEST_PORT']}${folder}`;
 const inContinuousIntegration = Boolean(env['CI']);
@@ -17,7 +17,7 @@ const inContinuousIntegration = Boolean(env['CI']);
 export default defineConfig({
   testDir: 'e2e',
   outputDir: 'test-results',
-  // No system in the names: the renderer is the same everywhere.
+  // The names contain no operating system, because the renderer is the same everywhere.
   snapshotPathTemplate: '{testDir}/expected/{arg}{ext}',
   fullyParallel: true,
   workers: 2,
@@ -29,18 +29,18 @@ export default defineConfig({
   },
   use: {
     baseURL: address,
-    viewport: { width: 960, height: 600 }, // small: pictures are drawn by the CPU
+    viewport: { width: 960, height: 600 }, // small, because the CPU draws the pictures
     deviceScaleFactor: 1,
     locale: 'en-US',
     timezoneId: 'UTC',
     colorScheme: 'light',
     contextOptions: { reducedMotion: 'reduce' },
-    // A trace costs time in every test; --trace=on makes one where it is wanted.
+    // A trace costs time in every test; --trace=on records one when it is needed.
     trace: 'off',
     launchOptions: {
       ...(browserFile !== undefined && { executablePath: browserFile }),
-      // Chromium refuses its sandbox to root, and many containers refuse it to anyone; the tests
-      // open our own pages alone.
+      // Chromium's sandbox does not work for root, nor for anyone in many containers. The tests
+      // open only our own pages.
       chromiumSandbox: false,
       args: browserFlags,
     },
@@ -48,7 +48,7 @@ export default defineConfig({
   webServer: {
     command: `node node_modules/vite/bin/vite.js preview --base ${folder} --host 127.0.0.1 --port ${env['TEST_PORT']} --strictPort`,
     url: address,
-    // A server that someone left running may serve another version.
+    // A server that was left running may serve another version.
     reuseExistingServer: false,
   },
 });

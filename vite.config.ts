@@ -6,9 +6,9 @@ import { shortShaders } from './tools/vite-glsl.ts';
 const jsx = { runtime: 'automatic', importSource: 'preact' } as const;
 
 export default defineConfig({
-  // Addresses relative to the page: the built folder works wherever it is put.
+  // Addresses are relative to the page, so that the built folder works at any path.
   base: './',
-  // One page: an address without a file is an error 404, never the page again.
+  // There is one page. An unknown address gives error 404 instead of the page.
   appType: 'mpa',
   plugins: [shortShaders(), pureGlMatrix(), contentPolicy(), packedAsTheyAre()],
   oxc: { jsx },
@@ -17,16 +17,17 @@ export default defineConfig({
     target: 'es2022',
     sourcemap: false,
     modulePreload: false,
-    // Small files stay files: a strict content policy allows no data: addresses.
+    // Small files are not inlined, because a strict content policy allows no data: addresses.
     assetsInlineLimit: 0,
   },
   worker: { format: 'es', plugins: () => [pureGlMatrix()] },
 });
 
 /**
- * Vite's servers say of a file NAME.gz that it is NAME, packed for the way, and the browser unpacks
- * it. Plain hosts, GitHub Pages among them, send it as it is. So do we, so that what is developed
- * and tested is what the hosted page meets. What is set here, Vite leaves alone.
+ * Vite's servers send a file NAME.gz as NAME with a content encoding, and the browser unpacks it.
+ * Plain hosts such as GitHub Pages send the file unchanged. This plugin does the same, so that
+ * development and tests meet the same conditions as the hosted page. Vite keeps headers that are
+ * set here.
  */
 function packedAsTheyAre(): Plugin {
   const handle: Connect.NextHandleFunction = (request, response, next) => {

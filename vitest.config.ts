@@ -4,12 +4,12 @@ export default defineConfig({
   test: {
     environment: 'node',
     include: ['tests/**/*.test.ts'],
-    // The product keeps no state in its modules but scratch, so that files may share a process:
-    // that halves the time, and would show a state that leaks.
+    // Modules of the product keep no state except scratch memory, so test files can share a process.
+    // That halves the time, and would reveal state that leaks.
     isolate: false,
-    // By itself it leaves one core free: on two that would be all of them but one.
+    // The default leaves one core free, which would be half of a machine with two cores.
     maxWorkers: '100%',
-    // A guard against hanging, some twenty times what the slowest test takes.
+    // This guards against hanging; it is about twenty times what the slowest test takes.
     testTimeout: 60_000,
   },
 });

@@ -3,7 +3,8 @@ import { expect, type Page } from '@playwright/test';
 import { drop, openApp, openJoint, setPose } from './support/app.ts';
 import { sharedPage, test } from './support/test.ts';
 
-// What a checker can see of WCAG 2.2 AA: names, roles, contrast, order of headings.
+// These tests find what a checker can detect of WCAG 2.2 AA: names, roles, contrast and the order
+// of headings.
 const page = sharedPage((page) => openApp(page, 'model=tube'));
 
 async function violations(page: Page, rules?: readonly string[]): Promise<string[]> {
@@ -17,7 +18,7 @@ async function violations(page: Page, rules?: readonly string[]): Promise<string
   );
 }
 
-test('the view is operated, says what it shows, and undo is told', async () => {
+test('the view describes its controls and what it shows, and undo is announced', async () => {
   const view = page().getByRole('application');
   await expect(view).toHaveAccessibleName('3D view: tube');
   await expect(view).toHaveAccessibleDescription(/Arrow keys orbit/);
@@ -31,17 +32,17 @@ test('the view is operated, says what it shows, and undo is told', async () => {
   expect(await violations(page())).toEqual([]);
 });
 
-test('the page, a joint open and a problem listed, in light and in dark colors', async () => {
+test('the page has no violations with an open joint and a listed problem, in light and dark colors', async () => {
   await openJoint(page(), 'joint 01', 'X');
   await drop(page(), [{ name: 'bad.skel', content: '0 0 zero -1\n' }]);
   await expect(page().locator('.problems')).toBeVisible();
   expect(await violations(page())).toEqual([]);
-  // Nothing but its colors is other in the dark.
+  // Only the colors differ in the dark theme.
   await page().emulateMedia({ colorScheme: 'dark' });
   expect(await violations(page(), ['color-contrast'])).toEqual([]);
 });
 
-test('clips, morphs and a joint with locked angles', async () => {
+test('clips, morphs and a joint with locked angles have no violations', async () => {
   await page().evaluate(() => window.sinew.open('insect'));
   await expect(page().getByRole('region', { name: 'Timeline' })).toBeVisible();
   await openJoint(page(), 'leg_l1_tibia', 'Z');
@@ -49,13 +50,13 @@ test('clips, morphs and a joint with locked angles', async () => {
   expect(await violations(page())).toEqual([]);
 });
 
-test('the sheet of keys', async () => {
+test('the help sheet has no violations', async () => {
   await page().getByRole('button', { name: 'Keys' }).click();
   await expect(page().getByRole('dialog')).toBeVisible();
   expect(await violations(page())).toEqual([]);
 });
 
-test('the drawers of a narrow page', async () => {
+test('the drawers of a narrow page have no violations', async () => {
   await page().keyboard.press('Escape');
   await page().setViewportSize({ width: 390, height: 800 });
   for (const name of ['Characters', 'Controls']) {

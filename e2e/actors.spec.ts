@@ -3,7 +3,7 @@ import { choose, getPose, openApp, setPose, verify } from './support/app.ts';
 import { madePmd } from './support/made-pmd.ts';
 import { sharedPage, test } from './support/test.ts';
 
-// Several characters in one scene: each has its pose, method and place.
+// A scene can hold several characters, each with its own pose, method and place.
 test.use({ viewport: { width: 1000, height: 700 } });
 const page = sharedPage((page) => openApp(page, 'model=human'));
 
@@ -13,7 +13,7 @@ const names = () => page().evaluate(() => window.sinew.characters.map(({ name })
 const selected = () =>
   page().evaluate(() => window.sinew.characters.find((each) => each.selected)?.name);
 
-test('characters of three formats stand side by side, each posed and undone by itself', async () => {
+test('characters of three formats stand side by side, and each is posed and undone on its own', async () => {
   await expect(list()).toHaveCount(0);
   await page().getByRole('button', { name: 'Add to the scene…' }).click();
   await page().getByRole('button', { name: 'Add Insect' }).click();
@@ -32,7 +32,7 @@ test('characters of three formats stand side by side, each posed and undone by i
   expect(await names()).toHaveLength(3);
   await expect(list()).toHaveCount(3);
 
-  // Each has numbers of its own, exact on the GPU, and none stands in another.
+  // Each character has its own vertices, which agree with the GPU, and no two characters overlap.
   const places = await page().evaluate(() => window.sinew.characters.map(({ id }) => id));
   for (const id of places) {
     expect(await page().evaluate((id) => window.sinew.verify(id), id)).toMatchObject({
@@ -55,7 +55,7 @@ test('characters of three formats stand side by side, each posed and undone by i
   expect(await getPose(page())).not.toEqual(posed);
 });
 
-test('the selected one is removed by a button or key, and undo brings it back', async () => {
+test('a button or a key removes the selected character, and undo restores it', async () => {
   await list().nth(2).click();
   const before = await names();
   await page().getByRole('button', { name: 'Remove', exact: true }).click();
@@ -70,7 +70,7 @@ test('the selected one is removed by a button or key, and undo brings it back', 
   expect(await names()).toEqual(before);
 });
 
-test('a copy has the pose of its original and a place beside all', async () => {
+test('a copy has the pose of its original and a place beside all characters', async () => {
   await list().nth(0).click();
   const posed = await setPose(page(), { joints: { Head: [0, 0.7, 0] } });
   await page().locator('canvas').focus();
@@ -89,7 +89,7 @@ test('a click on another character selects it and its joint', async () => {
   await list().nth(1).click();
   await page().keyboard.press('Home');
   const box = (await page().locator('canvas').boundingBox())!;
-  // The human stands at the left of the row, the insect beside it.
+  // The human is at the left of the row, with the insect beside it.
   const hit = async (): Promise<boolean> => {
     for (const y of [0.5, 0.42, 0.58]) {
       for (let x = 0.08; x < 0.5; x += 0.02) {
@@ -104,7 +104,7 @@ test('a click on another character selects it and its joint', async () => {
 });
 
 test('twenty copies share mesh, skin and textures', async () => {
-  await page().setViewportSize({ width: 760, height: 420 }); // drawn sooner
+  await page().setViewportSize({ width: 760, height: 420 }); // a small view is drawn faster
   await page().evaluate(async () => {
     while (window.sinew.characters.length > 1) window.sinew.remove();
     await window.sinew.open('insect');
@@ -119,7 +119,7 @@ test('twenty copies share mesh, skin and textures', async () => {
   expect(await page().evaluate(() => window.sinew.characters.length)).toBe(20);
   const twenty = await counts();
   expect(twenty['texture']).toBe(one['texture']);
-  // Posed positions, posed normals and the palette are each copy's own.
+  // Each copy has its own buffers for posed positions, posed normals and the palette.
   expect(twenty['buffer']).toBeLessThanOrEqual(one['buffer']! + 19 * 3);
   await page().evaluate(async () => {
     for (let i = 0; i < 19; i++) window.sinew.remove();

@@ -3,7 +3,7 @@ import { capture, getPose, openView } from './support/app.ts';
 import { cameraOf } from './support/controls.ts';
 import { sharedPage, test } from './support/test.ts';
 
-// The pointer on the view is the camera's alone.
+// A pointer that drags on the view moves only the camera.
 const page = sharedPage((page) => openView(page, 'model=tube'));
 
 test.beforeEach(() => page().keyboard.press('Space'));
@@ -15,11 +15,11 @@ async function drag(button: 'left' | 'middle' | 'right', right: number, down: nu
   await mouse.move(320 + right / 2, 240 + down / 2);
   await mouse.move(320 + right, 240 + down);
   await mouse.up({ button });
-  // Moves without a button do nothing.
+  // Moving the pointer without a button does nothing.
   await mouse.move(100, 100);
 }
 
-test('a left drag orbits: the character turns with the hand', async () => {
+test('a left drag orbits, and the character turns with the hand', async () => {
   const before = await cameraOf(page());
   const pose = await getPose(page());
   await drag('left', 60, 30);
@@ -30,7 +30,7 @@ test('a left drag orbits: the character turns with the hand', async () => {
   expect(await getPose(page()), 'the first drag never bends the model').toEqual(pose);
 });
 
-test('a middle drag moves the picture, and a right drag or the wheel zooms', async () => {
+test('a middle drag pans, and a right drag or the wheel zooms', async () => {
   const before = await cameraOf(page());
   const picture = await capture(page());
   await drag('middle', 50, 0);
@@ -46,7 +46,7 @@ test('a middle drag moves the picture, and a right drag or the wheel zooms', asy
   await expect.poll(async () => (await cameraOf(page())).distance).toBeGreaterThan(near.distance);
 });
 
-test('the camera never turns over or comes inside', async () => {
+test('the camera never turns upside down or enters the character', async () => {
   await drag('left', 0, 230);
   expect((await cameraOf(page())).elevation).toBe(89);
   await drag('right', 0, -235);

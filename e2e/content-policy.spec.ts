@@ -2,17 +2,18 @@ import { expect, type Page } from '@playwright/test';
 import { openApp } from './support/app.ts';
 import { test, watchPolicy } from './support/test.ts';
 
-// The content security policy of the built page. That nothing else is refused is a promise of every spec.
+// These tests check the content security policy of the built page. Every other spec checks that the
+// page itself violates nothing.
 test.use({ viewport: { width: 760, height: 420 } });
 
 declare global {
   interface Window {
-    /** What planted scripts did. */
+    /** What the planted scripts managed to run. */
     ran: string[];
   }
 }
 
-/** What the page tells of refused content. */
+/** Collects the page's messages about refused content. */
 function refusals(page: Page): string[] {
   const told: string[] = [];
   page.on('pageerror', ({ message }) => {
@@ -23,7 +24,8 @@ function refusals(page: Page): string[] {
 }
 
 test('scripts, markup and styles that are planted in the page do nothing', async ({ browser }) => {
-  // A page without the promise that nothing is refused.
+  // This page comes from the browser directly, because the page of the fixture fails the test when
+  // anything is refused.
   const page = await browser.newPage();
   const told = refusals(page);
   await watchPolicy(page);
@@ -51,7 +53,7 @@ test('scripts, markup and styles that are planted in the page do nothing', async
       trustedTypes: { createPolicy(name: string, rules: object): object };
     };
     const script = document.createElement('script');
-    // What a debugger evaluates may evaluate text itself; what a timer calls may not.
+    // Code that the debugger evaluates may itself evaluate text; code that a timer calls may not.
     const evaluated = await new Promise<string>((resolve) => {
       setTimeout(() => resolve(failure(() => window.eval('1'))));
     });
@@ -89,7 +91,7 @@ test('scripts, markup and styles that are planted in the page do nothing', async
       'trusted-types trusted-types-policy',
       'connect-src https://elsewhere.invalid/',
     ]);
-  // The page itself asks for nothing that would be refused.
+  // The page itself refuses the address, and requests nothing that the policy would block.
   const opened = page.evaluate(() => window.sinew.open('https://elsewhere.invalid/a.skel'));
   await expect(opened).rejects.toThrow('download it and drop it here');
   await page.close();

@@ -9,7 +9,7 @@ declare global {
   }
 }
 
-// A small view is drawn sooner; nothing here is about its size.
+// A small view is drawn faster, and its size does not matter here.
 test.use({ viewport: { width: 760, height: 420 } });
 
 const page = sharedPage((page) => openView(page, 'model=tube'));
@@ -17,11 +17,11 @@ const page = sharedPage((page) => openView(page, 'model=tube'));
 async function lose(page: Page): Promise<void> {
   await page.evaluate(() => {
     const gl = document.querySelector<HTMLCanvasElement>('canvas.scene')!.getContext('webgl2')!;
-    // The extension is not to be had from a lost context.
+    // A lost context does not return the extension.
     window.context ??= gl.getExtension('WEBGL_lose_context')!;
     window.context.loseContext();
   });
-  await page.waitForTimeout(50); // the event comes in a task of its own
+  await page.waitForTimeout(50); // the event is fired in a task of its own
 }
 
 async function restore(page: Page): Promise<void> {
@@ -35,7 +35,7 @@ async function restore(page: Page): Promise<void> {
   });
 }
 
-test('a lost context comes back with the same pixels, and the pose', async () => {
+test('a restored context shows the same pixels and pose', async () => {
   const before = await capture(page());
   const pose = await page().evaluate(() => window.sinew.pose());
   await lose(page());
@@ -45,7 +45,7 @@ test('a lost context comes back with the same pixels, and the pose', async () =>
   expect(await verify(page())).toMatchObject({ identical: true });
 });
 
-test('a texture, a morph and the pose of a clip come back too', async () => {
+test('a texture, a morph and the pose of a clip are restored too', async () => {
   await page().evaluate(() => window.sinew.open('insect'));
   await page().evaluate(() => {
     window.sinew.morphs({ insect_alert: 1, insect_breathe: 1 });
@@ -55,14 +55,14 @@ test('a texture, a morph and the pose of a clip come back too', async () => {
   await page().evaluate(() => window.sinew.seek(0));
   expect(await capture(page()), 'the clip shows').not.toEqual(before);
   await lose(page());
-  // What changes meanwhile is there when the context is.
+  // A change made while the context is lost shows once it is restored.
   await page().evaluate(() => window.sinew.seek(0.7));
   await restore(page());
   expect(await capture(page())).toEqual(before);
   expect(await verify(page())).toMatchObject({ identical: true });
 });
 
-test('lost while a character is read, the picture is the same as if it had not been', async () => {
+test('losing the context while a character is read does not change the resulting picture', async () => {
   await page().evaluate(() => window.sinew.open('human'));
   const expected = await capture(page());
   await page().evaluate(() => window.sinew.open('tube'));
@@ -73,7 +73,7 @@ test('lost while a character is read, the picture is the same as if it had not b
   expect(await capture(page())).toEqual(expected);
 });
 
-test('lost while it is captured, capturing says so, and works again after', async () => {
+test('capturing fails with a message while the context is lost, and works again after', async () => {
   const before = await capture(page());
   await lose(page());
   const refused = await page().evaluate(() =>
@@ -87,18 +87,20 @@ test('lost while it is captured, capturing says so, and works again after', asyn
   expect(await capture(page())).toEqual(before);
 });
 
-test('a character that is dropped meanwhile is there when the context is', async () => {
+test('a character that is dropped while the context is lost shows once it is restored', async () => {
   await lose(page());
   await drop(page(), madeCharacter(5, 2));
   await restore(page());
   expect(await verify(page())).toMatchObject({ identical: true });
 });
 
-test('lost in the middle of a drag, the page says so and the drag goes on', async ({ page }) => {
+test('when the context is lost during a drag, the page says so and the drag continues', async ({
+  page,
+}) => {
   await openApp(page, 'model=tube');
   const { slider } = await openJoint(page, 'joint 02', 'X');
   const box = (await slider.boundingBox())!;
-  /** To the right, with things that happen at two places of the way. */
+  /** Drags to the right, and runs the given actions at two points on the way. */
   const drag = async (...between: (() => Promise<void>)[]): Promise<void> => {
     const moveTo = (part: number): Promise<void> =>
       page.mouse.move(box.x + box.width * part, box.y + box.height / 2);

@@ -1,7 +1,7 @@
 import { expect, type Page } from '@playwright/test';
 import { test } from './support/test.ts';
 
-// Nothing lies over what can be pressed, and nothing that is told or selected moves the view.
+// Nothing covers a control, and neither messages nor the selection move the view.
 test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
 
 const sizes = [
@@ -10,7 +10,7 @@ const sizes = [
   { width: 960, height: 600 },
 ];
 
-test('at every size each control in sight can be pressed, drawers open and closed', async ({
+test('at every size each visible control can be pressed, with the drawers open and closed', async ({
   page,
 }) => {
   test.setTimeout(90_000);
@@ -34,7 +34,7 @@ test('at every size each control in sight can be pressed, drawers open and close
     }
   }
 
-  await test.step('the sheet of keys opens at its top', async () => {
+  await test.step('the help sheet opens scrolled to its top', async () => {
     await page.setViewportSize(sizes[1]!);
     await page.getByRole('button', { name: 'Characters', exact: true }).tap();
     await page.getByRole('button', { name: 'Keys' }).tap();
@@ -45,7 +45,7 @@ test('at every size each control in sight can be pressed, drawers open and close
     await page.getByRole('button', { name: 'Characters', exact: true }).tap();
   });
 
-  await test.step('the view keeps its size, whoever is selected and whatever is told', async () => {
+  await test.step('the view keeps its size whatever the selection and the messages are', async () => {
     await page.evaluate(() => window.sinew.add('tube'));
     for (const size of sizes) {
       await page.setViewportSize(size);
@@ -65,7 +65,7 @@ test('at every size each control in sight can be pressed, drawers open and close
 });
 
 async function expectNothingCovered(page: Page, where: string): Promise<void> {
-  // Two frames: the layout follows what was pressed.
+  // This waits two frames, until the layout has followed what was pressed.
   await page.evaluate(
     () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))),
   );
@@ -78,7 +78,7 @@ async function expectNothingCovered(page: Page, where: string): Promise<void> {
       if (!control.checkVisibility({ visibilityProperty: true, opacityProperty: true })) continue;
       const { left, right, top, bottom } = control.getBoundingClientRect();
       const [x, y] = [(left + right) / 2, (top + bottom) / 2];
-      // What its panel scrolled away is not in sight.
+      // A control that its panel has scrolled away is not visible.
       const seen = { left: 0, top: 0, right: innerWidth, bottom: innerHeight };
       let scrolls = false;
       for (let around = control.parentElement; around; around = around.parentElement) {
@@ -92,7 +92,7 @@ async function expectNothingCovered(page: Page, where: string): Promise<void> {
       }
       const name = `${control.getAttribute('aria-label') ?? ''} ${control.textContent}`;
       const inSight = x > seen.left && x < seen.right && y > seen.top && y < seen.bottom;
-      // The rest of the page stands still: it must be in the window.
+      // The rest of the page does not scroll, so it must fit in the window.
       if (!inSight && !scrolls) covered.push(`out of the window: ${name}`);
       if (!inSight) continue;
       count++;

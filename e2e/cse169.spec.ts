@@ -9,13 +9,15 @@ import { sharedPage, test } from './support/test.ts';
 test.use({ viewport: { width: 900, height: 560 } });
 const page = sharedPage((page) => openApp(page, 'model=insect&workspace=cse169'));
 
-/** Settles once it is open: the notice may still be that of an earlier opening. */
+/**
+ * Waits until the insect is open; the status line may still show the notice of an earlier opening.
+ */
 const insectOf = (): Promise<void> => page().evaluate(() => window.sinew.open('insect'));
 const timeline = () => page().getByRole('region', { name: 'Timeline' });
 const clipTime = async (): Promise<number> =>
   Number(await timeline().getByRole('slider', { name: 'Time' }).inputValue());
 
-test('the workspace shows boxes; its normals are the course’s, on the GPU as on the CPU', async () => {
+test('the workspace shows boxes, and its normals are the course’s on both the GPU and the CPU', async () => {
   expect(await page().evaluate(() => window.sinew.problems)).toEqual([]);
   expect(await drawnOf(page())).toEqual(['Skeleton']);
   await expect(controlRow(page(), 'Skeleton as').locator('option:checked')).toHaveText('Boxes');
@@ -26,7 +28,7 @@ test('the workspace shows boxes; its normals are the course’s, on the GPU as o
   expect(await verify(page())).toMatchObject({ identical: true, bindError: null });
 });
 
-test('a click on a box selects its joint, whose number then stands in the picture', async () => {
+test('a click on a box selects its joint, whose number then shows in the picture', async () => {
   const box = (await page().locator('canvas').boundingBox())!;
   await page().mouse.click(box.x + box.width * 0.535, box.y + box.height * 0.472);
   const selected = page().getByRole('treeitem', { selected: true });
@@ -42,7 +44,7 @@ test('a click on a box selects its joint, whose number then stands in the pictur
   await page().getByRole('button', { name: 'Reset all' }).click();
 });
 
-test('degrees of freedom are searched by words, in any joint', async () => {
+test('a search by words finds degrees of freedom in any joint', async () => {
   const search = page().getByRole('searchbox', { name: 'Search degrees of freedom' });
   await search.fill('leg_l1_femur x');
   const rows = page().locator('.joints .lil-controller:visible .lil-slider');
@@ -54,7 +56,7 @@ test('degrees of freedom are searched by words, in any joint', async () => {
   await expect(page().locator('.joints .lil-title:visible').first()).toBeVisible();
 });
 
-test('stepping from joint to joint shows the degrees of freedom of just one', async () => {
+test('stepping from joint to joint shows the degrees of freedom of only that joint', async () => {
   await page().getByRole('treeitem', { name: 'body', exact: true }).click();
   await page().getByRole('button', { name: 'Next joint' }).click();
   await expect(page().locator('.joints .lil-title[aria-expanded="true"]')).toHaveText([
@@ -74,14 +76,14 @@ test('a locked angle is shown, can’t be changed, and says why', async () => {
   await expect(slider).toHaveAttribute('aria-disabled', 'true');
   await expect(row).toHaveAttribute('title', 'leg_l1_tibia Y is locked: its limits are equal');
   await expect(slider).toHaveAttribute('aria-description', /is locked: its limits are equal$/);
-  // The words are there for a pointer that rests on the row.
+  // The explanation shows when the pointer rests on the row.
   const box = (await row.boundingBox())!;
   const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
   const under = ([x, y]: number[]) => document.elementFromPoint(x!, y!)?.getAttribute('title');
   expect(await page().evaluate(under, [x, y])).toMatch(/locked/);
 });
 
-test('morphs have sliders to 1, and typing goes beyond', async () => {
+test('morph sliders end at 1, and typed values may go beyond', async () => {
   const rest = await vertices(page(), 'gpu');
   const field = page().locator('input[aria-label="insect_breathe"]');
   await field.fill('1.5');
@@ -97,7 +99,7 @@ test('morphs have sliders to 1, and typing goes beyond', async () => {
   expect(await vertices(page(), 'gpu')).toEqual(rest);
 });
 
-test('a clip plays, pauses and steps; an edit takes its pose over and lets it go', async () => {
+test('a clip plays, pauses and steps; an edit starts from its pose and unbinds it', async () => {
   await insectOf();
   const own = await getPose(page());
   await page().locator('canvas').focus();
@@ -128,7 +130,7 @@ test('a clip plays, pauses and steps; an edit takes its pose over and lets it go
   expect(await getPose(page())).toEqual(own);
 });
 
-test('the range of a clip has its modes, and its curves are those of the selected joint', async () => {
+test('the range of a clip has its modes, and the curves shown are those of the selected joint', async () => {
   const atEnd = timeline().getByRole('combobox', { name: 'At the end' });
   await expect(atEnd.locator('option')).toHaveText(['Once', 'Loop', 'Ping-pong', 'Go on']);
   await page().getByRole('treeitem', { name: 'head', exact: true }).click();
@@ -140,7 +142,7 @@ test('the range of a clip has its modes, and its curves are those of the selecte
   await timeline().getByRole('button', { name: 'Own pose' }).click();
 });
 
-test('in the timeline arrows step and Home and End seek, wherever its focus is', async () => {
+test('in the timeline the arrows step, and Home and End seek, wherever the focus is', async () => {
   await insectOf();
   await timeline().getByRole('button', { name: 'Play' }).focus();
   await page().keyboard.press('ArrowRight');
@@ -161,7 +163,7 @@ test('in the timeline arrows step and Home and End seek, wherever its focus is',
   await expect(timeline().getByRole('button', { name: 'Play' })).toBeVisible();
 });
 
-test('files that come once more keep shape, clip and time, and it plays on', async () => {
+test('dropping files again keeps shape, clip and time, and the clip plays on', async () => {
   await insectOf();
   await page().evaluate(() => window.sinew.morphs({ insect_breathe: 0.5 }));
   await page().evaluate(() => window.sinew.seek(1.25));
@@ -180,7 +182,7 @@ test('files that come once more keep shape, clip and time, and it plays on', asy
   await page().getByRole('button', { name: 'Reset all' }).click();
 });
 
-test('a character that is chosen again opens as its files have it', async () => {
+test('choosing a character again opens it as its files have it', async () => {
   await insectOf();
   const own = await getPose(page());
   await page().evaluate(() => window.sinew.morphs({ insect_alert: 1 }));
@@ -192,7 +194,7 @@ test('a character that is chosen again opens as its files have it', async () => 
   expect(await clipTime()).toBe(0);
 });
 
-test('undo gives back a character’s clip, whichever was chosen of the next', async () => {
+test('undo restores a character’s clip, whichever clip of the next character was chosen', async () => {
   await insectOf();
   const second = legAnim.replace('range 0 2', 'range 0 1');
   await drop(
@@ -209,7 +211,7 @@ test('undo gives back a character’s clip, whichever was chosen of the next', a
   await expect(timeline().locator('output')).toContainText('/ 4.00 s');
 });
 
-test('a skeleton alone is completed by skin, morph and clip that come later', async () => {
+test('a skin, a morph and a clip that are dropped later complete a skeleton', async () => {
   await drop(page(), [{ name: 'leg.skel', content: legSkel }]);
   await expect(page().locator('.notice')).toHaveText('leg opened');
   const rest = Object.entries(leg).filter(([name]) => name !== 'leg.skel');
@@ -221,7 +223,7 @@ test('a skeleton alone is completed by skin, morph and clip that come later', as
   expect(await page().evaluate(() => window.sinew.clips.length)).toBe(1);
 });
 
-test('it saves as either course’s files, and tells what got lost', async () => {
+test('the insect can be saved as the files of either course, and the page lists what is lost', async () => {
   await insectOf();
   for (const [label, name] of [
     ['UCSD CSE169', 'insect-cse169.zip'],

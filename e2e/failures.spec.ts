@@ -3,8 +3,8 @@ import { convertTargets, labelOf } from '../src/formats/registry.ts';
 import { choose, openApp } from './support/app.ts';
 import { madeCharacter } from './support/made-character.ts';
 
-// What fails outside of Sinew ends in a message, and nothing is thrown. The browser logs what it could
-// not load, so that the promise of support/test.ts is kept here but for the console.
+// A failure outside of Sinew ends in a message, and nothing is thrown. The browser logs what it
+// could not load, so these tests check everything that support/test.ts checks except the console.
 const test = base.extend({
   page: async ({ page }, use) => {
     const thrown: string[] = [];
@@ -18,16 +18,16 @@ test.use({ viewport: { width: 860, height: 480 } });
 
 const notice = (page: Page) => page.locator('.status .notice');
 
-test('a part that is gone, a picture that can’t be encoded, a folder that can’t be read', async ({
+test('a missing part, a picture that can’t be encoded and a folder that can’t be read end in a message', async ({
   page,
 }) => {
   await openApp(page, 'model=tube');
 
-  // Every format that can be written, as the registry has them.
+  // These are all formats that can be written, as the registry lists them.
   const targets = page.locator('.save-as button');
   await expect(targets).toHaveText(convertTargets.map(labelOf));
 
-  await test.step('a deploy took away a part that comes at need', async () => {
+  await test.step('a deploy removed a part that is loaded on demand', async () => {
     await page.route(/save-as-/, (route) => route.fulfill({ status: 404, body: 'gone' }));
     await targets.first().click();
     await expect(notice(page)).toHaveText(/could not be loaded; reload the page/);
@@ -52,7 +52,7 @@ test('a part that is gone, a picture that can’t be encoded, a folder that can�
     await expect(notice(page)).toHaveText(/could not make a file of the picture/);
   });
 
-  await test.step('a folder does not open, and what lies beside it does', async () => {
+  await test.step('a folder can’t be read, but the files beside it are', async () => {
     const [{ name, content }] = madeCharacter(5, 2) as [{ name: string; content: string }];
     await page.evaluate(
       ({ name, content }) => {
@@ -80,7 +80,7 @@ test('a part that is gone, a picture that can’t be encoded, a folder that can�
   });
 });
 
-test('panels that can’t be loaded: the view says so', async ({ page }) => {
+test('when the panels can’t be loaded, the view says so', async ({ page }) => {
   await page.route(/start-interface-.*\.js/, (route) => route.abort());
   await page.goto('./?model=tube');
   await expect(page.getByRole('alert')).toHaveText(/could not be loaded; reload the page/);

@@ -4,7 +4,7 @@ import { drop, openSmallView, type NamedFile, verify } from './support/app.ts';
 import { madeCharacter } from './support/made-character.ts';
 import { sharedPage, test } from './support/test.ts';
 
-// A character of five joints and sixty points, dropped in every way.
+// These tests drop a character of five joints and sixty points in every way.
 const page = sharedPage((page) => openSmallView(page, 'model=tube'));
 
 const [joints, points] = [5, 60];
@@ -18,7 +18,7 @@ function files(name: string): Record<'skel' | 'obj' | 'attach', NamedFile> {
   return { skel: skel!, obj: obj!, attach: attach! };
 }
 
-/** What the page shows now, with what each problem expected. */
+/** What the page shows now, with the expected value of each problem. */
 function shown() {
   return page().evaluate(() => {
     const { characters, problems } = window.sinew;
@@ -32,7 +32,7 @@ function shown() {
   });
 }
 
-test('a character opens in every order of its files, and in any case', async () => {
+test('a character opens whatever the order and the case of its files', async () => {
   const orders = ['skel obj attach', 'skel attach obj', 'obj skel attach', 'obj attach skel'];
   for (const [index, order] of [...orders, 'attach skel obj', 'attach obj skel'].entries()) {
     const name = `order${index}`;
@@ -51,7 +51,7 @@ function upper({ name, content }: NamedFile): NamedFile {
   return { name: name.toUpperCase(), content };
 }
 
-test('parts alone are shown, what is missing is said, and later drops complete them', async () => {
+test('incomplete parts are shown, missing files are named, and later drops complete them', async () => {
   const { skel, obj, attach } = files('part');
   await drop(page(), [skel]);
   const bones = { name: 'part', joints, points: 0 };
@@ -62,7 +62,7 @@ test('parts alone are shown, what is missing is said, and later drops complete t
   expect(await shown()).toEqual({ ...whole, name: 'part' });
 });
 
-test('a mesh alone is shown and waits for its skeleton and weights', async () => {
+test('a mesh without its skeleton and weights is shown and waits for them', async () => {
   const { skel, obj, attach } = files('mesh');
   await drop(page(), [obj]);
   const mesh = { name: 'mesh', joints: 0, points, problems: ['mesh.skel', 'mesh.attach'] };
@@ -71,14 +71,14 @@ test('a mesh alone is shown and waits for its skeleton and weights', async () =>
   expect(await shown()).toEqual({ ...whole, name: 'mesh' });
 });
 
-test('weights alone show nothing: the character before stays', async () => {
+test('weights without a mesh show nothing, and the previous character stays', async () => {
   await drop(page(), Object.values(files('before')));
   await drop(page(), [files('alone').attach]);
   expect(await shown()).toMatchObject({ name: 'before', joints, points });
   expect((await shown()).problems).toEqual(['a .skel and an .obj with it']);
 });
 
-test('an archive is opened like the files in it', async () => {
+test('an archive opens like the files in it', async () => {
   const entries = Object.values(files('packed')).map(
     ({ name, content }) => [`folder/${name}`, Buffer.from(content)] as const,
   );
@@ -86,7 +86,7 @@ test('an archive is opened like the files in it', async () => {
   expect(await shown()).toEqual({ ...whole, name: 'packed' });
 });
 
-test('large files are read by a worker, to the same end', async () => {
+test('large files are read by a worker, with the same result', async () => {
   const workers: string[] = [];
   page().on('worker', (worker) => workers.push(worker.url()));
   const { skel, obj, attach } = files('large');
@@ -99,7 +99,7 @@ test('large files are read by a worker, to the same end', async () => {
   expect(workers).toHaveLength(1);
 });
 
-test('text or nothing dropped is passed over', async () => {
+test('dropped text, or a drop of nothing, is ignored', async () => {
   const before = await shown();
   const left = await page().evaluate(() => {
     const transfer = new DataTransfer();

@@ -5,7 +5,7 @@ import { sharedPage, test } from './support/test.ts';
 
 const kilobyte = 1000;
 
-// What one first visit asked for, and got.
+// What a single first visit requested and received.
 const asked: string[] = [];
 const statuses: number[] = [];
 const scripts = new Map<string, Promise<Buffer>>();
@@ -35,7 +35,8 @@ test('the first picture needs at most 60 KB of gzipped scripts', async () => {
       .getEntriesByType('resource')
       .map(({ name, startTime }) => ({ name, startTime })),
   }));
-  // What the page's clock does not list (a worker's own scripts) counts as asked for before.
+  // Requests that the page's performance entries do not list (a worker's own scripts) count as
+  // early.
   const isLate = (url: string): boolean =>
     starts.some(({ name, startTime }) => name === url && startTime > mark);
   const sizes: [string, number][] = [];
@@ -56,12 +57,15 @@ test('the first visit transfers at most 700 KB', () => {
   annotate('first visit', `${transferred} bytes in ${statuses.length} responses`);
   expect(statuses.length).toBeGreaterThan(5);
   expect(statuses.filter((status) => status !== 200)).toEqual([]);
-  // The character alone is some hundreds: less would mean that not everything was counted.
+  // The character alone is several hundred KB; a smaller sum would mean that something was not
+  // counted.
   expect(transferred).toBeGreaterThan(300 * kilobyte);
   expect(transferred).toBeLessThanOrEqual(700 * kilobyte);
 });
 
-test('the page works from a sub-path, with every address below it', ({ baseURL }) => {
+test('the page works from a sub-path, and every address that it requests is below it', ({
+  baseURL,
+}) => {
   expect(new URL(baseURL!).pathname.split('/').length).toBeGreaterThan(2);
   expect(asked.filter((url) => !url.startsWith(baseURL!))).toEqual([]);
 });

@@ -3,7 +3,7 @@ import { drop, openApp } from './support/app.ts';
 import { madeCharacter } from './support/made-character.ts';
 import { test } from './support/test.ts';
 
-// A small view is drawn sooner; nothing here is about its size.
+// A small view is drawn faster, and its size does not matter here.
 test.use({ viewport: { width: 760, height: 420 } });
 
 const names = [
@@ -16,7 +16,9 @@ const names = [
   '名前 🦴 naïve',
 ];
 
-test('names with markup, bidi controls and odd words are text everywhere', async ({ page }) => {
+test('names with markup, bidirectional controls and special words are shown as text everywhere', async ({
+  page,
+}) => {
   await openApp(page, 'model=tube');
   const elements = await page.locator('*').count();
   for (const name of names) {
@@ -26,7 +28,7 @@ test('names with markup, bidi controls and odd words are text everywhere', async
     }));
     await drop(page, files);
     expect(await page.evaluate(() => window.sinew.characters[0]!.name)).toBe(name);
-    // A file with a problem shows its name in the panel too.
+    // A file with a problem shows its name in the panel of problems too.
     await drop(page, [{ name: `${name}.skel`, content: 'x' }]);
     await expect(page.locator('.problems')).toBeVisible();
     await page.getByRole('button', { name: 'Dismiss' }).click();

@@ -8,7 +8,7 @@ const page = sharedPage(openApp);
 const press = (...keys: string[]) =>
   keys.reduce((before, key) => before.then(() => page().keyboard.press(key)), Promise.resolve());
 
-// Every test begins with the view in focus, the first visit's camera, and the same pose.
+// Every test begins with the focus on the view, the camera of a first visit, and the same pose.
 const pose = { joints: { Head: [0.3, 0, 0] as [number, number, number] } };
 test.beforeEach(async () => {
   await page().locator('canvas').focus();
@@ -16,7 +16,7 @@ test.beforeEach(async () => {
   await setPose(page(), pose);
 });
 
-test('"s" goes from skin to skeleton to both, "a" shows and hides axes', async () => {
+test('"s" cycles through skin, skeleton and both, and "a" toggles the axes', async () => {
   expect(await drawnOf(page())).toEqual(['Skin']);
   const cycle = [['Skeleton'], ['Skin', 'Skeleton'], ['Skin']];
   for (const drawn of cycle) {
@@ -29,7 +29,7 @@ test('"s" goes from skin to skeleton to both, "a" shows and hides axes', async (
   expect(await drawnOf(page())).toEqual(['Skin']);
 });
 
-test('"r" resets the pose; Ctrl+Z and Ctrl+Shift+Z go back and forth', async () => {
+test('"r" resets the pose; Ctrl+Z and Ctrl+Shift+Z undo and redo', async () => {
   await press('r');
   expect(await getPose(page())).toEqual({ joints: {} });
   await press('Control+z');
@@ -40,7 +40,7 @@ test('"r" resets the pose; Ctrl+Z and Ctrl+Shift+Z go back and forth', async () 
   expect(await getPose(page())).toEqual(pose);
 });
 
-test('arrows orbit, Space resets the camera, Home frames the character', async () => {
+test('arrows orbit, Space resets the camera, and Home frames the character', async () => {
   const before = await cameraOf(page());
   const picture = await capture(page());
   await press('ArrowRight', 'ArrowUp');
@@ -54,14 +54,14 @@ test('arrows orbit, Space resets the camera, Home frames the character', async (
   await press('Space');
   expect(await cameraOf(page())).toEqual(before);
   expect(await capture(page())).toEqual(picture);
-  // Home keeps the direction, and fits what the pose reaches.
+  // Home keeps the direction, and fits the posed character.
   await setPose(page(), { joints: {}, root: [3, 0, 0] });
   await press('Home');
   expect(await cameraOf(page())).toMatchObject({ azimuth: before.azimuth });
   expect(await capture(page())).not.toEqual(picture);
 });
 
-test('"?" shows the keys and what the pointer does, and Escape closes them', async () => {
+test('"?" shows the keys and what the pointer does, and Escape closes the sheet', async () => {
   const sheet = page().getByRole('dialog');
   await press('?');
   await expect(sheet).toBeVisible();
@@ -78,7 +78,7 @@ test('"?" shows the keys and what the pointer does, and Escape closes them', asy
   await expect(sheet).toBeHidden();
 });
 
-test('letters can be turned off, for those whose voice types', async () => {
+test('single-letter keys can be turned off, for users of speech input', async () => {
   const sheet = page().getByRole('dialog');
   const letters = sheet.getByRole('checkbox', { name: 'Single letters act' });
   await press('?');
@@ -92,7 +92,7 @@ test('letters can be turned off, for those whose voice types', async () => {
   await sheet.getByRole('button', { name: 'Close' }).click();
 });
 
-test('letters do not act while a field has the focus, undo does', async () => {
+test('letters do not act while a field has the focus, but undo does', async () => {
   const { field } = await openJoint(page(), 'Chest', 'X');
   await field.focus();
   await press('r', 's', 'a', '?');
@@ -117,7 +117,7 @@ test('letters act after a button of the controls was used', async () => {
   expect(await getPose(page())).toEqual({ joints: {} });
 });
 
-test('Escape takes back a slider drag that is under way', async () => {
+test('Escape cancels a slider drag in progress', async () => {
   const { slider } = await openJoint(page(), 'Chest', 'X');
   const { x, y, width, height } = (await slider.boundingBox())!;
   await page().mouse.move(x + width / 2, y + height / 2);

@@ -11,7 +11,8 @@ const page = sharedPage(async (page) => {
 
 test('fifty loads and unloads leave nothing behind', async () => {
   test.slow();
-  // Two characters by turns: one from its texture, past sixteen influences, one from attributes.
+  // The two characters alternate. One has more than sixteen influences and reads them from a
+  // texture, the other reads them from attributes.
   const characters = [madeCharacter(5, 2), madeCharacter(30, 20)].map((files, index) =>
     files.map((file) => ({ ...file, name: file.name.replace('made', `made${index}`) })),
   );
@@ -27,7 +28,7 @@ test('fifty loads and unloads leave nothing behind', async () => {
   expect(Object.keys(before.objects).length).toBeGreaterThan(4);
 });
 
-test('from a textured character with a clip that plays to another and back, again and again', async () => {
+test('switching between a textured character with a playing clip and another leaves nothing behind', async () => {
   const round = async (): Promise<Holdings> => {
     await page().evaluate(async () => {
       await window.sinew.open('tube');
@@ -44,7 +45,7 @@ test('from a textured character with a clip that plays to another and back, agai
   expect(after).toEqual(before);
 });
 
-test('large files are read in workers, which end', async () => {
+test('the workers that read large files are terminated', async () => {
   const made = await page().evaluate(() => window.holdings());
   for (const id of ['human', 'dog']) {
     await page().evaluate((id) => window.sinew.open(id), id);

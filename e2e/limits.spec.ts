@@ -3,19 +3,22 @@ import { drop, openApp } from './support/app.ts';
 import { madeCharacter } from './support/made-character.ts';
 import { test } from './support/test.ts';
 
-// A small view is drawn sooner; nothing here is about its size.
+// A small view is drawn faster, and its size does not matter here.
 test.use({ viewport: { width: 760, height: 420 } });
 
-test('a character past the limits of the GPU is told, and the page lives on', async ({ page }) => {
+test('a character beyond the limits of the GPU is reported, and the page keeps working', async ({
+  page,
+}) => {
   await page.addInitScript(() => {
     const { getParameter } = WebGL2RenderingContext.prototype;
     WebGL2RenderingContext.prototype.getParameter = function (name: number): unknown {
-      // A GPU with small textures: what has more than 16 influences a vertex does not fit.
+      // This simulates a GPU with small textures, which a character with more than 16 influences
+      // per vertex does not fit.
       return name === this.MAX_TEXTURE_SIZE ? 1023 : (getParameter.call(this, name) as unknown);
     };
   });
   await openApp(page, 'model=tube');
-  // The passes that come after the first picture make their objects when they are first drawn.
+  // The passes that load after the first picture create their objects when they are first drawn.
   await page.evaluate(() => window.sinew.capture());
   const objects = await page.evaluate(() => window.sinew.liveObjects);
   await drop(page, madeCharacter(30, 20));
@@ -29,7 +32,7 @@ test('a character past the limits of the GPU is told, and the page lives on', as
   expect(await page.evaluate(() => window.sinew.liveObjects)).toEqual(objects);
 });
 
-test('without WebGL2 the page says what to do, and its panels are alive', async ({ page }) => {
+test('without WebGL2 the page says what to do, and its panels work', async ({ page }) => {
   await page.addInitScript(() => {
     const { getContext } = HTMLCanvasElement.prototype;
     HTMLCanvasElement.prototype.getContext = function (

@@ -24,7 +24,7 @@ interface Place {
   readonly y: number;
 }
 
-/** A place of the view, in parts of its width and height. */
+/** A point of the view, as fractions of its width and height. */
 async function placeAt(across: number, down: number): Promise<Place> {
   const { x, y, width, height } = (await canvas().boundingBox())!;
   return { x: x + across * width, y: y + down * height };
@@ -37,7 +37,7 @@ async function placesAlong(down: number): Promise<Place[]> {
 
 const found = new Map<string, Place>();
 
-/** Looks for a bone from the left to the right, once for a camera, and stays on it. */
+/** Searches for a bone from left to right, once per camera, and leaves the pointer on it. */
 async function findBone(name: string, down: number): Promise<Place> {
   const known = found.get(name);
   const places = known ? [known] : await placesAlong(down);
@@ -68,7 +68,7 @@ const jointsChangedFrom = async (before: Awaited<ReturnType<typeof getPose>>) =>
   );
 };
 
-test('the bone under the pointer lights, with its name and chain; a click selects its joint', async () => {
+test('the bone under the pointer is highlighted, with its name and chain; a click selects its joint', async () => {
   const place = await thigh();
   await expect(label()).toHaveText('Right upper leg → Right lower legRoot › Hips › Right hip');
   await page().mouse.click(place.x, place.y);
@@ -78,7 +78,7 @@ test('the bone under the pointer lights, with its name and chain; a click select
   await expect(label()).toHaveCount(0);
 });
 
-test('outside of bone mode a drag on a bone is the camera’s', async () => {
+test('outside of bone mode a drag on a bone moves the camera', async () => {
   const [pose, camera] = [await getPose(page()), await cameraOf(page())];
   await drag(await thigh(), [60, 20]);
   await page().mouse.up();
@@ -88,7 +88,7 @@ test('outside of bone mode a drag on a bone is the camera’s', async () => {
   expect(await cameraOf(page())).toEqual(camera);
 });
 
-test('in bone mode it turns the bone, which stays under the pointer; back is back, Esc and undo too', async () => {
+test('in bone mode a drag turns the bone, which stays under the pointer; dragging back, Escape and undo restore the pose', async () => {
   await canvas().focus();
   await page().keyboard.press('m');
   await expect(row('Bone mode (m)')).toBeChecked();
@@ -115,7 +115,7 @@ test('in bone mode it turns the bone, which stays under the pointer; back is bac
   expect(await getPose(page()), 'one step of undo').toEqual(pose);
 });
 
-test('a drag beside the bones is still the camera’s in bone mode', async () => {
+test('in bone mode a drag beside the bones still moves the camera', async () => {
   const [pose, camera] = [await getPose(page()), await cameraOf(page())];
   await drag(await placeAt(0.06, 0.3), [40, 0]);
   await page().mouse.up();
@@ -124,7 +124,7 @@ test('a drag beside the bones is still the camera’s in bone mode', async () =>
   await page().keyboard.press('Space');
 });
 
-test('arrows and Alt roll the bone: its far end stays', async () => {
+test('the arrow keys and Alt+drag roll the bone, and its far end stays', async () => {
   const before = await getPose(page());
   const place = await thigh();
   await page().keyboard.press('ArrowLeft');
@@ -144,7 +144,7 @@ test('arrows and Alt roll the bone: its far end stays', async () => {
   await page().getByRole('button', { name: 'Reset all' }).click();
 });
 
-test('the course program’s way is a setting, and gives another pose', async () => {
+test('the method of the course’s program is a setting, and gives another pose', async () => {
   const pose = await getPose(page());
   const place = await thigh();
   await drag(place, [-24, 0]);
@@ -162,7 +162,7 @@ test('the course program’s way is a setting, and gives another pose', async ()
   await controlRow(page(), 'A bone turns').locator('select').selectOption('Under the pointer');
 });
 
-test('with one angle active, dragging its limb sets that angle alone', async () => {
+test('with one angle active, dragging its limb changes only that angle', async () => {
   const place = await thigh();
   const { field } = await openJoint(page(), 'Right upper leg', 'Z');
   await field.fill('0.01');
@@ -179,7 +179,7 @@ test('with one angle active, dragging its limb sets that angle alone', async () 
   await expect(page().locator('.active-dof')).toHaveCount(0);
 });
 
-test('Shift+R resets the selected joint alone', async () => {
+test('Shift+R resets only the selected joint', async () => {
   await setPose(page(), { joints: { Head: [0.2, 0, 0], Neck: [0.1, 0, 0] } });
   await page().getByRole('treeitem', { name: 'Head', exact: true }).click();
   await canvas().focus();
@@ -188,7 +188,7 @@ test('Shift+R resets the selected joint alone', async () => {
   await page().getByRole('button', { name: 'Reset all' }).click();
 });
 
-test('through an opaque skin the joint is grabbed that owns it', async () => {
+test('through an opaque skin, a drag grabs the joint that the skin follows', async () => {
   await canvas().focus();
   await page().keyboard.press('t');
   const place = await findBone('Right lower leg', 0.74);
@@ -200,7 +200,7 @@ test('through an opaque skin the joint is grabbed that owns it', async () => {
   await page().getByRole('button', { name: 'Reset all' }).click();
 });
 
-test('in first person a drag looks around, letters and arrows walk, c leaves', async () => {
+test('in first person a drag looks around, letters and arrows walk, and c leaves', async () => {
   await page().keyboard.press('m');
   await canvas().focus();
   const { distance } = await cameraOf(page());
@@ -221,7 +221,7 @@ test('in first person a drag looks around, letters and arrows walk, c leaves', a
 test.describe('touch', () => {
   test.use({ hasTouch: true });
 
-  test('the first touch lights a bone, a drag turns it, a second finger takes it back', async ({
+  test('the first touch highlights a bone, a drag turns it, and a second finger cancels', async ({
     page: own,
   }) => {
     await openApp(own, 'workspace=mannequin');
@@ -239,7 +239,7 @@ test.describe('touch', () => {
         bubbles: true,
       });
     await own.evaluate(() => {
-      // Only the browser can capture a real pointer.
+      // Only a real pointer can be captured, and these events are synthetic.
       Element.prototype.setPointerCapture = () => undefined;
     });
     const y = box.y + box.height * 0.6;
@@ -265,14 +265,14 @@ test.describe('touch', () => {
 test.describe('pictures', () => {
   const view = sharedPage((page) => openView(page, 'workspace=mannequin'));
 
-  test('translucent, with the bones inside', async () => {
+  test('a translucent skin shows the bones inside', async () => {
     expectPicture('mannequin', await capture(view()));
     await view().keyboard.press('a');
     expectPicture('mannequin-frames', await capture(view()));
     await view().keyboard.press('a');
   });
 
-  test('a lit bone in its cylinder', async () => {
+  test('a highlighted bone is drawn with its cylinder', async () => {
     const box = (await view().locator('canvas').boundingBox())!;
     for (let across = 0.32; across < 0.6; across += 0.015) {
       await view().mouse.move(box.x + across * box.width, box.y + box.height * 0.6);

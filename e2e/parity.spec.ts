@@ -7,7 +7,7 @@ import { wildPose } from './support/poses.ts';
 import { skinRuns, watchSkinStage } from './support/skin-stage.ts';
 import { sharedPage, test } from './support/test.ts';
 
-// The shader and the strict kernel in TypeScript do the same operations in the same order: under
+// The shader and the strict kernel in TypeScript do the same operations in the same order, so under
 // SwiftShader every bit of every position and normal is the same.
 const same = { identical: true, position: 0, vertex: 0, normal: 0 };
 
@@ -17,7 +17,7 @@ const page = sharedPage(async (page) => {
 });
 
 for (const { id, files } of catalogue) {
-  test(`${id}: GPU and CPU agree bit for bit, from the uniform array`, async () => {
+  test(`${id}: GPU and CPU agree bit for bit, with the palette in the uniform block`, async () => {
     await page().evaluate((id) => {
       window.skinRuns = [];
       return window.sinew.open(id);
@@ -31,7 +31,7 @@ for (const { id, files } of catalogue) {
       expect(await verify(page()), `${label}, in a wild pose`).toMatchObject(same);
     }
     const runs = await skinRuns(page());
-    // As opened, then each method at its poses.
+    // One run as opened, then one for each method at each of its poses.
     expect(runs.length).toBeGreaterThanOrEqual(2 * kernels.length);
     for (const { blocks, textures } of runs) {
       expect(blocks).toEqual([{ name: 'Palette', size: 16_384 }]);
@@ -40,8 +40,8 @@ for (const { id, files } of catalogue) {
   });
 }
 
-// What does not fit takes the other ways: larger blocks, then textures. They agree as well, and show
-// that the check above can tell them apart.
+// A palette or influences that do not fit are stored in larger blocks, then in textures. These
+// agree too, and show that the check above can tell the layouts apart.
 const layouts = [
   { joints: 341, influences: 8, blocks: [16_384], textures: [] },
   { joints: 342, influences: 16, blocks: [65_536], textures: [] },
@@ -67,7 +67,7 @@ test('every layout of palette and influences agrees bit for bit', async () => {
   }
 });
 
-test('the textures that stand in for attributes and uniform array agree as well', async () => {
+test('textures in place of attributes and the uniform block agree as well', async () => {
   await openSmallView(page(), 'textures=palette,influences');
   for (const { id, label } of kernels) {
     await chooseKernel(page(), id);

@@ -27,7 +27,7 @@ test('a PNG remembers its character and pose, and dropping it opens them', async
   expect(await page().evaluate(() => window.sinew.pose())).toEqual(pose);
 });
 
-test('of one’s own files it keeps the name alone, and poses them again', async () => {
+test('a PNG of your own files remembers only their name, and poses them again', async () => {
   await drop(page(), madeCharacter(5, 2));
   const pose = await setPose(page(), { joints: { '#1': [0.5, 0, 0] } });
   const png = await savedPicture();
@@ -37,14 +37,14 @@ test('of one’s own files it keeps the name alone, and poses them again', async
   await page().evaluate(() => window.sinew.open('tube'));
 });
 
-test('any other picture is told, and nothing changes', async () => {
+test('any other picture is reported, and nothing changes', async () => {
   const content = PNG.sync.write(new PNG({ width: 2, height: 2 }));
   await drop(page(), [{ name: 'holiday.png', content }]);
   await expect(page().locator('.problems')).toContainText('a PNG that Sinew saved');
   await expect(page().locator('.status')).toContainText('tube');
 });
 
-test('a damaged note is told by line and column, and nothing changes', async () => {
+test('a damaged note is reported by line and column, and nothing changes', async () => {
   const picture = new Uint8Array(PNG.sync.write(new PNG({ width: 2, height: 2 })));
   const note = '{"bundled":"hand","name":"Hand","pose":[]}';
   const content = Buffer.from(insertPngText(picture, 'Sinew', note));
@@ -53,7 +53,7 @@ test('a damaged note is told by line and column, and nothing changes', async () 
   await expect(page().locator('.status')).toContainText('tube');
 });
 
-test('pictures have the size that is asked for, with or without background', async () => {
+test('pictures have the requested size, with or without background', async () => {
   for (const background of [true, false]) {
     const blob = await page().evaluateHandle(
       (background) => window.sinew.capture({ width: 701, height: 333, background }),
@@ -68,7 +68,7 @@ test('pictures have the size that is asked for, with or without background', asy
   }
 });
 
-test('a picture larger than the GPU draws is refused with a word', async () => {
+test('a picture larger than the GPU can draw is refused with a message', async () => {
   const refused = await page().evaluate(() =>
     window.sinew.capture({ width: 1_000_000, height: 16 }).then(
       () => '',

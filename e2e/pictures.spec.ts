@@ -4,28 +4,29 @@ import { capture, choose, openView, setPose, startOver } from './support/app.ts'
 import { expectPicture } from './support/pictures.ts';
 import { sharedPage, test } from './support/test.ts';
 
-// Few pictures, each telling, each looked at before it was kept. UPDATE_PICTURES=1 makes them anew.
+// There are few pictures. Each shows something that no other does, and a person looked at it before
+// it was kept. UPDATE_PICTURES=1 regenerates them.
 interface Scene {
-  /** The bundled character, the human where absent. */
+  /** The bundled character; the human if absent. */
   readonly model?: string;
-  /** The studio where absent. */
+  /** The studio if absent. */
   readonly workspace?: string;
   readonly dark?: boolean;
-  /** Added beside the first, in order; the last is the selected one. */
+  /** Characters added beside the first, in order; the last one is selected. */
   readonly added?: readonly string[];
   readonly pose?: PoseJson;
-  /** By its label in the controls. */
+  /** The method's label in the controls. */
   readonly method?: string;
   readonly morphs?: Readonly<Record<string, number>>;
-  /** Seconds of the character's clip. */
+  /** The time of the character's clip, in seconds. */
   readonly time?: number;
-  /** By its label in the controls. */
+  /** The label of the skeleton's style in the controls. */
   readonly skeletonAs?: string;
-  /** Keys pressed, in order. */
+  /** The keys to press, in order. */
   readonly keys?: readonly string[];
 }
 
-/** Bends as far as limbs go and farther, where linear blending shows its limits. */
+/** Limbs bend as far as they can and farther, where the artifacts of linear blending show. */
 const hardPose: PoseJson = {
   joints: {
     Spine: [0.5, 0.5, 0],
@@ -67,7 +68,10 @@ const scenes: Readonly<Record<string, Scene>> = {
 };
 
 const page = sharedPage(() => Promise.resolve());
-/** The character of the address; scenes of the same one follow each other, and share its loading. */
+/**
+ * The character of the current address. Scenes with the same character follow each other and load
+ * it once.
+ */
 let loaded = '';
 
 for (const [name, scene] of Object.entries(scenes)) {

@@ -5,8 +5,8 @@ import { capture, choose, openSmallView, verify } from './support/app.ts';
 import { allowFaults, plantFault, plantedTexts, type Replacement } from './support/plant-fault.ts';
 import { sharedPage, test } from './support/test.ts';
 
-// That GPU and CPU agree is worth as much as the check's power to fail. Each fault is a slip of the
-// kind that skinning shaders have had; each must show in `verify`, far above rounding.
+// The agreement of GPU and CPU means something only if the check can fail. Each fault is a mistake
+// that skinning shaders have had, and each must show in `verify`, far above rounding.
 const clearly = 1e-4;
 
 const row = (index: number): string => `blended${index} += weight * paletteRow(entry, ${index});`;
@@ -66,7 +66,7 @@ test('without a fault nothing differs', async () => {
 });
 
 for (const [name, replacements] of Object.entries(positionFaults)) {
-  test(`in positions: ${name}`, async () => {
+  test(`finds a fault in positions: ${name}`, async () => {
     const found = await verifyWith(replacements);
     expect(found.identical).toBe(false);
     expect(found.position).toBeGreaterThan(clearly);
@@ -75,14 +75,14 @@ for (const [name, replacements] of Object.entries(positionFaults)) {
 }
 
 for (const [name, replacements] of Object.entries(normalFaults)) {
-  test(`in normals alone: ${name}`, async () => {
+  test(`finds a fault in normals only: ${name}`, async () => {
     const found = await verifyWith(replacements);
     expect(found).toMatchObject({ identical: false, position: 0 });
     expect(found.normal).toBeGreaterThan(clearly);
   });
 }
 
-test('in the rigid method: the last joint, not the heaviest', async () => {
+test('finds a fault in the rigid method: the last joint instead of the heaviest', async () => {
   await choose(page(), 'Method', kernelById('rigid').label);
   const found = await verifyWith([['weight > heaviestWeight', 'weight > 0.0']]);
   expect(found.identical).toBe(false);
@@ -90,7 +90,7 @@ test('in the rigid method: the last joint, not the heaviest', async () => {
   await choose(page(), 'Method', kernelById('linear-blend').label);
 });
 
-test('what verify reads is what is drawn', async () => {
+test('the vertices that verify reads are those that are drawn', async () => {
   await verifyWith([]);
   const sound = await capture(page());
   await verifyWith(positionFaults['no weight']!);

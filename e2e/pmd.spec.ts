@@ -26,7 +26,7 @@ test.describe('materials', () => {
     expect(await verify(page())).toMatchObject({ identical: true });
   });
 
-  test('give way to clay, and to translucent skin, and come back', async () => {
+  test('give way to clay and to a translucent skin, and come back', async () => {
     const dressed = await capture(page());
     const textures = controlRow(page(), 'Textures').locator('input');
     await textures.evaluate((box: HTMLInputElement) => box.click());
@@ -39,10 +39,10 @@ test.describe('materials', () => {
     expect((await capture(page())).equals(dressed)).toBe(true);
   });
 
-  test('without their image are shown in their colors, and the image may come later', async () => {
+  test('are shown in their colors without their image, which may be dropped later', async () => {
     const dressed = await capture(page());
     const [pmd, image] = madePmd();
-    // Another character between, so that nothing is left of the image.
+    // Another character in between makes sure that nothing of the image remains.
     await page().evaluate(() => window.sinew.open('tube'));
     await drop(page(), [pmd]);
     const problems = await page().evaluate(() => window.sinew.problems);
@@ -55,7 +55,7 @@ test.describe('materials', () => {
     expect((await capture(page())).equals(dressed)).toBe(true);
   });
 
-  test('of a TGA have the picture that they have of a PNG', async () => {
+  test('look the same with a TGA image as with a PNG', async () => {
     const dressed = await capture(page());
     await drop(page(), madePmd('tga'));
     expect(await page().evaluate(() => window.sinew.problems)).toEqual([]);
@@ -63,7 +63,7 @@ test.describe('materials', () => {
     expect((await capture(page())).equals(dressed)).toBe(true);
   });
 
-  test('a TGA that is cut is told, and the surface shown without it', async () => {
+  test('are shown without an image if it is a truncated TGA, which is reported', async () => {
     const [pmd, image] = madePmd('tga');
     await drop(page(), [pmd, { ...image, content: image.content.slice(0, 40) }]);
     const problemOf = () => page().evaluate(() => window.sinew.problems[0]);
@@ -89,14 +89,14 @@ test.describe('joints and bones', () => {
 
   test.beforeEach(() => setPose(page(), {}));
 
-  test('a joint under the pointer opens no panel', async () => {
+  test('hovering a joint opens no panel', async () => {
     const { x, y, width, height } = (await page().locator('canvas').boundingBox())!;
     await page().mouse.move(x + width / 2, y + height / 2, { steps: 8 });
     await expect(page().locator('.bone')).toHaveCount(1);
     await expect(page().locator('.bone')).not.toHaveAttribute('open');
   });
 
-  test('a ball has three angles, which stay as they were set', async () => {
+  test('a ball joint has three angles, which stay as they were set', async () => {
     await expect(page().locator('.controls .note')).toHaveText(/^R = Rx · Ry · Rz,/);
     await type('Y', '90°');
     await type('Z', '0.25');
@@ -116,7 +116,7 @@ test.describe('joints and bones', () => {
     await expect(x).toHaveValue('4.000');
   });
 
-  test('a rotation from elsewhere is shown by the nearest angles', async () => {
+  test('a rotation set elsewhere is shown by the nearest angles', async () => {
     const x = await type('X', '3');
     await setPose(page(), { joints: { 右肩: [3.5, 0.5, -0.25] } });
     await expect(x).toHaveValue('3.500');
@@ -125,7 +125,7 @@ test.describe('joints and bones', () => {
     await expect(x).toHaveValue('0.000');
   });
 
-  test('one angle is reset by a double click, the joint by its button', async () => {
+  test('a double click resets one angle, and the button resets the joint', async () => {
     await type('X', '1');
     await type('Z', '0.5');
     const { row } = await openJoint(page(), '右肩', 'X');
@@ -136,7 +136,7 @@ test.describe('joints and bones', () => {
     expect(await getPose(page())).toEqual({ joints: {} });
   });
 
-  test('angles are searched by name; joints that move have lengths too', async () => {
+  test('angles can be searched by name; joints that translate have lengths too', async () => {
     const search = page().getByRole('searchbox', { name: 'Search degrees of freedom' });
     const rows = page().locator('.joints .lil-controller:visible .lil-slider');
     await search.fill('右肩 y');
@@ -148,7 +148,7 @@ test.describe('joints and bones', () => {
     await search.fill('');
   });
 
-  test('the panel tells the bones of the selected joint, at rest and posed', async () => {
+  test('the panel shows the bones of the selected joint, at rest and posed', async () => {
     const panel = page().locator('.bone');
     const facts = panel.locator('dd');
     const table = (caption: string) =>
@@ -185,12 +185,12 @@ test.describe('joints and bones', () => {
     await setPose(page(), { joints: { 右肩: [0, 0, Math.PI / 2] } });
     const posed = ['0.800', '0.000', '0.600', '-0.600', '0.000', '0.800'];
     await expect(table('S, R as posed')).toHaveText([...posed, '0.000', '-1.000', '0.000']);
-    // A joint without child: the bone that ends there.
+    // For a joint without a child, the panel shows the bone that ends there.
     await page().getByRole('treeitem', { name: '右手首' }).click();
     await expect(facts.first()).toHaveText('右肩');
   });
 
-  test('the panel stays as the user leaves it', async () => {
+  test('the panel stays open or closed as the user leaves it', async () => {
     const panel = page().locator('.bone');
     await panel.locator('summary').click();
     await page().getByRole('treeitem', { name: '右肩' }).click();
@@ -199,7 +199,7 @@ test.describe('joints and bones', () => {
     await expect(panel.locator('dd').first()).toHaveText('右肩');
   });
 
-  test('bones without a mesh are shown, and posed', async () => {
+  test('bones without a mesh can be shown and posed', async () => {
     await drop(page(), [madeBones()]);
     await expect(page().locator('.notice')).toHaveText('bones opened');
     await expect(page().locator('.problems')).toContainText('its bones are shown');

@@ -5,7 +5,8 @@ import { controlRow, drop, getPose, openApp, setPose, vertices } from './support
 import { wildPose } from './support/poses.ts';
 import { sharedPage, test } from './support/test.ts';
 
-// Poses that come and go: as files, by the clipboard, in pictures; and the posed mesh.
+// Poses are saved and restored as files, through the clipboard and in pictures; the posed mesh can
+// be saved too.
 test.use({ viewport: { width: 860, height: 700 } });
 
 const page = sharedPage(async (page) => {
@@ -21,7 +22,7 @@ async function saved(row: string) {
   return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
 }
 
-test('a saved pose, dropped, is the pose again', async () => {
+test('dropping a saved pose restores the pose', async () => {
   const wild = wildPose(32, 4);
   const pose = await setPose(page(), wild);
   expect(pose.root).toEqual(wild.root);
@@ -37,7 +38,7 @@ test('a saved pose, dropped, is the pose again', async () => {
   await expect(notice()).toHaveText('Pose set');
 });
 
-test('a copied pose is the same text', async () => {
+test('a copied pose is the text of the saved file', async () => {
   const pose = await setPose(page(), wildPose(32, 5));
   await controlRow(page(), 'Copy pose').locator('button').click();
   await expect(notice()).toHaveText('Pose copied');
@@ -54,7 +55,7 @@ test('a pose with an unknown joint is not used, and the joint is named', async (
   await expect(page().locator('.problems')).toContainText('tail.json');
 });
 
-test('a saved picture, dropped, brings its pose back', async () => {
+test('dropping a saved picture restores its pose', async () => {
   const pose = await setPose(page(), wildPose(32, 6));
   await page().locator('canvas').focus();
   const [download] = await Promise.all([
@@ -66,7 +67,7 @@ test('a saved picture, dropped, brings its pose back', async () => {
   expect(await getPose(page())).toEqual(pose);
 });
 
-test('the posed mesh is saved as it stands, in file order and units', async () => {
+test('the posed mesh is saved as shown, in the file’s order and units', async () => {
   await setPose(page(), wildPose(32, 7));
   const { name, bytes } = await saved('Export posed OBJ');
   expect(name).toBe('human-posed.obj');
@@ -76,7 +77,7 @@ test('the posed mesh is saved as it stands, in file order and units', async () =
     .flatMap((line) => line.split(' ').slice(1).map(Number));
   const cpu = await vertices(page(), 'cpu');
   expect(positions).toHaveLength(cpu.length);
-  // Nine digits hold every float32.
+  // Nine digits represent every float32 exactly.
   expect(largestDifference(Float32Array.from(positions), cpu)).toBe(0);
   const { triangleCount } = (await page().evaluate(() => window.sinew.characters))[0]!;
   expect(lines.filter((line) => line.startsWith('f '))).toHaveLength(triangleCount);

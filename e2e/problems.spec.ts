@@ -12,7 +12,7 @@ const page = sharedPage(async (page) => {
 const panel = () => page().locator('.problems');
 const names = () => page().evaluate(() => window.sinew.characters.map(({ name }) => name));
 
-test('a bad file keeps the character, and says where, what and why', async () => {
+test('a bad file keeps the character, and the problem says where, what and why', async () => {
   await drop(page(), [{ name: 'bad.skel', content: '0 0 0 -1\n0 1 zero 0\n' }]);
   expect(await names()).toEqual(['tube']);
   const [problem] = await page().evaluate(() => window.sinew.problems);
@@ -31,7 +31,7 @@ test('a bad file keeps the character, and says where, what and why', async () =>
   await expect(page().locator('.status')).toContainText('1 problem');
 });
 
-test('all of them are copied as text, and go when dismissed', async () => {
+test('all problems can be copied as text, and disappear when dismissed', async () => {
   await drop(page(), [{ name: 'bad.skel', content: '0 0 0 -1\n0 1 zero 0\n' }]);
   await panel().getByRole('button', { name: 'Copy' }).click();
   await expect(page().locator('.notice')).toHaveText('Problems copied');
@@ -45,7 +45,7 @@ test('all of them are copied as text, and go when dismissed', async () => {
   await expect(page().locator('.status')).not.toContainText('problem');
 });
 
-test('files that nothing here reads are named', async () => {
+test('files that Sinew does not read are named', async () => {
   await drop(page(), [{ name: 'notes.txt', content: 'hello' }]);
   expect(await names()).toEqual(['tube']);
   await expect(panel()).toContainText('notes.txt');

@@ -6,7 +6,7 @@ import { drop, openApp } from './support/app.ts';
 import { madeCharacter } from './support/made-character.ts';
 import { sharedPage, test } from './support/test.ts';
 
-// A small view is drawn sooner; nothing here is about its size.
+// A small view is drawn faster, and its size does not matter here.
 test.use({ viewport: { width: 760, height: 420 } });
 
 const page = sharedPage((page) => openApp(page, 'model=tube'));
@@ -25,7 +25,7 @@ function packed(count: number): Uint8Array {
   return zipSync(files);
 }
 
-test('several characters of an archive stand in the scene, by one step of undo', async () => {
+test('the characters of an archive are added to the scene in one step of undo', async () => {
   await drop(page(), [{ name: 'all.zip', content: packed(3) }]);
   expect(await page().evaluate(() => window.sinew.problems)).toEqual([]);
   await expect(status()).toHaveText('made0');
@@ -38,7 +38,7 @@ test('several characters of an archive stand in the scene, by one step of undo',
   expect(await page().evaluate(() => window.sinew.characters.length)).toBe(1);
 });
 
-test('files dropped again after a change keep pose and camera', async () => {
+test('dropping changed files again keeps pose and camera', async () => {
   const files = madeCharacter(5, 2);
   await drop(page(), files);
   const pose = await page().evaluate(() =>
@@ -63,13 +63,13 @@ test('files dropped again after a change keep pose and camera', async () => {
   );
 });
 
-test('what takes a while shows how far it is, and can be stopped', async () => {
-  // The server is slow to hand out the dog; the page shows so, and lets go of it.
+test('a slow opening shows its progress and can be stopped', async () => {
+  // The server delays the dog; the page shows the progress and cancels.
   let handOut = (): void => undefined;
   const slowly = new Promise<void>((resolve) => (handOut = resolve));
   await page().route('**/dog.obj.gz', async (route) => {
     await slowly;
-    await route.continue().catch(() => undefined); // the page no longer waits for it
+    await route.continue().catch(() => undefined); // the page may have canceled the request
   });
   const before = await status().textContent();
   await page().getByRole('button', { name: 'Dog' }).click();
@@ -81,7 +81,7 @@ test('what takes a while shows how far it is, and can be stopped', async () => {
   await expect(status()).toHaveText(before!);
 });
 
-test('a newer drop ends the one under way', async () => {
+test('a newer drop cancels the one in progress', async () => {
   const large = madeCharacter(400, 4).map((file) =>
     file.name.endsWith('.obj')
       ? { ...file, content: `${file.content as string}${'# filler\n'.repeat(200_000)}` }
@@ -95,8 +95,9 @@ test('a newer drop ends the one under way', async () => {
   expect(await page().evaluate(() => window.sinew.characters[0]!.joints.length)).toBe(5);
 });
 
-// The entries of a drop were once asked with `instanceof` for classes that browsers do not name.
-test('a folder is dropped with all that is in it, junk aside', async () => {
+// Sinew once tested the entries of a drop with `instanceof`, for classes that browsers do not
+// expose.
+test('a dropped folder is read with all its content except junk files', async () => {
   const folder = test.info().outputPath('Mödels');
   mkdirSync(path.join(folder, 'inner'), { recursive: true });
   for (const { name, content } of madeCharacter(5, 2)) {
@@ -113,7 +114,7 @@ test('a folder is dropped with all that is in it, junk aside', async () => {
 });
 
 test('a reader that can’t be loaded ends in a message, and the page stays as it was', async () => {
-  // As after a deploy that took the script away.
+  // This is what happens after a deploy removed the script.
   const before = await status().textContent();
   await page().evaluate(() => {
     window.Worker = class extends EventTarget {
@@ -121,7 +122,7 @@ test('a reader that can’t be loaded ends in a message, and the page stays as i
         setTimeout(() => this.dispatchEvent(new Event('error')));
       }
       terminate(): void {
-        // Nothing runs.
+        // This worker never runs.
       }
     } as unknown as typeof Worker;
   });

@@ -1,7 +1,7 @@
 import { expect, test } from '@playwright/test';
 
-// Every picture and every number of this suite comes from one renderer, which is the same on every
-// machine; without it, or without WebGL2, the other tests would prove nothing.
+// Every picture and every number of this suite comes from one renderer, which gives the same result
+// on every machine. Without it, or without WebGL2, the other tests would prove nothing.
 test('the page draws with SwiftShader', async ({ page }) => {
   await page.goto('about:blank');
   const renderer = await page.evaluate(() => {

@@ -4,17 +4,17 @@ import { PNG } from 'pngjs';
 import { bytesOf, capture, choose, controlRow, openApp, openView } from './support/app.ts';
 import { sharedPage, test } from './support/test.ts';
 
-// A small view: its pixels are compared one by one.
+// The view is small because its pixels are compared one by one.
 test.use({ viewport: { width: 860, height: 480 } });
 
-// The view's pixels come to the test by another way than the file's: the browser's own picture of
-// the page, cut to the canvas. Every byte must be the same.
+// The test gets the view's pixels independently of the saved file: from the browser's own
+// screenshot of the page, cropped to the canvas. Every byte must be the same.
 test.describe('the view alone', () => {
   const page = sharedPage((page) => openView(page));
 
-  test('is saved with "j" to the pixel', () => expectSaved(page()));
+  test('is saved with "j" pixel for pixel', () => expectSaved(page()));
 
-  test('is captured by scripts to the pixel, as PNG and as JPEG', async () => {
+  test('is captured by scripts pixel for pixel, as PNG and as JPEG', async () => {
     const png = PNG.sync.read(await capture(page()));
     expect(png).toMatchObject({ width: 640, height: 480 });
     expectPixels(png, await shownPixels(page()));
@@ -25,9 +25,9 @@ test.describe('the view alone', () => {
 test.describe('the view between its panels', () => {
   const page = sharedPage((page) => openApp(page));
 
-  test('is saved with "j" to the pixel', () => expectSaved(page()));
+  test('is saved with "j" pixel for pixel', () => expectSaved(page()));
 
-  test('is saved by the button in the format chosen', async () => {
+  test('is saved by the button in the chosen format', async () => {
     await page().locator('.lil-title').getByText('Picture', { exact: true }).click();
     const save = controlRow(page(), 'Save (j)').locator('button');
     const png = await decode(await downloadBy(page(), () => save.click()));
@@ -40,7 +40,8 @@ test.describe('the view between its panels', () => {
 });
 
 async function expectSaved(page: Page): Promise<void> {
-  // Something that no first visit shows, so that a picture of another moment would differ.
+  // This differs from the view of a first visit, so that a picture from another moment would not
+  // match.
   for (const key of ['s', 's', 'ArrowLeft', 'ArrowUp']) await page.keyboard.press(key);
   const saved = await downloadBy(page, () => page.keyboard.press('j'));
   expect(saved.suggestedFilename()).toBe('human.png');
@@ -56,7 +57,7 @@ async function decode(download: Download): Promise<PNG> {
   return PNG.sync.read(readFileSync(await download.path()));
 }
 
-/** What the browser shows in the place of the canvas. */
+/** Returns the pixels that the browser shows in place of the canvas. */
 async function shownPixels(page: Page): Promise<PNG> {
   const canvas = page.locator('canvas');
   const box = (await canvas.boundingBox())!;
@@ -73,7 +74,7 @@ function expectPixels(saved: PNG, shown: PNG): void {
   expect(new Set(saved.data).size, 'values of bytes, since both may be empty').toBeGreaterThan(50);
 }
 
-/** The same picture, but for what JPEG loses. The browser decodes it. */
+/** Expects the same picture except for the losses of JPEG. The browser decodes it. */
 async function expectJpeg(page: Page, bytes: Buffer, png: PNG): Promise<void> {
   expect(bytes.subarray(0, 3).toString('hex')).toBe('ffd8ff');
   const decoded = await decodeJpeg(page, bytes);

@@ -19,7 +19,7 @@ const files: ShaderFiles = Object.fromEntries(
     .map((name) => [name.replaceAll('\\', '/'), readFileSync(path.join(folder, name), 'utf8')]),
 );
 
-// How src/view/programs.ts compiles them; 0 stands for the texture.
+// src/view/programs.ts compiles these numbers of pairs; 0 means the texture.
 const influencePairs = [1, 2, 3, 4, 0];
 const paletteRows = [1024, 4096, 0];
 
@@ -49,7 +49,7 @@ for (const method of await Promise.all(kernels.map(({ load }) => load()))) {
   });
 }
 
-test('shaders that do not compile or link are told', async () => {
+test('shaders that do not compile or link are reported', async () => {
   const [sound] = passes;
   const [problem, ...others] = await problemsOf(page(), [
     {
@@ -73,7 +73,7 @@ function stage(chunk: string, stride: number, pairs: number, rows: number): Sour
   };
 }
 
-/** What a real WebGL2 context says against the programs. */
+/** Compiles and links the programs in a real WebGL2 context and returns its complaints. */
 function problemsOf(page: Page, programs: readonly Sources[]): Promise<string[]> {
   return page.evaluate((programs) => {
     const gl = document.createElement('canvas').getContext('webgl2')!;
@@ -94,7 +94,7 @@ function problemsOf(page: Page, programs: readonly Sources[]): Promise<string[]>
       if (feedback) gl.transformFeedbackVaryings(program, [...feedback], gl.SEPARATE_ATTRIBS);
       gl.linkProgram(program);
       logs.push(gl.getProgramInfoLog(program));
-      // Warnings count: other compilers make errors of them.
+      // Warnings count, because other compilers treat them as errors.
       const log = logs.filter(Boolean).join('\n');
       const linked = gl.getProgramParameter(program, gl.LINK_STATUS) as boolean;
       if (!linked || log !== '') problems.push(`${name}: ${log}`);

@@ -2,7 +2,7 @@ import { expect } from '@playwright/test';
 import { getPose, openApp, openJoint, setPose } from './support/app.ts';
 import { sharedPage, test } from './support/test.ts';
 
-// What the rows of numbers do beside being dragged.
+// These tests cover what rows of numbers do besides being dragged.
 test.use({ viewport: { width: 860, height: 600 } });
 const page = sharedPage(openApp);
 
@@ -13,7 +13,7 @@ async function chest() {
   return { joint: joints['Chest'], others: Object.keys(joints).length - 1, root };
 }
 
-test('typed values go past the slider, and degrees are understood', async () => {
+test('typed values may exceed the slider’s range, and degrees are understood', async () => {
   const { field, slider } = await openJoint(page(), 'Chest', 'Y');
   const expected: [string, number][] = [
     ['4', 4],
@@ -28,7 +28,7 @@ test('typed values go past the slider, and degrees are understood', async () => 
     expect((await chest()).joint, typed).toEqual([0.5, expect.closeTo(value, 12), -0.25]);
     await expect(slider).toHaveAttribute('aria-valuenow', value.toFixed(3));
   }
-  // What is no number changes nothing.
+  // Text that is not a number changes nothing.
   await field.fill('left');
   await field.press('Enter');
   expect((await chest()).joint![1]).toBe(0.1);
@@ -42,7 +42,7 @@ test('the arrow keys step by a degree, with Shift by ten', async () => {
   expect((await chest()).joint![2]).toBeCloseTo(-0.25 + Math.PI / 18, 6);
 });
 
-test('a slider with the focus goes by the keys of a slider', async () => {
+test('a focused slider follows the usual keys of a slider', async () => {
   const { slider } = await openJoint(page(), 'Chest', 'Z');
   await slider.focus();
   const step = Math.PI / 180;
@@ -67,7 +67,7 @@ test('a double click resets one value, on the slider or on its name', async () =
   expect((await chest()).joint).toEqual([0.5, 0.25, -0.25]);
   await slider.dblclick({ position: { x: 3, y: 5 } });
   expect((await chest()).joint).toEqual([0, 0.25, -0.25]);
-  // The first press of the two drags the slider: both are one step.
+  // The first press of the double click drags the slider; both presses are one step of undo.
   await page().keyboard.press('Control+z');
   expect((await chest()).joint).toEqual([0.5, 0.25, -0.25]);
 });
@@ -93,7 +93,7 @@ test('the root moves by lengths', async () => {
   expect(await chest()).toMatchObject({ root: [0, 0.125, 0], others: 0 });
 });
 
-test('"Reset joint" resets its joint alone, in one step', async () => {
+test('"Reset joint" resets only its joint, in one step', async () => {
   await setPose(page(), { joints: { Chest: [0.5, 0.25, -0.25], Head: [0.1, 0, 0] } });
   const { row } = await openJoint(page(), 'Chest', 'X');
   const folder = row.locator('xpath=..');
@@ -103,7 +103,7 @@ test('"Reset joint" resets its joint alone, in one step', async () => {
   expect((await chest()).joint).toEqual([0.5, 0.25, -0.25]);
 });
 
-test('rows show what scripts set', async () => {
+test('rows show values that scripts set', async () => {
   const { field, slider } = await openJoint(page(), 'Chest', 'X');
   await expect(field).toHaveValue('0.500');
   await expect(slider).toHaveAttribute('aria-valuetext', '28.6°');

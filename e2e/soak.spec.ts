@@ -12,19 +12,26 @@ import {
 import { answerFileDialogs, type Dice, steps } from './support/soak/steps.ts';
 import { test } from './support/test.ts';
 
-// Random use of the page. `npm run test:long -- soak --seed 3 --minutes 2` sets seeds and length.
+// This uses the page at random. `npm run test:long -- soak --seed 3 --minutes 2` sets the seeds and
+// the length.
 test.use({ viewport: { width: 760, height: 420 } });
 
 const seeds = (process.env['SOAK_SEEDS'] ?? '1').split(',').map(Number);
 const seconds = 60 * Number(process.env['SOAK_MINUTES'] ?? 40 / 60);
 const stepsBetweenChecks = 40;
-/** What is saved is kept for so long, for browsers that take it late; a second is for the way here. */
+/**
+ * The addresses of saved files are kept for ten seconds, for browsers that fetch them late; one
+ * more second allows for the event's way to this process.
+ */
 const keptMilliseconds = 11_000;
-/** A step that takes longer hangs: the slowest takes some hundred milliseconds on a quiet machine. */
+/**
+ * A step that takes longer counts as a hang; the slowest takes some hundred milliseconds on an idle
+ * machine.
+ */
 const longestStep = 30_000;
 
 for (const seed of seeds) {
-  test(`random use ends in no fault: seed ${seed}`, async ({ page }) => {
+  test(`random use causes no fault: seed ${seed}`, async ({ page }) => {
     test.setTimeout(seconds * 1000 + 120_000);
     const log: string[] = [];
     const random = randomSource(seed);
@@ -74,7 +81,10 @@ async function walk(page: Page, dice: Dice, log: string[]): Promise<void> {
   }
 }
 
-/** Every folder of the controls but the joints', and the panel of the bone: what is open follows the scene. */
+/**
+ * Opens every folder of the controls except the joints', and the bone panel, so that they have to
+ * follow the scene.
+ */
 function openPanels(page: Page): Promise<void> {
   return page.evaluate(() => {
     for (const title of document.querySelectorAll<HTMLElement>('.lil-closed > .lil-title')) {
@@ -84,7 +94,7 @@ function openPanels(page: Page): Promise<void> {
   });
 }
 
-/** By the weights of the steps. */
+/** Chooses a step at random, by weight. */
 function chosen(dice: Dice): (typeof steps)[number] {
   let left = dice(steps.reduce((sum, { weight }) => sum + weight, 0));
   return steps.find(({ weight }) => (left -= weight) < 0)!;

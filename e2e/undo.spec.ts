@@ -15,7 +15,7 @@ import { cameraOf } from './support/controls.ts';
 import { madeCharacter } from './support/made-character.ts';
 import { sharedPage, test } from './support/test.ts';
 
-// Every edit is one step, with its name on the button.
+// Every edit is one step of undo, and the button shows its name.
 test.use({ viewport: { width: 860, height: 600 } });
 const page = sharedPage(openApp);
 
@@ -23,7 +23,7 @@ const undo = () => page().getByRole('button', { name: 'Undo' });
 const redo = () => page().getByRole('button', { name: 'Redo' });
 const name = () => page().evaluate(() => window.sinew.characters[0]!.name);
 
-test('opening another character, bundled or dropped', async () => {
+test('undo and redo restore characters that were opened, bundled or dropped', async () => {
   await expect(undo()).toBeDisabled();
   await expect(redo()).toBeDisabled();
   const pose = await setPose(page(), { joints: { Head: [0.25, 0.5, 0] } });
@@ -47,7 +47,7 @@ test('opening another character, bundled or dropped', async () => {
   await undo().click();
 });
 
-test('an opening with a joint selected: the selection goes, and the picker says what is open', async () => {
+test('undoing an opening with a joint selected clears the selection, and the picker marks the open character', async () => {
   const picker = (label: string) => page().getByRole('button', { name: label, exact: true });
   const treeItem = page().locator('[role=treeitem][aria-selected=true]');
   await picker('Twisting tube').click();
@@ -65,14 +65,14 @@ test('an opening with a joint selected: the selection goes, and the picker says 
   expect(await name()).toBe('human');
 });
 
-test('one’s own character chosen again stays as it is posed, and its sliders still move it', async () => {
+test('choosing your own character again keeps its pose, and its sliders still move it', async () => {
   await drop(page(), madeCharacter(5, 2));
   const own = page().getByRole('button', { name: 'made', exact: true });
   const { joints } = await page().evaluate(() => window.sinew.characters[0]!);
   const posed = await setPose(page(), { joints: { [joints[1]!]: [0.5, 0, 0] } });
   await own.click();
   expect(await getPose(page())).toEqual(posed);
-  // Away and back: the rows of the same character, opened under another id, write to it.
+  // Going away and back opens the same character under another id, and its rows act on it.
   await page().getByRole('button', { name: 'Twisting tube' }).click();
   await expect.poll(name).toBe('tube');
   await own.click();
@@ -85,7 +85,7 @@ test('one’s own character chosen again stays as it is posed, and its sliders s
   expect(await name()).toBe('human');
 });
 
-test('undo of an opening frames the character that comes back', async () => {
+test('undoing an opening frames the character that comes back', async () => {
   await page().getByRole('button', { name: 'Hand', exact: true }).click();
   await expect.poll(name).toBe('hand');
   const opened = await cameraOf(page());
@@ -98,7 +98,7 @@ test('undo of an opening frames the character that comes back', async () => {
   expect(await cameraOf(page())).toEqual(undone);
 });
 
-test('own characters of before come back by one click', async () => {
+test('a click brings back your own characters of earlier drops', async () => {
   const [first, second] = ['first', 'second'].map((stem) =>
     madeCharacter(5, 2).map((file) => ({ ...file, name: file.name.replace('made', stem) })),
   );
@@ -108,7 +108,7 @@ test('own characters of before come back by one click', async () => {
   await expect.poll(name).toBe('second');
   await own('first').click();
   await expect.poll(name).toBe('first');
-  // Their own files once more renew the one that is there.
+  // Dropping their files again replaces the existing character.
   await drop(page(), first!);
   await expect(own('first')).toHaveCount(1);
   await expect(own('second')).toHaveCount(1);
@@ -116,7 +116,7 @@ test('own characters of before come back by one click', async () => {
   await expect.poll(name).toBe('human');
 });
 
-test('poses set, reset in part and as a whole', async () => {
+test('undo and redo restore poses that were set, reset in part or as a whole', async () => {
   const first = await setPose(page(), { joints: { Head: [0.1, 0, 0], Chest: [0, 0.2, 0] } });
   await controlRow(page(), 'Reset all').locator('button').click();
   expect(await getPose(page())).toEqual({ joints: {} });
@@ -127,7 +127,7 @@ test('poses set, reset in part and as a whole', async () => {
   await expect(redo(), 'an edit forgets what was undone').toBeDisabled();
 });
 
-test('the method and the use of weights', async () => {
+test('undo and redo restore the method and the use of weights', async () => {
   const shape = await vertices(page(), 'gpu');
   await choose(page(), 'Method', kernelById('rigid').label);
   await expect(page().locator('.status')).toContainText(kernelById('rigid').label);
@@ -140,7 +140,7 @@ test('the method and the use of weights', async () => {
   expect(await vertices(page(), 'gpu')).toEqual(shape);
 });
 
-test('what is looked at is not undone: camera, shading, what is drawn', async () => {
+test('camera, shading and what is drawn are not undone', async () => {
   const title = await undo().getAttribute('title');
   await page().locator('canvas').focus();
   for (const key of ['ArrowLeft', 'a', 'a']) await page().keyboard.press(key);

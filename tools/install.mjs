@@ -1,7 +1,7 @@
 /**
- * Installs the packages of package-lock.json where they are missing or of another version, and does
- * nothing, quickly, where all is in place. Run by every command, so that a fresh clone needs none
- * of its own. Says what it does on standard error: the other output is the command's.
+ * Installs the packages of package-lock.json that are missing or have another version, and returns
+ * quickly if all are in place. Every command runs it, so that a fresh clone needs no separate
+ * install. It reports on standard error, because standard output belongs to the command.
  */
 import { spawnSync } from 'node:child_process';
 import { existsSync } from 'node:fs';
@@ -12,7 +12,7 @@ import { isMain, npmCommand, readJson, root } from './commands.mjs';
 
 const oldestNode = [20, 19];
 
-/** Installs what is missing. Throws with a message for the reader when it cannot. */
+/** Installs what is missing. If that fails, it throws an error with a message for the user. */
 export function install() {
   checkNode();
   const reason = whyInstall();
@@ -41,9 +41,9 @@ function checkNode() {
 }
 
 /**
- * The first reason to install, or undefined. npm records what it installed in a file of the same
- * form as the lock file, and writes it last; what the two say is compared, since the times of files
- * change with every checkout.
+ * Returns the first reason to install, or undefined. npm records what it installed in a file of the
+ * same form as the lock file, and writes it last. The contents of the two are compared, because the
+ * times of files change with every checkout.
  * @returns {string | undefined}
  */
 function whyInstall() {
@@ -58,7 +58,7 @@ function whyInstall() {
     const found = installed[place];
     const name = place.replace(/^.*node_modules\//, '');
     if (found === undefined) {
-      // Packages for other systems are left out; npm decides which.
+      // npm leaves out optional packages for other systems.
       if (wanted.optional !== true) return `${name} is not installed`;
     } else if (found.version !== wanted.version || found.integrity !== wanted.integrity) {
       return `${name} is installed in another version`;

@@ -1,7 +1,7 @@
 /**
- * The checks of `npm run test:long`, which take longer than `npm test` may. Each is a test that `npm test`
- * runs in its shortest form, in the browser or as a unit test; its options reach it as variables of its
- * environment, which the file `reads` reads.
+ * The checks of `npm run test:long`, which take longer than `npm test` may. Each is a browser test
+ * or a unit test, which `npm test` runs in its shortest form. Its options reach it as environment
+ * variables, which the file `reads` reads.
  *
  * @typedef {{ variable: string, usual: string, form: RegExp, what: string }} LongOption
  * @typedef {{ name: string, what: string, kind: 'browser' | 'unit', tests: string, reads: string, options: Record<string, LongOption> }} LongCheck
@@ -48,8 +48,8 @@ export const longChecks = [
 ];
 
 /**
- * The checks that words of the command line name, with the environment of each; all of them where none is
- * named. What is not understood is thrown as an error with a message for the user.
+ * Returns the checks that are named on the command line, with the environment of each; all checks
+ * if none is named. Throws an error with a message for the user if it does not understand a word.
  *
  * @param {readonly string[]} words such as `soak --seed 3 --minutes=2`
  * @returns {{ check: LongCheck, environment: Record<string, string> }[]}
@@ -84,7 +84,7 @@ export function chosenChecks(words) {
   }));
 }
 
-/** What may be written behind `npm run test:long --`. */
+/** Describes what may follow `npm run test:long --`. */
 export function usage() {
   const lines = longChecks.flatMap(({ name, what, options }) => [
     `  ${name}: ${what}`,

@@ -1,5 +1,5 @@
 /**
- * npm start: installs what is missing, then serves the app from its sources and shows it. Words
+ * `npm start` installs what is missing, then serves the app from its sources and opens it. Words
  * after `--` go to Vite: `npm start -- --port 8080`, `npm start -- --open` or `--no-open`.
  */
 import { pathToFileURL } from 'node:url';
@@ -17,13 +17,13 @@ try {
 
 if (!words.some((word) => /^--(no-)?open\b/.test(word)) && hasScreen()) words.push('--open');
 
-// Vite runs in this very process, so that a signal to it needs no forwarding.
+// Vite runs in this process, so that signals need no forwarding.
 const [program = '', script = '', ...rest] = packageCommand('vite', words);
 process.chdir(root);
 process.argv = [program, script, ...rest.filter((word) => word !== '--no-open')];
 await import(pathToFileURL(script).href);
 
-/** Whether someone sits before this machine, who would want a browser to open. */
+/** Whether the machine has a screen on which a browser could open. */
 function hasScreen() {
   const { env } = process;
   if (env['CI'] || env['SSH_CONNECTION'] || !process.stdout.isTTY) return false;

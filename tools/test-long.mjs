@@ -1,6 +1,6 @@
 /**
- * npm run test:long: the checks of tools/long-checks.mjs, on the app as it is built now. Names and options
- * choose among them: `npm run test:long -- soak --seed 3 --minutes 2`.
+ * `npm run test:long` runs the checks of tools/long-checks.mjs on the app as it is built now. Names
+ * and options choose among them: `npm run test:long -- soak --seed 3 --minutes 2`.
  */
 import { spawnSync } from 'node:child_process';
 import { packageCommand, root } from './commands.mjs';
@@ -23,13 +23,14 @@ try {
 /** @param {import('./long-checks.mjs').LongCheck} check */
 function commandOf({ kind, tests }) {
   if (kind === 'unit') return packageCommand('vitest', ['run', tests, '--testTimeout=0']);
-  // One at a time: what hangs or leaks is told from what only waits for its turn.
+  // Checks run one at a time, so that a hang or a leak can be told from a check that waits for its
+  // turn.
   const options = ['--workers=1', '--global-timeout=0', '--reporter=list'];
   return packageCommand('@playwright/test', ['test', tests, ...options], 'playwright');
 }
 
 /**
- * Runs a command, its output shown as it comes; one that fails is an error.
+ * Runs a command and shows its output; throws if it fails.
  * @param {string[]} command
  * @param {Record<string, string>} [environment]
  */

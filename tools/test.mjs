@@ -1,10 +1,10 @@
 /**
- * npm test: every check of the project, on any machine with Node. The static checks run two at a
- * time, then the unit tests, then the tests in the browser against the built app; a check that
- * fails does not keep the others from running. The last line is `N passed, N failed`: tests of both
- * kinds, a failed check counting as one. A browser is found, or got, by tools/browser.mjs.
+ * `npm test` runs every check of the project, on any machine with Node. The static checks run two
+ * at a time, then the unit tests, then the browser tests against the built app. A check that fails
+ * does not stop the others. The last line is `N passed, N failed`: the number of tests of both
+ * kinds, where a failed check counts as one. tools/browser.mjs finds a browser, or gets one.
  *
- * `npm test -- --only=types,unit` runs these groups alone.
+ * `npm test -- --only=types,unit` runs only these groups.
  */
 import { spawn } from 'node:child_process';
 import { existsSync, mkdirSync, rmSync } from 'node:fs';
@@ -21,10 +21,10 @@ import { install } from './install.mjs';
 
 const noTests = { passed: 0, failed: 0, skipped: 0 };
 const oneFailure = { passed: 0, failed: 1, skipped: 0 };
-/** A guard against hanging. */
+/** This limit guards against hanging. */
 const longestMinutes = 15;
 
-/** @type {Check[]} The longest first, so that the two lanes end together. */
+/** @type {Check[]} The longest checks come first, so that the two lanes end together. */
 const checks = [
   { group: 'lint', name: 'lint', command: () => packageCommand('eslint', ['.']) },
   {
@@ -41,7 +41,8 @@ const checks = [
     group: 'unused',
     name: 'unused',
     command: () => packageCommand('knip', ['--no-progress']),
-    // It loads playwright.config.ts, which would look for a browser while the check below gets one.
+    // knip loads playwright.config.ts, which would search for a browser while the check below gets
+    // one.
     environment: { TEST_BROWSER: 'playwright' },
   },
   {
@@ -90,7 +91,7 @@ try {
 report();
 
 /**
- * The groups to run, all of them where none are named.
+ * Returns the groups to run; all groups if none is named.
  * @param {string[]} words
  */
 function chosenGroups(words) {
@@ -100,7 +101,7 @@ function chosenGroups(words) {
   if (unknown !== undefined) {
     throw new Error(`"${unknown}" is not a check; use --only= with ${groups.join(',')}`);
   }
-  // The tests in the browser never run on what an older source was built to.
+  // The browser tests must never run on a build of older sources.
   return only.includes('e2e') ? [...only, 'build'] : only;
 }
 
@@ -148,7 +149,7 @@ async function runUnitTests() {
     const written = readJson(file);
     counts.passed = written.numPassedTests;
     counts.skipped = written.numPendingTests + written.numTodoTests;
-    // A file that fails to load has no tests; it counts as one.
+    // A file that fails to load reports no tests; it counts as one failure.
     counts.failed =
       written.numFailedTests +
       written.testResults.filter(
@@ -192,7 +193,7 @@ async function runBrowserTests() {
  * @param {Counts} counts
  */
 function finishTests(name, status, seconds, counts) {
-  // Whatever else went wrong (an error outside of any test, no report) is one failure.
+  // Any other error (outside of all tests, or no report) counts as one failure.
   if (status !== 0 && counts.failed === 0) counts.failed = 1;
   const { passed, failed, skipped } = counts;
   const note = `${passed} passed, ${failed} failed, ${skipped} skipped`;
@@ -219,7 +220,7 @@ function reportFile(name) {
 }
 
 /**
- * Runs a command, its output shown as it comes or, quietly, given back.
+ * Runs a command. Its output is shown, or returned if `quiet`.
  * @param {string[]} command
  * @param {{ quiet?: boolean, environment?: Record<string, string> }} [options]
  * @returns {Promise<Outcome>}
@@ -262,7 +263,7 @@ function report() {
   const seconds = ((performance.now() - started) / 1000).toFixed(1);
   console.log(`  ${total.skipped} tests skipped, ${seconds} s in all\n`);
   console.log(`${total.passed} passed, ${total.failed} failed`);
-  // A run of tests in which none ran proves nothing.
+  // A run in which no test ran proves nothing.
   const ranTests = results.some(({ name }) => name === 'unit' || name === 'e2e');
   process.exitCode = total.failed > 0 || (ranTests && total.passed === 0) ? 1 : 0;
 }

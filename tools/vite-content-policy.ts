@@ -1,9 +1,9 @@
 import type { Plugin } from 'vite';
 
-/** What the built page may load and run; everything that is not named here is refused. */
+/** What the built page may load and run; everything else is refused. */
 const directives: Readonly<Record<string, string>> = {
   'default-src': "'none'",
-  // WebAssembly may be compiled; text is never run as a script.
+  // WebAssembly may be compiled, but text is never run as a script.
   'script-src': "'self' 'wasm-unsafe-eval'",
   'style-src': "'self'",
   'img-src': "'self' blob: data:",
@@ -16,13 +16,13 @@ const directives: Readonly<Record<string, string>> = {
   'base-uri': "'none'",
   'form-action': "'none'",
   'require-trusted-types-for': "'script'",
-  // It gives the address of the workers: src/app/run-task.ts.
+  // This policy provides the address of the workers; see src/app/run-task.ts.
   'trusted-types': 'skin-worker',
 };
 
 /**
- * Writes the content security policy into the built page, where it holds on every host. The server of
- * `npm start` sends the page without it, because hot reloading needs styles within the page.
+ * Writes the content security policy into the built page, so that it holds on every host. The
+ * server of `npm start` sends the page without it, because hot reloading needs inline styles.
  */
 export function contentPolicy(): Plugin {
   const policy = Object.entries(directives).map((directive) => directive.join(' '));
@@ -32,7 +32,7 @@ export function contentPolicy(): Plugin {
     name: 'content-policy',
     apply: 'build',
     transformIndexHtml(html) {
-      // It holds for what comes after it, so it stands before everything that loads something.
+      // The policy applies to what follows it, so it comes before everything that loads something.
       const written = html.replace(charset, `${charset}\n    ${meta}`);
       if (written === html) throw new Error(`expected ${charset} in index.html`);
       return written;

@@ -1,9 +1,10 @@
 import type { Plugin } from 'vite';
 
 /**
- * gl-matrix makes a few of its functions by calling one at load (`forEach = function () {…}()`), which
- * a bundler must take for an effect and keep, with all that it calls. They have none: marked as pure,
- * those that nobody uses are left out.
+ * gl-matrix makes a few of its functions by calling a function at load (`forEach = function ()
+ * {…}()`). A bundler must treat the call as a side effect and keep it, with everything that it
+ * calls. These calls have no side effects, so they are marked as pure, and unused functions can be
+ * removed.
  */
 export function pureGlMatrix(): Plugin {
   return {

@@ -2,8 +2,8 @@ import { readFile } from 'node:fs/promises';
 import type { Plugin } from 'vite';
 
 /**
- * Leaves comments and blank lines out of the shaders that are built into the app. The dev server
- * gives the files as they are, so that the line numbers of the compiler's messages are the file's.
+ * Removes comments and blank lines from the shaders that are built into the app. The dev server
+ * serves the files unchanged, so that line numbers in compiler messages match the file.
  */
 export function shortShaders(): Plugin {
   return {
@@ -19,7 +19,7 @@ export function shortShaders(): Plugin {
   };
 }
 
-/** The same program without comments, blank lines and spaces at the ends of lines. */
+/** Returns the same program without comments, blank lines and trailing spaces. */
 export function stripGlsl(source: string): string {
   return source
     .replace(/\/\*[\s\S]*?\*\/|\/\/.*/g, (comment) => (comment.startsWith('//') ? '' : ' '))

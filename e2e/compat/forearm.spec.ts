@@ -5,7 +5,8 @@ import { test } from '../support/test.ts';
 
 needModel1();
 
-// Elbows have no child in the course's skeleton: where there is no bone to a next joint, the skin tells.
+// Elbows have no child in the course's skeleton. Without a bone to a next joint, picking uses the
+// skin.
 test('Model1’s forearm is picked by its skin and dragged', async ({ page }) => {
   await page.setViewportSize({ width: 900, height: 500 });
   await openApp(page, 'model=tube&workspace=6.837');

@@ -7,7 +7,8 @@ import { sharedPage, test } from '../support/test.ts';
 
 needKaito();
 
-// KAITO of the Virtual Mannequin on the page, against vertices that were computed apart from Sinew.
+// This compares KAITO of the Virtual Mannequin on the page with vertices that were computed
+// independently of Sinew.
 test.describe('KAITO, dropped on the page', () => {
   const page = sharedPage(async (page) => {
     await openView(page, 'model=tube');

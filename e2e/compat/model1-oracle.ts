@@ -11,7 +11,10 @@ const axes = [
 ];
 const hinges = axes.map((axis) => ({ kind: 'hinge', axis }) as const);
 
-/** Model1 by the oracle, in float64: (vertices × 3) of a pose whose joints are named `#0`, `#1`, …. */
+/**
+ * Poses Model1 with the float64 reference and returns (vertices × 3). The pose names the joints
+ * `#0`, `#1`, ….
+ */
 export function posedModel1({ joints: angles = {} }: PoseJson): Float64Array {
   const [skel, obj, attach] = model1Files().map(({ content }) => rows(String(content)));
   const joints = skel!.map(([x, y, z, parent]): Joint => {
@@ -27,7 +30,7 @@ export function posedModel1({ joints: angles = {} }: PoseJson): Float64Array {
   };
   const points = obj!.filter(([keyword]) => keyword === 'v').map((row) => row.slice(1).map(Number));
   const vertices = points.map((position, index) => {
-    // The root has no column.
+    // The root has no column in the file.
     const row = attach![index]!.map((weight, i): Influence => [i + 1, Number(weight)]);
     const influences = row.filter(([, weight]) => weight !== 0);
     return { position, normal: [0, 1, 0], influences };

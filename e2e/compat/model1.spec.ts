@@ -6,7 +6,8 @@ import { sharedPage, test } from '../support/test.ts';
 
 needModel1();
 
-// Model1 of 6.837 on the page, against vertices that were computed apart from Sinew.
+// This compares Model1 of 6.837 on the page with vertices that were computed independently of
+// Sinew.
 const gpuBound = 2e-6;
 const cpuBound = 1e-6;
 
@@ -14,7 +15,7 @@ test.describe('Model1, dropped on the page', () => {
   const page = sharedPage(async (page) => {
     await openView(page, 'model=tube');
     const [skel, obj, attach] = model1Files();
-    // Neither the order of the files nor the case of their endings tells what they are.
+    // The files are recognized in any order and with endings in any case.
     await drop(page, [
       { ...attach!, name: 'MODEL1.ATTACH' },
       skel!,

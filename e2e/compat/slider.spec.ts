@@ -8,7 +8,7 @@ import { posedModel1 } from './model1-oracle.ts';
 
 needModel1();
 
-// A joint that carries much, by its name on the page and its number in the file.
+// A joint that carries many others: its name on the page and its number in the file.
 const [joint, number] = ['Chest', '#1'];
 const bound = 2e-6;
 
@@ -19,7 +19,7 @@ test.describe('a slider, on Model1', () => {
     await drop(page, model1Files());
   });
 
-  test('dragged by the pointer, brings the vertices to the reference', async () => {
+  test('brings the vertices to the reference when the pointer drags it', async () => {
     const { pose, vertices: expected } = model1Poses()[0]!;
     const [angle, y, z] = pose.joints![number]!;
     const withAngle = (x: number): PoseJson => ({
@@ -33,7 +33,7 @@ test.describe('a slider, on Model1', () => {
     await drag(slider, [0, 0.2, 1, angle]);
     const dragged = await getPose(page());
     const reached = dragged.joints![joint]![0];
-    // As near as a pixel comes.
+    // A slider can reach the angle only to within a pixel.
     expect(Math.abs(reached - angle)).toBeLessThan(0.1);
     await expect(slider).toHaveAttribute('aria-valuetext', `${degrees(reached)}°`);
     const oracle = posedModel1(withAngle(reached));
@@ -42,14 +42,14 @@ test.describe('a slider, on Model1', () => {
     );
     const draggedVertices = await vertices(page(), 'gpu');
     expect(largestDifference(draggedVertices, oracle)).toBeLessThan(bound * diagonal);
-    // What the test can tell apart: a slider that does nothing is far from there.
+    // This shows that the test can fail: a slider that does nothing would be far from the result.
     expect(largestDifference(draggedVertices, undragged)).toBeGreaterThan(0.05);
 
     await field.fill(String(angle));
     await field.press('Enter');
     expect(largestDifference(await vertices(page(), 'gpu'), expected)).toBeLessThan(bound);
 
-    // The typed value, then the drag, one step each.
+    // The typed value and the drag are one step each.
     await page().keyboard.press('Control+z');
     expect(await getPose(page())).toEqual(dragged);
     await page().keyboard.press('Control+z');
@@ -60,7 +60,9 @@ test.describe('a slider, on Model1', () => {
   });
 });
 
-/** Presses on the slider at the first value, moves over the others, and lets go at the last. */
+/**
+ * Presses on the slider at the first value, moves over the others, and releases at the last one.
+ */
 async function drag(slider: Locator, values: readonly number[]): Promise<void> {
   const { x, y, width, height } = (await slider.boundingBox())!;
   const { mouse } = slider.page();

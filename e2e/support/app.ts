@@ -7,16 +7,20 @@ import type { PictureFormat } from '../../src/view/picture.ts';
 import type { Verification } from '../../src/document/verification.ts';
 import './test.ts';
 
-/** The view alone, 640 × 480, once its first picture is drawn; controls are there, out of sight. */
+/**
+ * Opens the page with a view of 640 × 480 and waits for its first picture. The controls exist but
+ * are out of sight.
+ */
 export async function openView(page: Page, query = ''): Promise<void> {
   await page.setViewportSize({ width: 860, height: 480 });
   await open(page, `./?test&${query}`);
 }
 
-/** The view, small: for tests of numbers, to which drawing is a cost. */
+/** Opens a small view, for tests that check numbers and need no picture. */
 export async function openSmallView(page: Page, query = ''): Promise<void> {
   await openView(page, query);
-  // By the style's object, since the page's content policy allows no style sheet within it.
+  // This sets properties of the style object, because the page's content policy forbids inline
+  // style sheets.
   await page.evaluate(() => {
     Object.assign(document.querySelector<HTMLElement>('#app > .view')!.style, {
       width: '160px',
@@ -26,7 +30,7 @@ export async function openSmallView(page: Page, query = ''): Promise<void> {
   await expectFittingCanvas(page);
 }
 
-/** The page as people see it, once its panels are there. */
+/** Opens the page as users see it and waits for its panels. */
 export async function openApp(page: Page, query = ''): Promise<void> {
   await open(page, query === '' ? './' : `./?${query}`);
   await expect(page.locator('.status')).toBeVisible();
@@ -35,8 +39,8 @@ export async function openApp(page: Page, query = ''): Promise<void> {
 }
 
 /**
- * Brings a page back to what its address opened, in a workspace as on a first visit: all edits are undone.
- * That takes a tenth of the time of loading it anew.
+ * Returns a page to what its address opened, in the state of a first visit to a workspace, by
+ * undoing all edits. This takes a tenth of the time of loading the page again.
  */
 export async function startOver(page: Page, workspace = 'studio'): Promise<void> {
   await page.locator('.toolbar').waitFor({ state: 'attached' });
@@ -45,9 +49,9 @@ export async function startOver(page: Page, workspace = 'studio'): Promise<void>
     const later = (): Promise<unknown> => new Promise((resolve) => setTimeout(resolve));
     const [undo] = toolbar.querySelectorAll('button');
     for (; !undo!.disabled; await later()) undo!.click();
-    // Which clip plays is no step of undo.
+    // Binding a clip is not a step of undo.
     document.querySelector<HTMLElement>('[aria-label^="Own pose"]')?.click();
-    // Only a change of workspace sets what is drawn, and how.
+    // What is drawn, and how, is reset only by a change of workspace.
     const menu = toolbar.querySelector('select')!;
     const others = [...menu.options].map(({ value }) => value).filter((id) => id !== wanted);
     for (const id of [others[0]!, wanted]) {
@@ -59,7 +63,7 @@ export async function startOver(page: Page, workspace = 'studio'): Promise<void>
   await choose(page, 'Compare with', 'Nothing');
 }
 
-/** The canvas follows the space that panels leave to it a frame later. */
+/** Waits for the canvas, which fits the space between the panels one frame late. */
 export async function expectFittingCanvas(page: Page): Promise<void> {
   await page.waitForFunction(() => {
     const { width, height, clientWidth, clientHeight } = document.querySelector('canvas')!;
@@ -77,7 +81,7 @@ export interface NamedFile {
   readonly content: string | Uint8Array;
 }
 
-/** Drops files on the view as a person would, and waits until they have been read. */
+/** Drops files on the view as a user would, and waits until they have been read. */
 export async function drop(page: Page, files: readonly NamedFile[]): Promise<void> {
   const encoded = files.map(({ name, content }) => ({
     name,
@@ -96,9 +100,9 @@ export async function drop(page: Page, files: readonly NamedFile[]): Promise<voi
         new DragEvent(type, { dataTransfer: transfer, bubbles: true, cancelable: true }),
       );
     happen('dragenter');
-    // The browser opens what the page leaves to it, and the page is gone.
+    // If the page does not handle the drop, the browser navigates to the file.
     if (happen('dragover') || happen('drop')) throw new Error('the drop is left to the browser');
-    // Every opening gives a new list.
+    // Every opening creates a new list.
     while (window.sinew.problems === before) await new Promise((resolve) => setTimeout(resolve, 5));
   }, encoded);
 }
@@ -111,7 +115,7 @@ export function getPose(page: Page): Promise<PoseJson> {
   return page.evaluate(() => window.sinew.pose());
 }
 
-/** Posed positions, file order and units. */
+/** The posed positions, in the file's order and units. */
 export async function vertices(page: Page, device: SkinDevice): Promise<Float32Array> {
   const blob = await page.evaluateHandle(
     (device) => new Blob([window.sinew.vertices(device) as Float32Array<ArrayBuffer>]),
@@ -127,12 +131,12 @@ export async function verify(page: Page): Promise<Verification> {
   return verification;
 }
 
-/** The file that a capture of the view gives. */
+/** Captures the view and returns the file. */
 export async function capture(page: Page, format: PictureFormat = 'png'): Promise<Buffer> {
   return bytesOf(await page.evaluateHandle((format) => window.sinew.capture({ format }), format));
 }
 
-/** A blob of the page's, by way of base64, which is many times faster than an array of numbers. */
+/** Reads a blob of the page through base64, which is many times faster than an array of numbers. */
 export async function bytesOf(blob: JSHandle<Blob>): Promise<Buffer> {
   const url = await blob.evaluate(
     (blob) =>
@@ -145,26 +149,28 @@ export async function bytesOf(blob: JSHandle<Blob>): Promise<Buffer> {
   return Buffer.from(url.slice(url.indexOf(',') + 1), 'base64');
 }
 
-/** The row of the controls, or of a folder of theirs, with this name. */
+/** The row with this name, in the controls or in one of their folders. */
 export function controlRow(within: Page | Locator, name: string): Locator {
   return within.locator(`.lil-controller:has(.lil-name:text-is("${name}"))`);
 }
 
-/** Chooses in a row of the controls, be they in sight or not; what it brings about is there then. */
+/**
+ * Chooses an option in a row of the controls, even if it is out of sight, and waits for the result.
+ */
 export async function choose(page: Page, row: string, option: string): Promise<void> {
   const select = controlRow(page, row).locator('select');
   await select.selectOption({ label: option }, { force: true });
   await page.evaluate(() => window.sinew.settled());
 }
 
-/** Deforms the selected character by a kernel: its method with its way of normals. */
+/** Sets the selected character's method and normals to those of a kernel. */
 export async function chooseKernel(page: Page, id: KernelId): Promise<void> {
   const { method, normals } = deformationOf(id);
   await choose(page, 'Method', methods.find((each) => each.id === method)!.label);
   await choose(page, 'Normals', normalWays.find((each) => each.id === normals)!.label);
 }
 
-/** Opens the folder of a joint and gives the row of one of its numbers, in view. */
+/** Opens the folder of a joint and returns the row of one of its numbers, scrolled into view. */
 export async function openJoint(page: Page, joint: string, name: string) {
   const field = page.locator(`input[aria-label="${joint} ${name}"]`);
   if (!(await field.isVisible())) {

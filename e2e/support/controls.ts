@@ -1,12 +1,12 @@
 import type { Locator, Page } from '@playwright/test';
 import { controlRow } from './app.ts';
 
-/** A folder of the controls; lights and camera have rows of the same names. */
+/** A folder of the controls; lights and camera have rows with the same names. */
 function folder(page: Page, title: string): Locator {
   return page.locator(`.controls .lil-gui:has(> .lil-title:text-is("${title}"))`);
 }
 
-/** The camera, as the View folder shows it: degrees, and scene units. */
+/** The camera as the View folder shows it, in degrees and scene units. */
 export async function cameraOf(page: Page) {
   const value = async (row: string): Promise<number> =>
     Number(await controlRow(folder(page, 'View'), row).locator('input').inputValue());

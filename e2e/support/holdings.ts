@@ -1,6 +1,6 @@
 import type { Page } from '@playwright/test';
 
-/** What a page holds on to that a leak would let grow. */
+/** The resources of a page that would grow if something leaked. */
 export interface Holdings {
   /** Live WebGL objects by kind. */
   readonly objects: Readonly<Record<string, number>>;
@@ -15,7 +15,7 @@ declare global {
   }
 }
 
-/** From now on pages count listeners on lasting targets, workers and blob URLs. */
+/** Makes pages count listeners on long-lived targets, workers and blob URLs from now on. */
 export async function countHoldings(page: Page): Promise<void> {
   await page.addInitScript(count);
 }
@@ -24,7 +24,7 @@ export function holdingsOf(page: Page): Promise<Holdings> {
   return page.evaluate(() => ({ objects: window.sinew.liveObjects, ...window.holdings() }));
 }
 
-/** It runs in the page, before the scripts of the page. */
+/** Runs in the page, before the page's scripts. */
 function count(): void {
   const counts = { listeners: 0, workers: 0, urls: 0 };
   const lasting = (target: EventTarget): boolean =>

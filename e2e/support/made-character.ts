@@ -1,7 +1,10 @@
 import { randomBetween, randomSource } from '../../tests/support/random.ts';
 import type { NamedFile } from './app.ts';
 
-/** Files of a character with so many joints and influences a vertex; the same in every run. */
+/**
+ * Makes the files of a character with this many joints, and influences per vertex. They are the
+ * same in every run.
+ */
 export function madeCharacter(jointCount: number, influenceCount: number): NamedFile[] {
   const random = randomSource(jointCount * 100 + influenceCount);
   const coordinate = (): string => randomBetween(random, -1, 1).toFixed(4);
@@ -9,7 +12,8 @@ export function madeCharacter(jointCount: number, influenceCount: number): Named
   const numbered = <T>(count: number, make: (index: number) => T): T[] =>
     Array.from({ length: count }, (_, index) => make(index));
   const point = (): string => `${coordinate()} ${coordinate()} ${coordinate()}`;
-  // Short chains: in long ones the angles of a pose add up to noise.
+  // Chains are short, because in long ones the angles of a pose accumulate until the vertices are
+  // noise.
   const joint = (index: number): string =>
     `${point()} ${index === 0 ? -1 : index % 8 && index - 1}`;
   const row = (): string => {

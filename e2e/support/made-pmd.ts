@@ -10,7 +10,7 @@ type Material = Omit<PmdContent['materials'][number], 'count'>;
 interface Part {
   readonly material: Material;
   readonly vertices: readonly Vertex[];
-  /** Into the part's own vertices; seen from outside clockwise, as the file has them. */
+  /** Indices into the part's own vertices, clockwise seen from outside, as in the file. */
   readonly indices: readonly number[];
 }
 
@@ -27,7 +27,7 @@ const bones: PmdContent['bones'] = [
 
 const plain = { diffuse: [1, 1, 1], ambient: [0.5, 0.5, 0.5] } as const;
 
-/** A plate with an image, a block, a ball that shines, one that is seen through, and one that is not. */
+/** A plate with an image, a block, a shiny ball, a translucent ball, and an invisible plate. */
 function partsWith(image: string): readonly Part[] {
   return [
     { material: { ...plain, texture: image }, ...plate([-7, 5, 0], [-1, 11, 0], 3) },
@@ -50,7 +50,7 @@ function partsWith(image: string): readonly Part[] {
   ];
 }
 
-/** The character and its image, "plate.png" or "plate.tga": the same picture in either. */
+/** The character and its image, "plate.png" or "plate.tga"; both contain the same picture. */
 export function madePmd(ending: 'png' | 'tga' = 'png'): [pmd: NamedFile, image: NamedFile] {
   const image = `plate.${ending}`;
   return [
@@ -75,7 +75,10 @@ function pmdOf(parts: readonly Part[]): Uint8Array {
   return pmdFile({ vertices, indices, materials, bones, last: 'toons' }).bytes;
 }
 
-/** Upright, looking to −z; the image stands on it 1.5 times across, its upper edge above. */
+/**
+ * An upright plate that faces −z. The image repeats 1.5 times across, with its upper edge at the
+ * top.
+ */
 function plate([left, low, z]: Three, [right, high]: Three, bone: number): Omit<Part, 'material'> {
   const corner = (x: number, y: number, u: number, v: number): Vertex => ({
     ...{ position: [x, y, z], uv: [u, v], bones: [bone, bone] },
@@ -115,7 +118,7 @@ function ball([x, y, z]: Three, radius: number, bone: number, steps = 16): Omit<
   return { vertices, indices };
 }
 
-/** Quarters: red, green above; blue, yellow below. */
+/** The quarters are red and green at the top, blue and yellow at the bottom. */
 const colors = [
   [230, 40, 40],
   [40, 200, 60],
@@ -136,7 +139,7 @@ function quartersPng(): Uint8Array {
   return PNG.sync.write(image);
 }
 
-/** Packed, from the top, 24 bits. */
+/** The image is compressed, starts at the top row, and has 24 bits per pixel. */
 function quartersTga(): Uint8Array {
   const out = new ByteWriter().u8(0, 0, 10).u16(0, 0).u8(0).u16(0, 0, size, size).u8(24, 32);
   for (let y = 0; y < size; y++) {

@@ -5,17 +5,25 @@ import pixelmatch from 'pixelmatch';
 import { PNG } from 'pngjs';
 
 const folder = path.resolve(import.meta.dirname, '../expected');
-/** UPDATE_PICTURES=1 writes what is drawn in the place of what is expected; look at each. */
+/** UPDATE_PICTURES=1 overwrites the expected pictures with the actual ones; look at each. */
 const isUpdating = Boolean(process.env['UPDATE_PICTURES']);
 
-/** Of a pixel's color, and of all pixels: what is drawn in another place. */
+/**
+ * The difference of a pixel's color that counts, and the share of all pixels that may differ so:
+ * this finds what is drawn in another place.
+ */
 const [colorThreshold, pixelShare] = [0.1, 0.001];
-/** Of a byte: what is lit a little otherwise everywhere. One renderer draws all pictures. */
+/**
+ * The mean difference of a byte: this finds small changes of the light everywhere. One renderer
+ * draws all pictures.
+ */
 const meanThreshold = 0.2;
-/** An empty picture has fewer: floor and background alone have some hundreds. */
+/** An empty picture has fewer colors; the floor and the background have some hundreds. */
 const fewestColors = 500;
 
-/** Compares a picture with `expected/NAME.png`; where they differ both stay in the test's folder. */
+/**
+ * Compares a picture with `expected/NAME.png`. If they differ, both are kept in the test's folder.
+ */
 export function expectPicture(name: string, bytes: Buffer): void {
   const actual = PNG.sync.read(bytes);
   expect(colorCount(actual), 'colors, since the view may be empty').toBeGreaterThan(fewestColors);

@@ -1,17 +1,17 @@
 import type { Page } from '@playwright/test';
 
-/** Text of a shader, and what stands in its place in a faulty one. */
+/** A text of a shader, and its faulty replacement. */
 export type Replacement = readonly [text: string, faulty: string];
 
 declare global {
   interface Window {
     faults: readonly Replacement[];
-    /** Texts that were found in a shader, and replaced. */
+    /** The texts that were found in a shader and replaced. */
     planted: Set<string>;
   }
 }
 
-/** From now on what pages give WebGL to compile goes through `window.faults`. */
+/** Makes every shader source that pages compile pass through `window.faults` from now on. */
 export async function allowFaults(page: Page): Promise<void> {
   await page.addInitScript(() => {
     window.faults = [];
@@ -29,7 +29,9 @@ export async function allowFaults(page: Page): Promise<void> {
   });
 }
 
-/** Takes the context away and gives it back: the page compiles every shader anew, with the fault. */
+/**
+ * Loses the context and restores it, so that the page compiles every shader again, with the fault.
+ */
 export function plantFault(page: Page, replacements: readonly Replacement[]): Promise<void> {
   return page.evaluate(async (replacements) => {
     window.faults = replacements;
@@ -44,7 +46,7 @@ export function plantFault(page: Page, replacements: readonly Replacement[]): Pr
     context.loseContext();
     await lost;
     const restored = happened('webglcontextrestored');
-    // WebGL restores no context before the event of its loss is over.
+    // WebGL can restore a context only after the event of its loss has been handled.
     setTimeout(() => context.restoreContext());
     await restored;
   }, replacements);

@@ -1,7 +1,7 @@
 import type { PoseJson } from '../../src/formats/pose-json.ts';
 import { randomBetween, randomSource } from '../../tests/support/random.ts';
 
-/** Every joint turned far about every axis, and the root moved; the same in every run. */
+/** Rotates every joint far about every axis, and moves the root; the same in every run. */
 export function wildPose(jointCount: number, seed: number): PoseJson {
   const random = randomSource(seed);
   const triple = (reach: number): [number, number, number] => [

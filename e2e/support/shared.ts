@@ -4,7 +4,10 @@ import type { PoseJson } from '../../src/formats/pose-json.ts';
 import type { NamedFile } from './app.ts';
 import { test } from './test.ts';
 
-/** Real files and expected results that lie beside the project, where they do; never within it. */
+/**
+ * Real files and expected results, which some machines have beside the project; they are never part
+ * of it.
+ */
 const shared = path.resolve(import.meta.dirname, '../../../shared');
 
 const reference = 'reference/skinning/Model1';
@@ -18,12 +21,12 @@ export interface ReferencePose {
   readonly vertices: Float32Array;
 }
 
-/** Skips the tests of a file, and says why, where Model1 and its references are not there. */
+/** Skips the tests of a file with a message if Model1 and its references are missing. */
 export function needModel1(): void {
   need([reference, ...kinds.map((kind) => `data/mit-6837/Model1${kind}`)]);
 }
 
-/** As `needModel1`, for KAITO of the Virtual Mannequin. */
+/** Like `needModel1`, for KAITO of the Virtual Mannequin. */
 export function needKaito(): void {
   need([`${kaitoReference}.json`, ...kaitoFiles.map((name) => `data/pmd/${name}`)]);
 }
@@ -63,7 +66,10 @@ export function kaito(): NamedFile[] {
   return kaitoFiles.map((name) => ({ name, content: bytes(`data/pmd/${name}`) }));
 }
 
-/** In Sinew's right-handed space: the file's own is its mirror image, z turned round. */
+/**
+ * A reference pose in Sinew's right-handed space; the file's own space is its mirror image, with z
+ * negated.
+ */
 export function kaitoPose(which: number): ReferencePose {
   const { poses } = JSON.parse(bytes(`${kaitoReference}.json`).toString()) as {
     poses: {
@@ -85,7 +91,7 @@ function bytes(name: string): Buffer {
   return readFileSync(path.join(shared, name));
 }
 
-/** Little-endian float32, whatever this machine has. */
+/** Reads little-endian float32 on any machine. */
 function floats(buffer: Buffer): Float32Array {
   return Float32Array.from({ length: buffer.length / 4 }, (_, i) => buffer.readFloatLE(i * 4));
 }

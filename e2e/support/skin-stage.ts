@@ -1,9 +1,12 @@
 import type { Page } from '@playwright/test';
 
-/** What a run of the skin stage read, told by WebGL itself. */
+/** The inputs of one run of the skin stage, as reported by WebGL itself. */
 export interface SkinRun {
   readonly vertexCount: number;
-  /** Active uniform blocks that a buffer is bound for, with the bytes that the shader declares. */
+  /**
+   * Active uniform blocks that have a buffer bound, with the size in bytes that the shader
+   * declares.
+   */
   readonly blocks: readonly { readonly name: string; readonly size: number }[];
   /** Active samplers. */
   readonly textures: readonly string[];
@@ -15,7 +18,7 @@ declare global {
   }
 }
 
-/** From now on pages note every draw under transform feedback in `window.skinRuns`. */
+/** Makes pages record every draw with transform feedback in `window.skinRuns` from now on. */
 export async function watchSkinStage(page: Page): Promise<void> {
   await page.addInitScript(() => {
     window.skinRuns = [];

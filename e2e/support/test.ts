@@ -8,8 +8,8 @@ declare global {
 }
 
 /**
- * Playwright's `test` with a promise kept in every spec: nothing is thrown or logged as an error, no
- * dialog opens, nothing is asked of any other origin, or sent to the page's own, and the content
+ * Playwright's `test`, which checks in every spec that nothing is thrown or logged as an error, no
+ * dialog opens, nothing is requested from another origin or sent to the page's own, and the content
  * security policy of the built page has nothing to refuse.
  */
 export const test = base.extend({
@@ -20,13 +20,14 @@ export const test = base.extend({
   },
 });
 
-/** A page that the tests of a file use one after the other, with the promise kept as well. */
+/** A page that the tests of a file use one after the other, with the same checks. */
 export function sharedPage(prepare: (page: Page) => Promise<void>): () => Page {
   let page: Page | undefined;
   let broken: readonly string[] = [];
   test.describe.configure({ mode: 'default' });
   test.beforeAll(async ({ browser, baseURL }) => {
-    // A context by hand: tools that look into the page refuse the one that newPage makes.
+    // The context is created explicitly, because tools that inspect the page reject the one that
+    // newPage creates.
     page = await (await browser.newContext()).newPage();
     broken = await brokenPromises(page, baseURL);
     await prepare(page);
@@ -39,7 +40,7 @@ export function sharedPage(prepare: (page: Page) => Promise<void>): () => Page {
   };
 }
 
-/** What the page did that it must not; the list grows as the page goes on. */
+/** Collects what the page did but must not; the list grows while the page is used. */
 async function brokenPromises(page: Page, baseURL: string | undefined): Promise<readonly string[]> {
   const broken: string[] = [];
   const origin = new URL(baseURL!).origin;
@@ -60,7 +61,10 @@ async function brokenPromises(page: Page, baseURL: string | undefined): Promise<
   return broken;
 }
 
-/** From now on what the page's content security policy refuses is an uncaught error of the page. */
+/**
+ * Turns each violation of the page's content security policy into an uncaught error of the page
+ * from now on.
+ */
 export async function watchPolicy(page: Page): Promise<void> {
   await page.addInitScript(() => {
     addEventListener(

@@ -5,8 +5,9 @@ import { poseFromJson } from '../formats/pose-json.ts';
 import type { LooseFile } from '../workers/read-characters-task.ts';
 
 /**
- * The pose of a bundled character. The browser's own parser reads it, since the first picture waits for
- * it; the one that knows lines and columns comes only where there is something to say.
+ * Reads the pose of a bundled character with the browser's own parser, because the first picture
+ * waits for it. The parser that reports lines and columns is loaded only if there is a problem to
+ * report.
  */
 export async function readBundledPose(
   { path, bytes }: LooseFile,

@@ -3,13 +3,13 @@ import type { BundledCharacter } from '../ui/editor.ts';
 import type { LooseFile } from '../workers/read-characters-task.ts';
 import { fetchChecked, fetchFile } from './fetch-file.ts';
 
-/** A line of public/data/catalogue.json; paths are relative to it. */
+/** An entry of public/data/catalogue.json; paths are relative to that file. */
 export interface CatalogueEntry extends BundledCharacter {
   readonly files: readonly string[];
   readonly pose?: string;
 }
 
-/** Where the app's data lies, from whatever sub-path it is served. */
+/** The address of the app's data, whatever sub-path the app is served from. */
 const dataUrl = new URL('data/', document.baseURI);
 
 export async function fetchCatalogue(): Promise<readonly CatalogueEntry[]> {
@@ -21,7 +21,7 @@ export async function fetchCatalogue(): Promise<readonly CatalogueEntry[]> {
   }
 }
 
-/** The character's files, its pose among them. */
+/** Fetches the character's files, including its pose. */
 export function fetchBundled(
   { files, pose }: CatalogueEntry,
   signal: AbortSignal,

@@ -18,7 +18,7 @@ import { verifyShown } from '../view/verify.ts';
 import { download } from './download.ts';
 import { savePicture } from './save-picture.ts';
 
-/** Joins what is open to all that the interface can ask for. */
+/** Completes the opening to an editor with everything that the interface can ask for. */
 export function createEditor(opening: Opening): Editor {
   const { store, session, evaluations, viewer, notice } = opening;
   const selected = () => selectedActor(store, session);
@@ -78,9 +78,10 @@ export function createEditor(opening: Opening): Editor {
     async saveAs(format) {
       const shown = evaluations.selected();
       if (!shown) return;
-      // What is shown goes on while files are written: the pose of this moment is saved.
+      // The view may change while files are written, so this saves the pose of the present moment.
       const pose = shown.snapshot();
-      // Few save in another course's format, so that its writers are loaded when one does.
+      // Few users save in another course's format, so its writers are loaded only when someone
+      // does.
       const { saveAs } = await loadPart(import('./save-as.ts'));
       const losses = await saveAs(shown.state.character, pose, format);
       session.problems.value = losses;

@@ -15,10 +15,13 @@ import { FileOpener, type OpenOutcome } from './open-files.ts';
 import { ProgressMeter } from './progress-meter.ts';
 import { workspaces } from './workspaces.ts';
 
-/** So many own characters stay in the list beside those that were opened last. */
+/** The number of your own characters that stay in the list in addition to those opened last. */
 const mostEarlier = 12;
 
-/** Opens characters and workspaces: all that the first picture needs of the editor. */
+/**
+ * Opens characters and workspaces. It contains everything of the editor that the first picture
+ * needs.
+ */
 export function createOpening(
   store: Store,
   session: Session,
@@ -72,7 +75,7 @@ export function createOpening(
       if (!outcome) return;
       const { found, opened, reopened, posed } = outcome;
       if (opened) {
-        // Files that were opened before, and come again, stand in the list once.
+        // If files that were opened before are opened again, the list shows them once.
         const came = new Set(found.flatMap(pathsOf));
         const earlier = own.value.filter((read) => !pathsOf(read).every((path) => came.has(path)));
         own.value = [...earlier.slice(-mostEarlier), ...found];
@@ -88,7 +91,7 @@ export function createOpening(
         notice.value = `There is no character "${id}"`;
         return;
       }
-      // A copy of what is there already shares all but its pose.
+      // A copy of an existing character shares everything with it except the pose.
       const same = store.scene.value.actors.find(
         ({ source: from }) => from.kind === 'bundled' && from.id === id,
       );
@@ -102,7 +105,7 @@ export function createOpening(
 
     openOwn(read, add = false) {
       const there = store.scene.value.actors.find(({ character }) => character === read.character);
-      // Already in the scene, it stays as it was posed.
+      // A character that is already in the scene keeps its pose.
       if (there && !add) selectActor(session, store.scene.value, there.id);
       else {
         opener.showAll([read], { source: { kind: 'files' }, add });
@@ -154,7 +157,10 @@ export function createOpening(
     return outcome;
   }
 
-  /** Ends what is being opened, and opens; what fails is told, and the page stays as it was. */
+  /**
+   * Cancels the opening in progress and starts another. A failure is reported, and the page stays
+   * as it was.
+   */
   async function whileOpening(
     title: string,
     work: (signal: AbortSignal) => Promise<OpenOutcome | undefined>,
@@ -162,7 +168,7 @@ export function createOpening(
     current.abort();
     const { signal } = (current = new AbortController());
     const working = meter.during(title, () => work(signal));
-    latest = working.catch(() => undefined); // which is told below
+    latest = working.catch(() => undefined); // the failure is reported below
     try {
       return await working;
     } catch (error) {

@@ -3,15 +3,16 @@ import { defaultLimits } from '../core/limits.ts';
 import type { LooseFile } from '../workers/read-characters-task.ts';
 
 /**
- * A file of the page's own server, unpacked if it is gzipped. Fetched or unpacked it has at most so many
- * bytes as a dropped file may have; what comes after them is not asked for.
+ * Fetches a file from the page's own server and unpacks it if it is gzipped. Before and after
+ * unpacking, it may have at most as many bytes as a dropped file; beyond that, no more bytes are
+ * requested.
  */
 export async function fetchFile(
   url: URL,
   signal?: AbortSignal,
   limit = defaultLimits.fileSize,
 ): Promise<LooseFile> {
-  // Nothing is opened from elsewhere, nor from addresses of objects in the page's memory.
+  // Sinew opens nothing from other servers, nor from object URLs.
   if (!url.href.startsWith(`${location.origin}/`)) {
     throw new Failure(
       `${url.href} is not a file of this page's own server; download it and drop it here`,
@@ -20,7 +21,7 @@ export async function fetchFile(
   const response = await fetchChecked(url, signal);
   const fetched = await collect(response.body!, url, limit);
   const path = decodeURIComponent(url.pathname.slice(url.pathname.lastIndexOf('/') + 1));
-  // Some servers unpack .gz files on the way, so the bytes tell, not the name.
+  // Some servers unpack .gz files in transit, so this tests the bytes instead of the name.
   const isPacked = fetched[0] === 0x1f && fetched[1] === 0x8b;
   return {
     path: path.replace(/\.gz$/i, ''),
@@ -28,7 +29,7 @@ export async function fetchFile(
   };
 }
 
-/** What the page's own server answers, and no other that it points to. */
+/** Fetches from the page's own server only; a redirect to another server fails. */
 export async function fetchChecked(url: URL, signal?: AbortSignal): Promise<Response> {
   let response: Response;
   try {
@@ -44,7 +45,7 @@ function gunzip(bytes: Uint8Array<ArrayBuffer>): ReadableStream<Uint8Array<Array
   return new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
 }
 
-/** All bytes of a stream, which is given up where there are more than the limit. */
+/** Reads all bytes of a stream, and cancels it if there are more than the limit. */
 async function collect(
   stream: ReadableStream<Uint8Array<ArrayBuffer>>,
   { pathname }: URL,
@@ -63,7 +64,7 @@ async function collect(
     throw new Failure(`${pathname} broke off, or is damaged`);
   }
   if (size > limit) {
-    reader.cancel().catch(() => undefined); // what is given up may end as it will
+    reader.cancel().catch(() => undefined); // a failure to cancel does not matter
     throw new Failure(`${pathname} has more than ${limit} bytes`);
   }
   return new Uint8Array(await new Blob(parts).arrayBuffer());

@@ -1,19 +1,19 @@
 import type { Viewer } from '../view/viewer.ts';
 
-/** The page's frame: the view in the middle, panels about it. */
+/** The elements of the page: the view in the middle, with panels around it. */
 export interface Layout {
   readonly root: HTMLElement;
   readonly canvas: HTMLCanvasElement;
   readonly left: HTMLElement;
   readonly right: HTMLElement;
-  /** Over the view: progress, messages, buttons for the drawers. */
+  /** This covers the view and holds progress, messages and the buttons for the drawers. */
   readonly overlay: HTMLElement;
   readonly foot: HTMLElement;
   /** Keeps the picture at the size of the view, in device pixels. */
   follow(viewer: Viewer, pixelRatio?: number): void;
 }
 
-/** Enough for any eye, and no more than a GPU can fill. */
+/** A higher ratio is not visible and would cost too much time on the GPU. */
 const largestPixelRatio = 2;
 
 export function createLayout(root: HTMLElement): Layout {
@@ -26,7 +26,7 @@ export function createLayout(root: HTMLElement): Layout {
   const canvas = view.appendChild(document.createElement('canvas'));
   canvas.className = 'scene';
   canvas.tabIndex = 0;
-  // It takes keys of its own, which a screen reader has to let through.
+  // The canvas handles keys of its own, which a screen reader must pass on to it.
   canvas.setAttribute('role', 'application');
   canvas.setAttribute('aria-label', '3D view');
   const overlay = append(view, 'div', 'overlay');

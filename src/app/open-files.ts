@@ -17,34 +17,39 @@ import type { LooseFile } from '../workers/read-characters-task.ts';
 import type { OpenedFiles } from './renewal.ts';
 import { readFiles } from './read-files.ts';
 
-/** Where characters come from, and whether they join the others or take the place of the selected one. */
+/**
+ * The source of characters, and whether they are added to the others or replace the selected one.
+ */
 export interface OpenWay {
   readonly source: Source;
   readonly add: boolean;
 }
 
-/** More than these of one drop would be a crowd; the rest is offered by name. */
+/**
+ * If one drop has more characters than this, the others are only listed, so that the scene is not
+ * crowded.
+ */
 const mostAtOnce = 12;
 
-/** What became of files that were dropped, chosen or fetched. */
+/** The result of opening files that were dropped, chosen or fetched. */
 export interface OpenOutcome {
-  /** All that were found; the first of them is open. */
+  /** All characters that were found; the first of them is open. */
   readonly found: readonly ReadCharacter[];
   readonly opened: Character | null;
-  /** The same files once more: pose and camera stay. */
+  /** True if the same files were opened again; pose and camera stay. */
   readonly reopened: boolean;
   readonly posed: boolean;
 }
 
 /**
- * Opens files: a character takes the place of the selected one, a pose is set on it, each one step
- * of undo. Parts that the open character lacks complete it; its own files, changed, renew it.
+ * Opens files. A character replaces the selected one and a pose is set on it; each is one step of
+ * undo. Files that the open character lacks complete it, and its own files, changed, update it.
  */
 export class FileOpener {
   readonly store: Store;
   readonly session: Session;
   private readonly evaluations: Evaluations;
-  /** The files of each character that was opened, so that later drops can complete or renew it. */
+  /** The files of each opened character, so that later drops can complete or update it. */
   private readonly filesOf = new WeakMap<Character, readonly FileEntry[]>();
 
   constructor(store: Store, session: Session, evaluations: Evaluations) {
@@ -53,7 +58,7 @@ export class FileOpener {
     this.evaluations = evaluations;
   }
 
-  /** Opens a bundled character, with its pose. */
+  /** Opens a bundled character with its pose. */
   async openBundled(
     files: readonly LooseFile[],
     signal: AbortSignal,
@@ -62,7 +67,7 @@ export class FileOpener {
   ): Promise<OpenOutcome | undefined> {
     const pose = files.find(({ path }) => path.endsWith('.json'));
     const parts = files.filter((file) => file !== pose);
-    // The reader of poses comes while the worker reads the character.
+    // The reader of poses loads while the worker reads the character.
     const [{ characters, diagnostics }, readPose] = await Promise.all([
       readFiles(parts, signal, onProgress),
       pose && loadPart(import('./bundled-pose.ts')).then(({ readBundledPose }) => readBundledPose),
@@ -79,23 +84,24 @@ export class FileOpener {
     return { found: characters, opened, reopened: false, posed: false };
   }
 
-  /** Loads what characters are deformed by, so that none is shown by a stand-in first. */
+  /** Loads the kernels of the characters, so that none is first shown with a substitute method. */
   async prepare(found: readonly ReadCharacter[]): Promise<void> {
     const deformations = found.map(({ character }) => defaultDeformation(character));
     await this.evaluations.prepare(deformations.map((each) => kernelOf(each).id));
   }
 
   /**
-   * Opens characters that were read, at their files' poses: in the place of the selected actor, or beside
-   * all others; several stand in a row.
+   * Shows characters in their files' poses. They replace the selected actor or are added beside all
+   * others; several stand in a row.
    *
-   * @param q a pose of the first
+   * @param q a pose for the first character
    */
   showAll(found: readonly ReadCharacter[], { source, add }: OpenWay, q?: Float64Array): void {
     const shown = found.slice(0, mostAtOnce);
     const replaced = add ? undefined : this.selected;
     const others = this.evaluations.all().filter(({ state }) => state.id !== replaced?.id);
-    // Where it stood among others, the next one stands; alone, it stands as by itself.
+    // Among others, a new character stands where the replaced one stood; alone, it gets the default
+    // place.
     const kept =
       replaced && others.length > 0 && shown.length === 1 ? replaced.transform : undefined;
     const places = placeInRow(
@@ -119,7 +125,10 @@ export class FileOpener {
     dropJoints(this.session);
   }
 
-  /** Puts an actor's files, read again, in its place: its pose, shape and clip go on, and it plays on. */
+  /**
+   * Replaces an actor by its files, which were read again. Its pose, shape and clip are kept, and
+   * playing continues.
+   */
   renew(read: ReadCharacter, before: Actor, kept: KeptState): void {
     const { character } = read;
     this.filesOf.set(character, read.files);
@@ -129,11 +138,11 @@ export class FileOpener {
 
   private beginClip({ clips }: Character): void {
     this.session.clipIndex.value = 0;
-    // While another actor plays, the time is its.
+    // While another actor plays, the time belongs to its clip.
     if (!this.session.playing.value) this.session.clipTime.value = clips[0]?.start ?? 0;
   }
 
-  /** The selected character with its files, where these are known. */
+  /** The selected character with its files, if these are known. */
   get openedFiles(): OpenedFiles | undefined {
     const character = this.selected?.character;
     const files = character && this.filesOf.get(character);
@@ -144,7 +153,9 @@ export class FileOpener {
     return selectedActor(this.store, this.session);
   }
 
-  /** The character's own method, unless the user chose another for the one before. */
+  /**
+   * The character's default method, unless the user chose another one for the selected character.
+   */
   private methodFor(character: Character): MethodId {
     const before = this.selected;
     const chosen = before && before.method !== defaultDeformation(before.character).method;

@@ -13,19 +13,23 @@ import { readPictureNote, type ReadNote } from './read-picture-note.ts';
 import { type JsonText, sortFiles } from './sort-files.ts';
 
 interface OwnFilesOptions {
-  /** Aborted where the user cancels, or where later files take over. */
+  /** Aborted when the user cancels, or when a later opening replaces this one. */
   readonly signal: AbortSignal;
   readonly onProgress: ReadProgress;
   /** Opens a bundled character as a part of this opening, for pictures that remember one. */
   readonly openBundled: (id: string) => Promise<void>;
-  /** Beside the others: then they neither complete nor renew what is open. */
+  /**
+   * Whether the files are added beside the others; then they neither complete nor update the open
+   * character.
+   */
   readonly add: boolean;
 }
 
 /**
- * Opens one's own files. Loaded when some come: the first picture is of a bundled character.
+ * Opens the user's own files. This part is loaded when the first files arrive, because the first
+ * picture shows a bundled character.
  *
- * @returns nothing where it was aborted; the page is then as it was
+ * @returns nothing if the opening was aborted; the page is then as it was
  */
 export async function openOwnFiles(
   opener: FileOpener,
@@ -33,7 +37,7 @@ export async function openOwnFiles(
   { signal, onProgress, openBundled, add }: OwnFilesOptions,
 ): Promise<OpenOutcome | undefined> {
   const source = { kind: 'files' } as const;
-  // Asked after each wait: the signal may change at any.
+  // This is checked after each await, because the signal may change during any of them.
   const isOver = (): boolean => signal.aborted;
   const { poses, notes: pictures, parts, diagnostics: unreadable } = await sortFiles(files);
   const notes = pictures.map(readPictureNote);
@@ -75,7 +79,7 @@ export async function openOwnFiles(
   };
 }
 
-/** The last of the poses that can be used. */
+/** Returns the last of the poses that can be used. */
 function readPoses(
   { poses, notes }: { readonly poses: readonly JsonText[]; readonly notes: readonly ReadNote[] },
   { skeleton }: Character,

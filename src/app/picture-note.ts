@@ -1,10 +1,13 @@
 import type { PoseJson } from '../formats/pose-json.ts';
 
-/** What a saved PNG remembers: enough to show the same again. */
+/** The text that a saved PNG carries: enough to show the same character and pose again. */
 interface PictureNote {
-  /** Id of a bundled character, where it is one. */
+  /** The id of a bundled character, if it is one. */
   readonly bundled?: string;
-  /** Name of the character; one's own files are not put into pictures, which go around. */
+  /**
+   * The name of the character. The user's own files are never stored in pictures, because pictures
+   * get shared.
+   */
   readonly name: string;
   readonly pose: PoseJson;
 }

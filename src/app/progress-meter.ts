@@ -1,10 +1,10 @@
 import { type ReadonlySignal, signal } from '@preact/signals-core';
 import type { Progress } from '../ui/editor.ts';
 
-/** What takes less is over before one could read of it. */
+/** Work that takes less time ends before anyone could read its progress. */
 const patienceMilliseconds = 200;
 
-/** Shows what is under way, once it has taken a moment. */
+/** Shows the progress of work once it has taken a moment. */
 export class ProgressMeter {
   readonly shown: ReadonlySignal<Progress | null>;
   private readonly current = signal<Progress | null>(null);
@@ -17,7 +17,7 @@ export class ProgressMeter {
     this.shown = this.current;
   }
 
-  /** Runs the work; the newest of several is the one that is shown. */
+  /** Runs the work. If several run, the newest is shown. */
   async during<T>(title: string, work: () => Promise<T>): Promise<T> {
     const job = ++this.jobs;
     this.title = title;
@@ -31,7 +31,7 @@ export class ProgressMeter {
     }
   }
 
-  /** How far the work is; passed on to readers. */
+  /** Reports the progress of the work; readers receive this function. */
   readonly report = (label: string, fraction: number): void => {
     this.latest = { label: `${this.title}: ${label}`, fraction };
     if (this.current.value) this.current.value = this.latest;

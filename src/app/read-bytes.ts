@@ -6,7 +6,7 @@ import type { FileEntry } from '../formats/format.ts';
 import { readFault } from '../ui/file-entry.ts';
 import type { LooseFile } from '../workers/read-characters-task.ts';
 
-/** The bytes of all files that are worth reading; what can't be read is told, not thrown. */
+/** Loads the bytes of all files that can be read. Problems are reported, not thrown. */
 export async function loadBytes(
   files: readonly FileEntry[],
 ): Promise<{ loaded: LooseFile[]; diagnostics: Diagnostic[] }> {
@@ -15,14 +15,17 @@ export async function loadBytes(
   for (const file of files) {
     const { path, fault } = file;
     const isRead = fault !== undefined || readableExtensions.includes(extensionOf(path));
-    // What nothing reads is in the list of what is not used.
+    // Files that Sinew does not read only appear in the list of unused files.
     const bytes = isRead ? await readBytes(file, diagnostics) : new Uint8Array(0);
     if (bytes) loaded.push({ path, bytes });
   }
   return { loaded, diagnostics };
 }
 
-/** The bytes of a file; nothing where it is too large or can't be read, which is added to the problems. */
+/**
+ * Returns the bytes of a file. If it is too large or can't be read, it returns nothing and adds a
+ * problem.
+ */
 export async function readBytes(
   file: FileEntry,
   problems: Diagnostic[],
@@ -44,7 +47,7 @@ export async function readBytes(
   try {
     return await file.bytes();
   } catch (error) {
-    // Moved, deleted or changed between the drop and now.
+    // The file was moved, deleted or changed after the drop.
     fail(unreadable, 'a file that can be read', readFault(error));
     return undefined;
   }

@@ -5,10 +5,13 @@ import type { ReadOutcome, ReadProgress } from '../formats/read-characters.ts';
 import type { LooseFile } from '../workers/read-characters-task.ts';
 import { runTask } from './run-task.ts';
 
-/** More than this is read on another thread, so that the page stays alive. */
+/** In bytes. More than this is read in a worker, so that the page stays responsive. */
 const workerSize = 1024 * 1024;
 
-/** Reads characters here or in a worker; once the signal is aborted the outcome is of no use. */
+/**
+ * Reads characters on this thread or in a worker. If the signal is aborted, the result must not be
+ * used.
+ */
 export function readFiles(
   files: readonly LooseFile[],
   signal: AbortSignal,
@@ -18,7 +21,10 @@ export function readFiles(
   return size > workerSize ? readInWorker(files, signal, onProgress) : readHere(files, onProgress);
 }
 
-/** The readers are loaded at first use: the first picture's are in the worker. */
+/**
+ * The readers are loaded at first use, because the worker reads the characters of the first
+ * picture.
+ */
 async function readHere(
   files: readonly LooseFile[],
   onProgress: ReadProgress,
@@ -32,7 +38,8 @@ async function readInWorker(
   signal: AbortSignal,
   onProgress: ReadProgress,
 ): Promise<ReadOutcome> {
-  // Copies, since the same files may be read again when a part of theirs comes later.
+  // The bytes are copied, because the same files may be read again when a missing file arrives
+  // later.
   const copies = files.map(({ path, bytes }) => ({ path, bytes: bytes.slice() }));
   const transfer = copies.map(({ bytes }) => bytes.buffer);
   const outcome = await runTask('read-characters', copies, { signal, onProgress, transfer });

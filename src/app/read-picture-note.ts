@@ -4,15 +4,15 @@ import { parseJson } from '../formats/json/parse-json.ts';
 import type { JsonText } from './sort-files.ts';
 
 export interface ReadNote {
-  /** Id of a bundled character, where the picture is of one. */
+  /** The id of the bundled character, if the picture shows one. */
   readonly bundled?: string;
-  /** For the skeleton that it is of, once that is open; nothing where the note is damaged. */
+  /** The pose, to be decoded when its skeleton is open; absent if the note is damaged. */
   readonly pose?: JsonValue;
-  /** What there is to say of the note, and then of its pose. */
+  /** The problems of the note, and later those of its pose. */
   readonly log: DiagnosticLog;
 }
 
-/** What a PNG remembers, or why it can't be told. */
+/** Reads what a PNG remembers, or reports why it can't be read. */
 export function readPictureNote({ path, text }: JsonText): ReadNote {
   const log = new DiagnosticLog(path);
   const effect = 'the pose of the picture is not used';

@@ -14,8 +14,8 @@ export interface OpenedFiles {
 }
 
 /**
- * The files, with those of the open character where all that came is what it lacks, or its own files once
- * more.
+ * Returns the new files. If all of them are missing or own files of the open character, its other
+ * files are added.
  */
 export function completeFiles(
   came: readonly FileEntry[],
@@ -33,7 +33,7 @@ export function completeFiles(
   return [...open.files.filter((file) => !newNames.includes(nameOf(file))), ...came];
 }
 
-/** Whether a character came of the open one's files, or of them and more, with the same joints. */
+/** Whether the files of a character include those of the open one, with the same joints. */
 export function renews(
   { character, files }: ReadCharacter,
   open: OpenedFiles | undefined,
@@ -46,7 +46,7 @@ export function renews(
   return sameJoints && open.files.every((file) => came.has(nameOf(file)));
 }
 
-/** What an actor hands on to the one that its files, read again, make. */
+/** The state that an actor passes on to its successor when its files are read again. */
 export function keptState(before: Actor, character: Character): KeptState {
   const { q, morphWeights, normalizeWeights, clip, transform } = before;
   const { clips } = before;
@@ -62,7 +62,7 @@ export function keptState(before: Actor, character: Character): KeptState {
   };
 }
 
-/** What the character's files leave out, with the way to add it. */
+/** Reports the missing files of a character, and how to add them. */
 export function missingParts({ name, missing }: Character): Diagnostic[] {
   return missing.map((what) => ({
     severity: 'warning',
@@ -74,7 +74,7 @@ export function missingParts({ name, missing }: Character): Diagnostic[] {
   }));
 }
 
-/** Pictures that no character came with are none of a character's files. */
+/** Reports pictures that came without a character and belong to none. */
 export function plainPictures(files: readonly FileEntry[]): Diagnostic[] | undefined {
   if (!files.every(({ path }) => textureExtensions.includes(extensionOf(path)))) return undefined;
   return files.map(({ path }) => ({

@@ -2,10 +2,10 @@ import { effect } from '@preact/signals-core';
 import type { Session } from '../document/session.ts';
 import type { Transport } from '../document/transport.ts';
 
-/** A tab that was hidden does not jump ahead; seconds. */
+/** In seconds; a tab that was hidden does not jump ahead. */
 const longestStep = 0.25;
 
-/** Lets time pass while a clip plays, a step for each picture; never otherwise. */
+/** Advances time while a clip plays, one step per picture, and never otherwise. */
 export function runClock(session: Session, transport: Transport): void {
   let last = 0;
   let request = 0;

@@ -9,33 +9,34 @@ import type {
 } from '../workers/tasks.ts';
 
 interface TaskOptions {
-  /** Once aborted, the task ends and gives nothing. */
+  /** When aborted, the task ends without a result. */
   readonly signal: AbortSignal;
   readonly onProgress: TaskProgress;
-  /** Buffers of the input, which are handed over and are empty afterwards. */
+  /** Buffers of the input, which are transferred and empty afterwards. */
   readonly transfer: Transferable[];
 }
 
-/** The part of Trusted Types that is used here, which not every browser has. */
+/** The part of Trusted Types that is used here; not every browser has it. */
 interface TrustedTypes {
   createPolicy(
     name: string,
     rules: { createScriptURL(): string },
-  ): { createScriptURL(text: string): string }; // an object, which `Worker` takes for a text
+    // a TrustedScriptURL object; `Worker` accepts it in place of a string
+  ): { createScriptURL(text: string): string };
 }
 
 const { trustedTypes } = globalThis as { readonly trustedTypes?: TrustedTypes };
 
 /**
- * The page's content policy starts no worker from plain text. The one trusted policy that it allows gives
- * this one address, whatever it is asked for.
+ * The page's content policy does not let a plain string start a worker. The only trusted-types
+ * policy that it allows returns this one address, whatever it is given.
  */
 const trustedUrl =
   trustedTypes
     ?.createPolicy('skin-worker', { createScriptURL: () => workerUrl })
     .createScriptURL('') ?? workerUrl;
 
-/** Runs a task on another thread, which ends with it. */
+/** Runs a task in a worker, which is terminated when the task ends. */
 export function runTask<Name extends TaskName>(
   name: Name,
   input: TaskTypes[Name]['input'],

@@ -9,8 +9,8 @@ import { poseToJson } from '../formats/write-pose-json.ts';
 import { download } from './download.ts';
 
 /**
- * Downloads an archive with the character in a course's format, the matching pose, and the pictures of
- * its materials.
+ * Downloads an archive with the character in a course's format, the matching pose, and the images
+ * of its materials.
  *
  * @returns what the format can't hold
  */

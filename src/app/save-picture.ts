@@ -8,14 +8,15 @@ import type { Viewer } from '../view/viewer.ts';
 import { download } from './download.ts';
 import { pictureKeyword, writePictureNote } from './picture-note.ts';
 
-/** Saves or copies a picture of the view; returns a word on the outcome, for the user. */
+/** Saves or copies a picture of the view, and returns a message about the result for the user. */
 export async function savePicture(
   viewer: Viewer,
   shown: Evaluation | undefined,
   { format, size, background, target }: PictureOptions,
 ): Promise<string> {
   if (!viewer.available.value) return 'There is no view to take a picture of at the moment';
-  // Read at once: pose and picture are of the same moment, whatever plays on while it is encoded.
+  // The pose is read now, so that it matches the picture even if a clip plays while the picture is
+  // encoded.
   const note = shown && noteOf(shown);
   let blob: Blob;
   try {

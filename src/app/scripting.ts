@@ -18,7 +18,7 @@ import { capturePicture, encodePicture, type PictureFormat } from '../view/pictu
 import { verifyShown } from '../view/verify.ts';
 import { fetchFile } from './fetch-file.ts';
 
-/** The id or the name of an actor; the first of that name. */
+/** The id or the name of an actor; if several have the name, the first. */
 export type ActorName = number | string;
 
 export interface CharacterSummary {
@@ -32,49 +32,49 @@ export interface CharacterSummary {
 
 export interface CaptureOptions {
   readonly format?: PictureFormat;
-  /** Pixels, both or neither; the view's size where absent. */
+  /** In pixels, both or neither; if absent, the size of the view. */
   readonly width?: number;
   readonly height?: number;
-  /** Floor and backdrop; true where absent. */
+  /** Floor and backdrop; true if absent. */
   readonly background?: boolean;
-  /** Side by side, from the left; what the page shows where absent. */
+  /** Views side by side, from the left; if absent, those of the page. */
   readonly views?: readonly CaptureView[];
 }
 
-/** A view of the scene; what is absent is as the page shows it. */
+/** A view of the scene; absent properties are as the page shows it. */
 export interface CaptureView {
   readonly camera?: Partial<Camera>;
   readonly method?: KernelId;
 }
 
-/** `window.sinew`: the page for scripts and tests; see docs/scripting.md. */
+/** `window.sinew` gives scripts and tests access to the page; see docs/scripting.md. */
 export interface Scripting {
   /** Settles when the first character has been drawn. */
   readonly ready: Promise<void>;
-  /** Files to read, the id of a bundled character, or URLs of this page's own origin. */
+  /** Opens files, the bundled character with an id, or URLs of the page's own origin. */
   open(source: readonly File[] | FileList | string | readonly string[]): Promise<void>;
   readonly characters: readonly CharacterSummary[];
-  /** Adds a character, named as `open` takes it, beside those that are there, and selects it. */
+  /** Adds a character, given as for `open`, beside the existing ones and selects it. */
   add(source: readonly File[] | FileList | string | readonly string[]): Promise<void>;
-  /** Selects an actor: what the members below act on where none is named. */
+  /** Selects the actor that the members below use if none is named. */
   select(actor: ActorName): void;
   remove(actor?: ActorName): void;
-  /** The pose, or sets it: joints that are not named take the file's pose. */
+  /** Returns the pose, or sets it; joints that are not named take the file's pose. */
   pose(json?: PoseJson, actor?: ActorName): PoseJson;
-  /** Weights of the character's morphs by name, or sets those that are named. */
+  /** Returns the weights of the character's morphs by name, or sets those that are named. */
   morphs(weights?: Readonly<Record<string, number>>, actor?: ActorName): Record<string, number>;
-  /** Names of the selected character's clips. */
+  /** The names of the selected character's clips. */
   readonly clips: readonly string[];
-  /** Shows a clip's pose at a time (seconds), paused; the chosen clip where none is named. */
+  /** Shows a clip's pose at a time (in seconds), paused; the chosen clip if none is named. */
   seek(time: number, clip?: string, actor?: ActorName): void;
-  /** Plays the chosen clip, or pauses it. */
+  /** Plays or pauses the chosen clip. */
   togglePlay(): void;
   /** (vertices × 3) posed positions, in the file's order and units. */
   vertices(device: SkinDevice, actor?: ActorName): Float32Array;
   verify(actor?: ActorName): Verification | null;
-  /** Settles when all that is being read or decoded has been drawn. */
+  /** Settles when everything that is being read or decoded has been drawn. */
   settled(): Promise<void>;
-  /** The view's pixels as a file, or the same view at another size. */
+  /** Returns the view's pixels as a file, or those of the same view at another size. */
   capture(options?: CaptureOptions): Promise<Blob>;
   readonly problems: readonly Diagnostic[];
   /** Live WebGL objects by kind. */
@@ -180,7 +180,9 @@ export function createScripting(editor: Editor, ready: Promise<void>): Scripting
     await viewer.texturesShown();
   }
 
-  /** The actor of a name, or the selected one; throws where there is none of the name. */
+  /**
+   * Returns the actor with a name, or the selected one; throws if there is no actor with the name.
+   */
   function find(name?: ActorName): Actor | undefined {
     if (name === undefined) return selectedActor(store, session);
     const found = store.scene.value.actors.find(

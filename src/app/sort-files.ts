@@ -7,22 +7,25 @@ import { pictureKeyword } from './picture-note.ts';
 import { readBytes } from './read-bytes.ts';
 
 export interface JsonText {
-  /** Of the file that holds it. */
+  /** The path of the file that contains the text. */
   readonly path: string;
   readonly text: string;
 }
 
 interface SortedFiles {
   readonly poses: readonly JsonText[];
-  /** Of pictures that Sinew saved, not yet read. */
+  /** The notes of pictures that Sinew saved, not yet parsed. */
   readonly notes: readonly JsonText[];
-  /** What may be of characters: textures too. */
+  /** Files that may be parts of characters, including textures. */
   readonly parts: readonly FileEntry[];
-  /** Of what can't be read. */
+  /** Problems of files that can't be read. */
   readonly diagnostics: readonly Diagnostic[];
 }
 
-/** Poses and pictures that Sinew saved are for the open character; the rest may hold characters. */
+/**
+ * Separates poses and pictures saved by Sinew, which apply to the open character, from files that
+ * may contain characters.
+ */
 export async function sortFiles(files: readonly FileEntry[]): Promise<SortedFiles> {
   const poses: JsonText[] = [];
   const notes: JsonText[] = [];
@@ -48,7 +51,7 @@ export async function sortFiles(files: readonly FileEntry[]): Promise<SortedFile
   return { poses, notes, parts, diagnostics };
 }
 
-/** Few users drop pictures, so that the first of ours does not wait for this. */
+/** Few users drop pictures, so the reader is loaded at first use. */
 async function noteOf(png: Uint8Array): Promise<string | undefined> {
   const { readPngText } = await loadPart(import('../formats/png/text-chunk.ts'));
   return readPngText(png, pictureKeyword);

@@ -1,4 +1,4 @@
-// Lets components follow the signals that they read.
+// This import makes components follow the signals that they read.
 import '@preact/signals';
 import { effect } from '@preact/signals-core';
 import { render } from 'preact';
@@ -17,8 +17,8 @@ import { runClock } from './run-clock.ts';
 import { createScripting, type Scripting } from './scripting.ts';
 
 /**
- * Panels, keys, pointer and scripting, loaded after the first picture: nothing of theirs is needed to
- * draw it.
+ * Starts panels, keys, pointer and scripting. They are loaded after the first picture, which does
+ * not need them.
  */
 export function startInterface(layout: Layout, opening: Opening, ready: Promise<void>): Scripting {
   opening.viewer.passes.value = passes;

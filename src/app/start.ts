@@ -20,12 +20,12 @@ import { workspaces } from './workspaces.ts';
 
 declare global {
   interface Window {
-    /** Only `ready` until it has settled. */
+    /** Has only `ready` until that has settled. */
     sinew: Scripting;
   }
 }
 
-/** Puts the app together: the one place that knows all of its parts. */
+/** Assembles the app; this is the only place that knows all of its parts. */
 export async function start(root: HTMLElement): Promise<void> {
   let settleReady = (): void => undefined;
   const ready = new Promise<void>((resolve) => (settleReady = resolve));
@@ -33,7 +33,7 @@ export async function start(root: HTMLElement): Promise<void> {
   const parameters = new URLSearchParams(location.search);
   const isTest = parameters.has('test');
   if (isTest) document.documentElement.dataset['test'] = '';
-  // Asked for first: making a context keeps the page busy for a while.
+  // This request comes first, because creating a context keeps the page busy for a while.
   const listed = fetchCatalogue();
   const layout = createLayout(root);
   const session = new Session();
@@ -64,7 +64,8 @@ export async function start(root: HTMLElement): Promise<void> {
   listenToPaste(opening);
 
   await openNamed(opening, catalogue, listed, parameters);
-  // Without a character or a context there is no picture to wait for; the rest is as alive.
+  // Without a character or a context there is no first picture to wait for; the rest of the page
+  // works all the same.
   if (store.scene.value.actors.length === 0 || !viewer.available.value) firstFrameShown();
   await firstFrame;
   const { startInterface } = await loadPart(import('./start-interface.tsx'));
@@ -72,7 +73,10 @@ export async function start(root: HTMLElement): Promise<void> {
   settleReady();
 }
 
-/** Opens what the page's address names; the first stands in for what is not there, with a word. */
+/**
+ * Opens what the page's address names. An unknown name gives a message, and the first entry is
+ * opened.
+ */
 async function openNamed(
   opening: Opening,
   catalogue: Signal<readonly CatalogueEntry[]>,

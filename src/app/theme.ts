@@ -2,7 +2,10 @@ import { effect, type ReadonlySignal, signal } from '@preact/signals-core';
 import type { ThemeChoice } from '../ui/editor.ts';
 import type { Viewer } from '../view/viewer.ts';
 
-/** Light or dark, for page and scene, as the user wants or else as the system has it. */
+/**
+ * Uses light or dark colors for the page and the scene, as the user chose or else as the system has
+ * it.
+ */
 export function followTheme(choice: ReadonlySignal<ThemeChoice>, viewer: Viewer): void {
   const query = matchMedia('(prefers-color-scheme: dark)');
   const systemIsDark = signal(query.matches);

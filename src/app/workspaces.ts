@@ -12,7 +12,7 @@ const skinAlone: Look = {
   shading: 'smooth',
 };
 
-/** Every workspace, the first visit's first. */
+/** All workspaces; a first visit opens the first one. */
 export const workspaces: readonly Workspace[] = [
   {
     id: 'studio',
@@ -30,7 +30,8 @@ export const workspaces: readonly Workspace[] = [
   {
     id: '6.837',
     label: 'MIT 6.837',
-    // The course's program looks at the middle of a character 0.9 tall from 1.5 away.
+    // The camera of the course's program looks at the middle of a character 0.9 tall from a
+    // distance of 1.5.
     camera: {
       target: [0, 0.5, 0],
       distance: 1.5 / 0.9,

@@ -27,7 +27,7 @@ const messageOf = (path: string, limit?: number): Promise<string> =>
     (error: unknown) => (error instanceof Failure ? error.message : `not told: ${String(error)}`),
   );
 
-/** So many bytes, one by one, and how many of them were asked for. */
+/** A stream of this many bytes, one by one, which counts how many were requested. */
 function slowly(count: number): { stream: ReadableStream; asked: () => number } {
   let given = 0;
   const stream = new ReadableStream({
@@ -40,7 +40,7 @@ function slowly(count: number): { stream: ReadableStream; asked: () => number } 
 }
 
 describe('fetchFile', () => {
-  it('gives the bytes, unpacked, under the name of the file', async () => {
+  it('gives the unpacked bytes under the name of the file', async () => {
     answer('v 0 0 0\n');
     expect((await fileAt('data/a%20b.obj')).path).toBe('a b.obj');
     answer(gzipSync('v 1 2 3\n'));
@@ -61,13 +61,13 @@ describe('fetchFile', () => {
     expect(fetched).not.toHaveBeenCalled();
   });
 
-  it('lets the page’s server send it to no other', async () => {
+  it('follows no redirect to another server', async () => {
     answer('');
     await fileAt('a.obj');
     expect(fetched.mock.calls[0]![1]).toMatchObject({ mode: 'same-origin' });
   });
 
-  it('takes as many bytes as the limit, and asks for no more', async () => {
+  it('accepts as many bytes as the limit, and requests no more', async () => {
     answer(slowly(10).stream);
     expect((await fileAt('a.obj', 10)).bytes.length).toBe(10);
     const endless = slowly(1e9);
@@ -83,7 +83,7 @@ describe('fetchFile', () => {
     expect(await messageOf('a.obj.gz', 1000)).toBe('/a.obj.gz has more than 1000 bytes');
   });
 
-  it('tells what the server says, what breaks off and what is damaged', async () => {
+  it('reports the server’s status, interrupted transfers and damaged data', async () => {
     answer('gone', 404);
     expect(await messageOf('a.obj')).toBe('/a.obj: the server says 404');
     fetched.mockRejectedValue(new TypeError('Failed to fetch'));

@@ -32,7 +32,7 @@ async function open() {
   return { session, store, run, aborted, asItWas };
 }
 
-/** All of a PNG that Sinew looks at: its signature, the note, its end. */
+/** The parts of a PNG that Sinew reads: its signature, the note and its end. */
 function picture(bundled: string): FileEntry {
   const empty = Uint8Array.from([
     137,
@@ -49,8 +49,8 @@ function picture(bundled: string): FileEntry {
   return memoryFile('picture.png', insertPngText(empty, pictureKeyword, note));
 }
 
-describe('an opening that another took over', () => {
-  it('leaves pose and problems alone, wherever it waited', async () => {
+describe('an opening that another one replaced', () => {
+  it('leaves pose and problems alone, wherever it was waiting', async () => {
     const waits: Record<
       string,
       (aborted: () => void) => Parameters<Awaited<ReturnType<typeof open>>['run']>
@@ -82,7 +82,7 @@ function slow(path: string, content: string, meanwhile: () => void): FileEntry {
 }
 
 describe('files that can’t be read', () => {
-  it.each(['pose.json', 'picture.png', 'a.obj', 'notes.txt'])('%s is told', async (path) => {
+  it.each(['pose.json', 'picture.png', 'a.obj', 'notes.txt'])('are reported: %s', async (path) => {
     const { session, run } = await open();
     const fault = new DOMException('a text of the browser', 'NotReadableError');
     const broken = { ...memoryFile(path, bytesOf('')), bytes: () => Promise.reject(fault) };

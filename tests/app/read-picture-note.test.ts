@@ -11,7 +11,7 @@ const { skeleton } = await readOne({ 'a.skel': courseSkel });
 const read = (text: string) => readPictureNote({ path: 'a.png', text });
 
 describe('readPictureNote', () => {
-  it('reads what is written', () => {
+  it('reads what was written', () => {
     const pose = { joints: { Neck: [0, 1, 0] as [number, number, number] } };
     const {
       bundled,
@@ -53,7 +53,7 @@ describe('readPictureNote', () => {
     ]);
   });
 
-  it('says with the same places what is wrong with the pose', () => {
+  it('reports the problems of a pose at the same places', () => {
     const { pose, log } = read('{"name":"a","pose":{"joints":{"Neck":[0,true,0]}}}');
     expect(decodePose(pose!, skeleton).value).toBeUndefined();
     expect(shown(log.diagnostics)).toEqual([

@@ -10,7 +10,7 @@ import { swingOf } from '../fixtures/swing.ts';
 const arrays = ['Float32Array', 'Float64Array', 'Uint16Array', 'Uint32Array'] as const;
 const own = arrays.map((name) => globalThis[name]);
 
-/** Counts every typed array that is made by name from now on. */
+/** Counts every typed array that is created by its constructor from now on. */
 function countArrays(): { made: number } {
   const count = { made: 0 };
   for (const name of arrays) {
@@ -45,7 +45,7 @@ describe('playing', () => {
     expect(count.made).toBe(0);
   });
 
-  it('makes none where copies play in step, which share what is computed', () => {
+  it('makes none if copies play in step, because they share what is computed', () => {
     const pool = new EvaluationPool();
     const evaluators = Array.from({ length: 3 }, () => new Evaluator(playing, pool));
     const show = (time: number) =>

@@ -18,7 +18,7 @@ interface Counts {
   rest: number;
 }
 
-/** A character that counts how often its joints are placed and its mesh at rest is shaped. */
+/** A character that counts how often its joints are placed and its rest mesh is computed. */
 function countingCharacter(): { character: Character; counts: Counts } {
   const built = withMorph(characterOfRig(rotatedTree()));
   const { skeleton } = built;
@@ -34,7 +34,7 @@ function countingCharacter(): { character: Character; counts: Counts } {
     clips: [swingOf(built)],
     skeleton: {
       ...skeleton,
-      // Forward kinematics asks for it once a joint.
+      // Forward kinematics reads it once per joint.
       get depths() {
         depthReads++;
         return skeleton.depths;
@@ -59,7 +59,7 @@ function copiesOf(character: Character, count: number): Actor[] {
 }
 
 describe('evaluators of one pool', () => {
-  it('compute what is equal once: copies in one pose', () => {
+  it('compute equal results once, for copies in one pose', () => {
     const { character, counts } = countingCharacter();
     const actors = copiesOf(character, 20);
     const pool = fullPool();
@@ -74,7 +74,7 @@ describe('evaluators of one pool', () => {
     expect({ ...counts }).toEqual({ joints: 2, rest: 1 });
   });
 
-  it('share pose, joints and mesh at rest under two methods, and nothing further down', () => {
+  it('share pose, joints and rest mesh under two methods, and no later stage', () => {
     const { character, counts } = countingCharacter();
     const [actor] = copiesOf(character, 1) as [Actor];
     const pool = fullPool();
@@ -89,7 +89,7 @@ describe('evaluators of one pool', () => {
     expect(right.revisions.vertices).not.toBe(left.revisions.vertices);
   });
 
-  it('are those of a scene, with what is compared beside it', async () => {
+  it('belong to a scene, with those of a comparison beside them', async () => {
     const { character, counts } = countingCharacter();
     const store = new Store();
     store.dispatch({ label: 'Add', apply: () => ({ actors: copiesOf(character, 3) }) });
@@ -104,7 +104,7 @@ describe('evaluators of one pool', () => {
     expect(new Set(shown.map((each) => each.vertices())).size).toBe(2);
   });
 
-  it('give what each would give alone, whatever the others show', () => {
+  it('give the same results as each would alone, whatever the others show', () => {
     const { character } = countingCharacter();
     const actors = copiesOf(character, 3);
     const step = fc.record({
@@ -140,7 +140,7 @@ describe('evaluators of one pool', () => {
     );
   });
 
-  it('hold nothing once they are disposed, and no pose that nobody shows', () => {
+  it('hold nothing after they are disposed, and no pose that none of them shows', () => {
     const { character } = countingCharacter();
     const actors = copiesOf(character, 4);
     const pool = fullPool();

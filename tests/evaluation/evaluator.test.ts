@@ -18,7 +18,7 @@ function stateOf(which: number): Actor {
   return createActor(1 + which, characters[which % characters.length]!, 'linear-blend');
 }
 
-/** An edit of any kind of what a character's evaluation is a function of. */
+/** One edit for every kind of input to a character's evaluation. */
 const edits: readonly ((state: Actor, amount: number) => Actor)[] = [
   (state, amount) => ({ ...state, q: state.q.map((value) => value + amount) }),
   (state, amount) => ({
@@ -36,7 +36,7 @@ const steps = fc.array(
 );
 
 describe('an evaluation', () => {
-  it('is a function of character and moment alone, whatever was shown before', () => {
+  it('depends only on character and moment, whatever was shown before', () => {
     fc.assert(
       fc.property(fc.nat(characters.length - 1), steps, (which, chosen) => {
         let state = stateOf(which);
@@ -44,7 +44,8 @@ describe('an evaluation', () => {
         for (const [edit, amount] of chosen) {
           state = edits[edit]!(state, amount);
           const shown = evaluator.evaluate(state, amount);
-          // Some stages are read, others not: what is skipped must not be missed later.
+          // Only some stages are read; the skipped ones must be up to date when they are read
+          // later.
           if (amount > 0) expectFresh(shown, state, amount);
         }
         expectFresh(evaluator.evaluate(state, 0), state, 0);
@@ -52,7 +53,7 @@ describe('an evaluation', () => {
     );
   });
 
-  it('agrees with the whole way on the CPU, by every method', () => {
+  it('agrees with the full computation on the CPU, for every method', () => {
     for (const [which, character] of characters.entries()) {
       for (const method of loadedKernels) {
         const state = { ...stateOf(which), ...deformationOf(method.id) };
@@ -94,7 +95,7 @@ describe('an evaluation', () => {
     expect(evaluator.characterFromJoint).toBe(characterFromJoint);
   });
 
-  it('never meets a revision of another evaluator', () => {
+  it('never has a revision of another evaluator', () => {
     const seen = new Set<number>();
     for (let which = 0; which < 20; which++) {
       const state = stateOf(which);
@@ -104,7 +105,7 @@ describe('an evaluation', () => {
     }
   });
 
-  it('gives a snapshot that the next moment leaves alone', () => {
+  it('gives a snapshot that does not change at the next moment', () => {
     const state = stateOf(0);
     const evaluator = new Evaluator(state, fullPool());
     const kept = evaluator.evaluate(state, 0).snapshot();

@@ -17,8 +17,8 @@ const character = characterOfRig(Object.values(allRigs)[0]!());
 const bent = () =>
   createActor(1, character, 'rigid', { q: character.skeleton.qRest.map(() => 0.4) });
 
-describe('a method whose code is on the way', () => {
-  it('is named as pending, linear blend stands in, and then it is there', async () => {
+describe('a method whose code is still loading', () => {
+  it('is named as pending, linear blend replaces it meanwhile, and then it is used', async () => {
     const actor = bent();
     const evaluator = new Evaluator(actor, new EvaluationPool());
     expect(evaluator.pending).toEqual(['Rigid parts']);
@@ -31,7 +31,7 @@ describe('a method whose code is on the way', () => {
     expect(rigid).not.toEqual(stand);
   });
 
-  it('has whoever asked follow, and `settled` waits for it', async () => {
+  it('notifies its readers, and `settled` waits for it', async () => {
     const session = new Session();
     const store = new Store();
     store.dispatch(openCharacter(null, character, 'linear-blend'));
@@ -45,7 +45,7 @@ describe('a method whose code is on the way', () => {
     expect(seen).toEqual(['linear-blend', 'linear-blend', 'rigid']);
   });
 
-  it('is told once where it can’t be had, and not asked for again', async () => {
+  it('is reported once if it can’t be loaded, and not requested again', async () => {
     const told: unknown[] = [];
     const asked = signal(0);
     const kernels = new Kernels({

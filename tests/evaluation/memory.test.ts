@@ -12,7 +12,7 @@ import { rotatedTree } from '../fixtures/rigs.ts';
 setFlagsFromString('--expose-gc');
 const collectGarbage = runInNewContext('gc') as () => void;
 
-it('the history keeps states, and nothing that was computed of them', async () => {
+it('the history keeps states, and no computed results', async () => {
   const store = new Store();
   const evaluations = new Evaluations(store, new Session());
   const character = characterOfRig(rotatedTree());
@@ -31,7 +31,7 @@ it('the history keeps states, and nothing that was computed of them', async () =
   }).flat();
   store.dispatch({ label: 'Remove', apply: () => ({ actors: [] }) });
   evaluations.keepOnly([]);
-  // What a weak reference points at lives until the end of the task that made it.
+  // The target of a weak reference lives until the end of the task that created it.
   await new Promise((resolve) => setTimeout(resolve));
   collectGarbage();
   expect(computed.filter((reference) => reference.deref() !== undefined)).toEqual([]);

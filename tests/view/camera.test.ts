@@ -20,13 +20,13 @@ const camera: Camera = {
   fieldOfView: 0.6,
 };
 
-/** Where a point of the scene falls in the picture, -1 to 1. */
+/** The position of a point of the scene in the picture, from -1 to 1. */
 function project(from: Camera, point: readonly number[], aspect: number): vec3 {
   return vec3.transformMat4(new Float64Array(3), point, clipFromScene(from, aspect));
 }
 
 describe('the camera', () => {
-  it('looks from +z at azimuth 0, from +x at a quarter turn', () => {
+  it('looks from +z at azimuth 0, and from +x at a quarter turn', () => {
     const level = { ...camera, target: [0, 0, 0], elevation: 0 } as const;
     expect([...eyeOf({ ...level, azimuth: 0 })].map((x) => Math.round(x * 1e9))).toEqual([
       0, 0, 2e9,
@@ -57,7 +57,7 @@ describe('the camera', () => {
     expect(y).toBeCloseTo(-0.2, 6);
   });
 
-  it('frames every box within the picture, and touches its margin', () => {
+  it('fits every box within the picture, up to its margin', () => {
     const number = fc.double({ min: -3, max: 3, noNaN: true });
     const corner = fc.tuple(number, number, number);
     const aspects = fc.double({ min: 0.4, max: 2.5, noNaN: true });

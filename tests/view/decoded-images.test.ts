@@ -8,7 +8,7 @@ const imageOf = (name: string): CharacterImage => ({
   bytes: new Uint8Array(0),
 });
 
-/** Pictures of a thousand bytes each; decoding is counted. */
+/** Images of a thousand bytes each; the decodings are counted. */
 function setUp(byteLimit: number) {
   const decoded: string[] = [];
   const decode = ({ name }: CharacterImage): Promise<Picture | string> => {
@@ -20,7 +20,7 @@ function setUp(byteLimit: number) {
   return { decoded, images: new DecodedImages(decode, byteLimit) };
 }
 
-it('keeps what was decoded, so that it is there at once', async () => {
+it('keeps decoded images, so that they are available at once', async () => {
   const { decoded, images } = setUp(9_000);
   const image = imageOf('a');
   expect(images.find(image)).toBeUndefined();
@@ -31,7 +31,7 @@ it('keeps what was decoded, so that it is there at once', async () => {
   expect(decoded).toEqual(['a']);
 });
 
-it('lets go of what was asked for longest ago, past its limit', async () => {
+it('drops the least recently used images beyond its limit', async () => {
   const { decoded, images } = setUp(3_000);
   const all = ['a', 'b', 'c', 'd', 'e'].map(imageOf);
   const [a, b, c, d, e] = all as [CharacterImage, CharacterImage, CharacterImage, CharacterImage, CharacterImage]; // prettier-ignore
@@ -43,7 +43,7 @@ it('lets go of what was asked for longest ago, past its limit', async () => {
   expect(decoded.filter((name) => name === 'b')).toHaveLength(2);
 });
 
-it('keeps nothing that is larger than its limit, and no failure', async () => {
+it('keeps no image that is larger than its limit, and no failure', async () => {
   const { decoded, images } = setUp(999);
   const [large, broken] = [imageOf('large'), imageOf('broken')];
   await images.load(large);

@@ -1,16 +1,16 @@
 /**
- * A WebGL2 context in memory: what is written to buffers and float textures can be read back and is
- * counted. Every other call does nothing.
+ * A WebGL2 context in memory. Data written to buffers and float textures can be read back and is
+ * counted. All other calls do nothing.
  */
 export class FakeGl {
-  /** Bytes of buffers and textures that were sent, but for what reserves room. */
+  /** Bytes that were sent to buffers and textures, without those that only reserve memory. */
   uploadedBytes = 0;
   readonly buffers: FakeBuffer[] = [];
   readonly textures: FakeTexture[] = [];
   private boundBuffer: FakeBuffer | null = null;
   private boundTexture: FakeTexture | null = null;
 
-  /** As the code under test takes it. */
+  /** The context for the code under test. */
   readonly context: WebGL2RenderingContext;
 
   constructor() {
@@ -70,12 +70,12 @@ interface FakeBuffer {
 }
 
 interface FakeTexture {
-  /** Floats of a row. */
+  /** The number of floats in a row. */
   width: number;
   texels: Float32Array;
 }
 
-/** A number for a constant's name: which one does not matter, but that no two are alike. */
+/** Returns a number for a constant's name; any will do as long as no two are equal. */
 function constant(name: string): number {
   if (!constants.has(name)) constants.set(name, 1 + constants.size);
   return constants.get(name)!;

@@ -27,7 +27,7 @@ function expectClose(found: ArrayLike<number>, expected: readonly number[]): voi
 }
 
 describe('the axes of a view', () => {
-  it('are what its matrix shows: right, up, and from the eye to the middle', () => {
+  it('are those of its matrix: right, up, and from the eye to the center', () => {
     fc.assert(
       fc.property(cameras, (camera) => {
         const { right, up, look } = axesOf(camera);
@@ -48,7 +48,7 @@ describe('the axes of a view', () => {
 });
 
 describe('the first-person camera', () => {
-  it('sees what the orbit camera saw, and goes back to it', () => {
+  it('sees what the orbit camera saw, and converts back to it', () => {
     fc.assert(
       fc.property(cameras, (camera) => {
         const back = orbitFrom(firstPersonFrom(camera));
@@ -75,7 +75,7 @@ describe('the first-person camera', () => {
     expect(lookAround(level, 0, -100).pitch).toBeGreaterThan(-Math.PI / 2);
   });
 
-  it('walks ahead, to the side, and up', () => {
+  it('walks forward, sideways and up', () => {
     expectClose(walk(level, 2, 0, 0).eye, [1, 2, 1]);
     expectClose(walk(level, 0, 0.5, 0).eye, [1.5, 2, 3]);
     expectClose(walk(level, 0, 0, 1).eye, [1, 3, 3]);

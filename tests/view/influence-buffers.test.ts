@@ -8,7 +8,7 @@ import { characterOfRig } from '../fixtures/character-of-rig.ts';
 import { allRigs, manyInfluences, rotatedTree } from '../fixtures/rigs.ts';
 import { FakeGl } from './fake-gl.ts';
 
-/** Weights of some points multiplied, their entries as they are. */
+/** Multiplies the weights of some points; their entries stay the same. */
 function scaled(skin: Skin, points: readonly number[], factor: number): Skin {
   const start = [0];
   const entries: number[] = [];
@@ -28,7 +28,7 @@ function contentsOf({ buffers, textures }: FakeGl): unknown {
 }
 
 describe('influences on the GPU', () => {
-  it('become those of another skin by the bytes of the rows that differ', () => {
+  it('change to those of another skin by sending only the rows that differ', () => {
     const { mesh, skin } = characterOfRig(rotatedTree());
     const gl = new FakeGl();
     const buffers = createInfluenceBuffers(new Gpu(gl.context), mesh, skin);
@@ -38,7 +38,7 @@ describe('influences on the GPU', () => {
     expect(gl.uploadedBytes).toBe(vertices * buffers.pairs * 4 * Float32Array.BYTES_PER_ELEMENT);
   });
 
-  it('in a texture too', () => {
+  it('do so in a texture too', () => {
     const { mesh, skin } = characterOfRig(manyInfluences());
     const gl = new FakeGl();
     const buffers = createInfluenceBuffers(new Gpu(gl.context), mesh, skin);
@@ -48,7 +48,7 @@ describe('influences on the GPU', () => {
     expect(gl.uploadedBytes).toBe((skin.start[3]! - skin.start[2]!) * 8);
   });
 
-  it('are then what they would be made anew, whatever rows differ', () => {
+  it('are then equal to newly created ones, whatever rows differ', () => {
     const characters = Object.values(allRigs).map((rig) => characterOfRig(rig()));
     const change = fc.tuple(fc.nat(1000), fc.constantFrom(0.5, 2));
     fc.assert(
@@ -79,14 +79,14 @@ describe('influences on the GPU', () => {
     );
   });
 
-  it('are made anew where a row becomes longer or shorter', () => {
+  it('are created again if a row becomes longer or shorter', () => {
     const { mesh, skin } = characterOfRig(rotatedTree());
     const buffers = createInfluenceBuffers(new Gpu(new FakeGl().context), mesh, skin);
     const shorter = skinWithRows(skin, [0], { start: [0, 1], entries: [1], weights: [1] });
     expect(buffers.patch(skin, shorter)).toBe(false);
   });
 
-  it('stay as they are for whoever else holds them', () => {
+  it('do not change for others that hold them', () => {
     const { mesh, skin } = characterOfRig(rotatedTree());
     const gpu = new Gpu(new FakeGl().context);
     const pool = new Pool<Skin, InfluenceBuffers>();

@@ -8,7 +8,7 @@ import {
 import { characterOfRig } from '../fixtures/character-of-rig.ts';
 import { allRigs } from '../fixtures/rigs.ts';
 
-/** Entry and weight of every influence of a render vertex, in order. */
+/** The entry and the weight of every influence of a render vertex, in order. */
 type Influences = [number, number][];
 
 describe.each(

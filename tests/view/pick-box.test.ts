@@ -8,7 +8,7 @@ import { poseFromJson } from '../../src/formats/pose-json.ts';
 import { readOne } from '../support/files.ts';
 import { randomSource } from '../support/random.ts';
 
-/** An arm whose boxes are turned, and do not overlap. */
+/** An arm whose boxes are rotated and do not overlap. */
 const arm = `balljoint shoulder {
   boxmin -0.2 -0.1 -0.3  boxmax 0.9 0.1 0.3
   balljoint elbow { offset 1 0 0  boxmin 0.1 -0.2 -0.1  boxmax 1 0.2 0.1 }
@@ -24,7 +24,7 @@ async function openArm() {
 
 type Target = Awaited<ReturnType<typeof openArm>>;
 
-/** The joint in whose box a point of the scene lies, tried by the plainest means: corner by corner. */
+/** Returns the joint whose box contains a point of the scene, by a simple test of every box. */
 function boxAround({ character, display, characterFromJoint }: Target, point: vec3): number | null {
   const boxes = character.skeleton.displayBoxes!;
   const scene = (joint: number, at: vec3): vec3 => {
@@ -48,7 +48,7 @@ function boxAround({ character, display, characterFromJoint }: Target, point: ve
 }
 
 describe('picking boxes', () => {
-  it('finds the box that a walk along the ray comes to first', async () => {
+  it('finds the box that a walk along the ray enters first', async () => {
     const target = await openArm();
     const random = randomSource(169);
     const around = (size: number): vec3 => [
@@ -68,14 +68,14 @@ describe('picking boxes', () => {
         expected = boxAround(target, vec3.scaleAndAdd(vec3.create(), origin, direction, at));
       }
       const picked = pickBox(target, characterRay(target.display, { origin, direction }));
-      // A walk may step over the edge of a box that the ray just touches.
+      // A walk may step over the edge of a box that the ray only grazes.
       if (expected !== null) expect(picked?.joint).toBe(expected);
       found.add(expected);
     }
     expect(found).toEqual(new Set([null, 0, 1]));
   });
 
-  it('misses what lies behind, and all where there are no boxes', async () => {
+  it('misses what is behind the ray, and everything if there are no boxes', async () => {
     const target = await openArm();
     expect(pickBox(target, { origin: [0, 0.5, -9], direction: [0, 0, -1] })).toBeNull();
     const plain = await readOne({ 'a.skel': '0 0 0 -1\n0 1 0 0\n' });

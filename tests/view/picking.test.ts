@@ -24,7 +24,7 @@ const camera: Camera = {
 const viewHeight = 800;
 const aspect = 1.25;
 
-/** Three bones in a row, along y, of 20 units in all: the course's scale. */
+/** Three bones in a row along y, of 20 units in all, which is the course's scale. */
 const chain = '0 0 0 -1\n0 8 0 0\n0 8 0 1\n0 4 0 2\n';
 
 async function targetOf(text: string) {
@@ -34,7 +34,7 @@ async function targetOf(text: string) {
   return { character, display: displayTransform(character), characterFromJoint };
 }
 
-/** Pixels, right and up from the middle, of a point of the character. */
+/** The offset of a character's point from the middle of the view, in pixels to the right and up. */
 function pixelsOf(
   { display }: Awaited<ReturnType<typeof targetOf>>,
   point: vec3,
@@ -52,13 +52,13 @@ const mouse = 6 * sizeOfPixel(camera, viewHeight);
 const finger = 20 * sizeOfPixel(camera, viewHeight);
 
 describe('picking bones', () => {
-  it('says which bone was hit, where along it, and how far away', async () => {
+  it('reports which bone was hit, where along it, and at what distance', async () => {
     const target = await targetOf(chain);
     const ray = rayAtPixel(...pixelsOf(target, [0, 11, 0]));
     const hit = pickJoint(target, ray, 0)!;
     expect(hit.joint).toBe(1);
     expect(hit.bone?.child).toBe(2);
-    // On the cylinder of radius 0.25, at the height of the bone's middle or so.
+    // The point is on the cylinder of radius 0.25, near the height of the bone's middle.
     expect(Math.hypot(hit.point[0], hit.point[2])).toBeCloseTo(0.25, 6);
     expect(hit.point[1]).toBeCloseTo(3, 0);
     const place = pointOnRay(characterRay(target.display, ray), hit.distance);
@@ -72,7 +72,7 @@ describe('picking bones', () => {
     ['a finger', finger, 20],
   ])('is near enough for %s within its pixels', async (_, tolerance, pixels) => {
     const target = await targetOf('0 0 0 -1\n0 4000 0 0\n4000 0 0 1\n');
-    // So far away that the radius is less than a pixel.
+    // At this distance the radius is less than a pixel.
     const distant = { ...camera, distance: 300 };
     const middle = (point: vec3, aside: number) => {
       const place = vec3.transformMat4(
@@ -88,20 +88,20 @@ describe('picking bones', () => {
     expect(middle([0, 2000, 0], -(pixels + 0.5))).toBeNull();
   });
 
-  it('takes what is pointed at before what is only near', async () => {
-    // The second bone stands four units behind the first, a little to its side.
+  it('prefers a bone that is hit to one that is only near', async () => {
+    // The second bone is four units behind the first, a little to its side.
     const target = await targetOf('0 0 0 -1\n0 20 0 0\n0.6 0 -1 -1\n0 20 0 2\n');
     const [x, y] = pixelsOf(target, [0.6, 10, -1]);
     expect(pickBone(target, rayAtPixel(x, y), finger)?.joint).toBe(2);
   });
 
-  it('takes the nearest of what is pointed at', async () => {
+  it('takes the nearest of the bones that are hit', async () => {
     const target = await targetOf('0 0 -5 -1\n0 20 0 0\n0 0 5 -1\n0 20 0 2\n');
     const ray = rayAtPixel(...pixelsOf(target, [0, 10, 5]));
     expect(pickBone(target, ray, 0)?.joint).toBe(2);
   });
 
-  it('meets the spheres of joints, but for where bones alone are asked for', async () => {
+  it('hits the spheres of joints, except if only bones are picked', async () => {
     const target = await targetOf(chain);
     const [x, y] = pixelsOf(target, [0, 8, 0]);
     const ray = rayAtPixel(x + 12, y);

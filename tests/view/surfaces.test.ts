@@ -29,15 +29,15 @@ function surfaceOf(material: Omit<MaterialParts, 'name'>, images: readonly Chara
 }
 
 describe('surfaces', () => {
-  it('have the color that the material shows, in linear light and for our exposure', () => {
+  it('have the color of the material, in linear light and for Sinew’s exposure', () => {
     const { albedo, specular, shininess } = surfaceOf({ colors });
-    // 1.1 is past 1; 0.3 in sRGB is 0.0732 in linear light.
+    // 1.1 is beyond 1; 0.3 in sRGB is 0.0732 in linear light.
     expect(albedo).toEqual([0.6, expect.closeTo(0.6 * 0.0732, 4), 0]);
     expect(specular).toEqual([1, 0, 0]);
     expect(shininess).toBe(8);
   });
 
-  it('show their inner side unless the material says that it does not', () => {
+  it('show their inner side unless the material says otherwise', () => {
     expect(surfaceOf({ colors, twoSided: false }).twoSided).toBe(false);
     expect(surfaceOf({ colors, twoSided: true }).twoSided).toBe(true);
     expect(surfaceOf({}).twoSided).toBe(true);
@@ -48,14 +48,14 @@ describe('surfaces', () => {
     expect(surfaceOf({})).toMatchObject({ albedo: null, alpha: 1, specular: [0, 0, 0] });
   });
 
-  it('take colors past what a display has as its ends', () => {
+  it('clamp colors to the range of a display', () => {
     const wild = { ...colors, shown: [-4, 1e6, 0], specular: [-1, 2, 0] } as const;
     const { albedo, specular } = surfaceOf({ colors: wild });
     expect(albedo).toEqual([0, 0.6, 0]);
     expect(specular).toEqual([0, 1, 0]);
   });
 
-  it('name the image that stands for their texture', () => {
+  it('name the image of their texture', () => {
     const texture = 'tex\\Skin.bmp';
     const image = { name: 'tex/Skin.bmp', textures: [texture], bytes: new Uint8Array(0) };
     expect(surfaceOf({ texture }, [image]).texture).toBe('tex/Skin.bmp');

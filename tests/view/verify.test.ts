@@ -39,7 +39,7 @@ describe('verification', () => {
     expect(found.identical).toBe(false);
   });
 
-  it('sees a normal that alone differs, and a single bit', () => {
+  it('finds a normal that is the only difference, and a single bit', () => {
     const normal = verifySkin(
       state,
       changed(({ normals }) => (normals[0]! += 0.25)),
@@ -52,7 +52,7 @@ describe('verification', () => {
     expect(verifySkin(state, zero, negativeZero).identical).toBe(false);
   });
 
-  it('takes NaN for the largest difference there is', () => {
+  it('treats NaN as the largest possible difference', () => {
     const found = verifySkin(
       state,
       changed(({ positions }) => (positions[4] = NaN)),

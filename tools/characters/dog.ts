@@ -4,16 +4,16 @@ import { addRigidPart, boneOf, floorOf, makeFromSkin } from './source-skin.ts';
 import { readStl } from './stl-source.ts';
 import type { Vector3 } from './vector.ts';
 
-/** MuJoCo's dog looks along +x, its left is +y, up is +z: it looks along +z, up is +y. */
+/** MuJoCo's dog faces +x, with +y to its left and +z up. This turns it to face +z, with +y up. */
 function turnUpright([x, y, z]: Vector3): Vector3 {
   return [y, z, x];
 }
 
 /**
- * Makes the dog from the folder `dm_control/suite` of the Python package dm-control: its skin and
- * the eyes, which the model keeps beside it. The skin's bones are bound at the origins of bodies;
- * they are moved to where the model's joints turn the bodies (the head about the atlas, not about
- * its middle). The middle of the paws stands on the origin.
+ * Makes the dog from the folder `dm_control/suite` of the Python package dm-control: its skin, and
+ * the eyes, which the model keeps separate from it. The skin's bones are bound at the origins of
+ * bodies; they are moved to the positions of the model's joints (the head rotates about the atlas,
+ * not about its own center). The middle of the paws is at the origin.
  */
 export function makeDog(sourceFolder: string, dataFolder: string): void {
   const assets = join(sourceFolder, 'dog_assets');

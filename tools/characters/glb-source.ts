@@ -2,7 +2,7 @@ import { readFileSync } from 'node:fs';
 import { trianglesOf, type SourceBone, type SourceSkin } from './source-skin.ts';
 import type { Vector2, Vector3 } from './vector.ts';
 
-/** As much of glTF 2.0 as a GLB with one mesh of one primitive and one skin needs. */
+/** The subset of glTF 2.0 that a GLB with one mesh of one primitive and one skin needs. */
 interface Gltf {
   readonly accessors: readonly {
     readonly bufferView: number;
@@ -41,7 +41,7 @@ const ITEM_LENGTHS = new Map([
   ['MAT4', 16],
 ]);
 
-/** One array of numbers for each item of an accessor. */
+/** Returns one array of numbers for each item of an accessor. */
 function readAccessor(gltf: Gltf, data: DataView, index: number | undefined): number[][] {
   const accessor = gltf.accessors[index ?? -1];
   const view = gltf.bufferViews[accessor?.bufferView ?? -1];
@@ -57,7 +57,10 @@ function readAccessor(gltf: Gltf, data: DataView, index: number | undefined): nu
   );
 }
 
-/** Where the frame stands whose inverse this column-major matrix (a rotation, a shift) is. */
+/**
+ * Returns the origin of the frame whose inverse is this column-major matrix (a rotation and a
+ * translation).
+ */
 function originOfInverse(matrix: readonly number[]): Vector3 {
   const along = (axis: number): number =>
     -[0, 1, 2].reduce((sum, row) => sum + matrix[axis * 4 + row]! * matrix[12 + row]!, 0);
@@ -68,9 +71,9 @@ const HEADER_BYTES = 12;
 const CHUNK_HEADER_BYTES = 8;
 
 /**
- * Reads a binary glTF as its bind pose has it; the transforms of its nodes are not used.
+ * Reads the bind pose of a binary glTF; the transforms of its nodes are not used.
  *
- * @param name for its one part
+ * @param name for its only part
  */
 export function readGlb(path: string, name: string): SourceSkin {
   const file = readFileSync(path);

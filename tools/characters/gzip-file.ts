@@ -3,9 +3,9 @@ import { dirname } from 'node:path';
 import { gzipSync } from 'node:zlib';
 
 /**
- * Writes text as a gzip file and reports its size in bytes. Node stores no modification time and no
- * name in the header, so that the same text gives the same bytes on every run; byte 9 (the
- * operating system) is set to 255, unknown, as it is the one byte that would differ by machine.
+ * Writes text as a gzip file and returns its size in bytes. Node stores no modification time and no
+ * name in the header, so the same text gives the same bytes on every run. Byte 9 (the operating
+ * system) is set to 255, unknown, because it is the one byte that would differ between machines.
  */
 export function writeGzipText(path: string, text: string): number {
   const bytes = gzipSync(Buffer.from(text, 'utf8'), { level: 9, memLevel: 9 });

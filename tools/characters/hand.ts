@@ -3,12 +3,16 @@ import { readGlb } from './glb-source.ts';
 import { boneOf, floorOf, makeFromSkin } from './source-skin.ts';
 import type { Vector3 } from './vector.ts';
 
-/** How far the source's flat cut through the forearm is from square to the fingers, radians. */
+/**
+ * The angle between the source's flat cut through the forearm and a cut square to the fingers, in
+ * radians.
+ */
 const CUT_TILT = 0.3358;
 
 /**
- * The source's fingers point along -y, its palm to -x: fingers to +y, palm to +z, and leant back so
- * that the cut is level, as a raised hand is bent at the wrist.
+ * In the source the fingers point along -y and the palm faces -x. This turns the fingers to +y and
+ * the palm to +z, and leans the hand back until the cut is level, as a raised hand bends at the
+ * wrist.
  */
 function turnUpright([sourceX, sourceY, sourceZ]: Vector3): Vector3 {
   const [x, y, z] = [-sourceZ, -sourceY, -sourceX];
@@ -18,8 +22,8 @@ function turnUpright([sourceX, sourceY, sourceZ]: Vector3): Vector3 {
 
 /**
  * Makes the hand from the folder `generic-hand` of the npm package @webxr-input-profiles/assets,
- * which stores its joints side by side; `hand-joints.json` chains them. The cut through the forearm
- * stands on the floor, the wrist above the origin.
+ * which stores its joints as siblings; `hand-joints.json` chains them. The cut through the forearm
+ * is on the floor, and the wrist is above the origin.
  */
 export function makeHand(sourceFolder: string, dataFolder: string): void {
   const skin = readGlb(join(sourceFolder, 'right.glb'), 'hand');

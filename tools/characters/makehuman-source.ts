@@ -4,14 +4,14 @@ import { gunzipSync } from 'node:zlib';
 import type { Corner, Face } from './pack-mesh.ts';
 import { meanOf, type Vector2, type Vector3 } from './vector.ts';
 
-/** The base mesh in its own units (decimetres), +y up, facing +z; faces by group name. */
+/** The base mesh in its own units (decimeters), +y up, facing +z, with the faces by group name. */
 export interface BaseMesh {
   readonly positions: Vector3[];
   readonly textureCoordinates: Vector2[];
   readonly groups: ReadonlyMap<string, Face[]>;
 }
 
-/** Where a rig puts the head of a bone: the mean of a helper cube's vertices, or of named ones. */
+/** A rig puts the head of a bone at the mean of a helper cube's vertices, or of listed vertices. */
 interface RigEnd {
   readonly strategy: string;
   readonly cube_name?: string;
@@ -25,7 +25,7 @@ interface RigBone {
 
 export type Rig = Readonly<Record<string, RigBone>>;
 
-/** For each bone the pairs (vertex of the base mesh, weight). */
+/** For each bone, the pairs (vertex of the base mesh, weight). */
 export type RigWeights = Readonly<Record<string, readonly (readonly [number, number])[]>>;
 
 function itemAt<Item>(items: readonly Item[], index: number, what: string): Item {
@@ -46,7 +46,7 @@ function parseCorner(text: string): Corner {
   return { position: position - 1, texture: texture - 1 };
 }
 
-/** Reads `3dobjs/base.obj`, every group of it, helpers and joint cubes included. */
+/** Reads every group of `3dobjs/base.obj`, including helpers and joint cubes. */
 export function readBaseMesh(folder: string): BaseMesh {
   const positions: Vector3[] = [];
   const textureCoordinates: Vector2[] = [];
@@ -71,7 +71,7 @@ export function readBaseMesh(folder: string): BaseMesh {
   return { positions, textureCoordinates, groups };
 }
 
-/** Adds `weight` times a morph target (offsets in decimetres) to the positions, in place. */
+/** Adds `weight` times a morph target (offsets in decimeters) to the positions, in place. */
 export function addTarget(
   folder: string,
   name: string,
@@ -97,7 +97,7 @@ export function readRigWeights(folder: string): RigWeights {
   return file.weights;
 }
 
-/** Where a bone starts on this (already morphed) mesh, in the mesh's units and space. */
+/** Returns the start of a bone on this (already morphed) mesh, in the mesh's units and space. */
 export function boneHead(rig: Rig, bone: string, mesh: BaseMesh): Vector3 {
   const head = rig[bone]?.head;
   if (head === undefined) throw new Error(`the rig has no bone ${bone}`);
@@ -110,7 +110,7 @@ export function boneHead(rig: Rig, bone: string, mesh: BaseMesh): Vector3 {
   return meanOf([...corners].map((index) => itemAt(mesh.positions, index, 'the mesh')));
 }
 
-/** For each vertex of the base mesh its mirror image in the plane x = 0, or itself. */
+/** For each vertex of the base mesh, returns its mirror image in the plane x = 0, or itself. */
 export function readMirror(folder: string): number[] {
   const mirror: number[] = [];
   const text = readFileSync(join(folder, 'mesh_metadata/hm08.mirror'), 'utf8');

@@ -1,6 +1,9 @@
 import type { Vector2, Vector3 } from './vector.ts';
 
-/** A mesh as an OBJ holds it, zero-based; each part becomes an `o` and a `usemtl` of its name. */
+/**
+ * A mesh as stored in an OBJ file, but with indices from zero. Each part becomes an `o` and a
+ * `usemtl` with its name.
+ */
 export interface ObjMesh {
   readonly positions: readonly Vector3[];
   readonly textureCoordinates: readonly Vector2[];
@@ -9,20 +12,22 @@ export interface ObjMesh {
 
 export interface ObjPart {
   readonly name: string;
-  /** Corners of each face, counter-clockwise seen from outside: [position, texture]. */
+  /** The corners of each face, counterclockwise seen from outside: [position, texture]. */
   readonly faces: readonly (readonly (readonly [position: number, texture: number])[])[];
 }
 
 /** Weights are stored as whole ten-thousandths, so that a row can sum to exactly 1. */
 const WEIGHT_STEPS = 10_000;
 
-/** A fixed number of decimals, and never a negative zero. */
+/** Formats with a fixed number of decimals, and never a negative zero. */
 function fixed(value: number, decimals: number): string {
   const text = value.toFixed(decimals);
   return Number(text) === 0 ? (0).toFixed(decimals) : text;
 }
 
-/** One line a joint, `tx ty tz parent`: the offset from the parent in file units (metres). */
+/**
+ * Writes one line per joint, `tx ty tz parent`: the offset from the parent in file units (meters).
+ */
 export function skelText(offsets: readonly Vector3[], parents: readonly number[]): string {
   return offsets
     .map((offset, joint) => {
@@ -32,7 +37,10 @@ export function skelText(offsets: readonly Vector3[], parents: readonly number[]
     .join('');
 }
 
-/** Five decimals of a metre and four of the texture's side: finer than anything seen. */
+/**
+ * Writes five decimals of a meter and four of the texture's side, which is finer than anyone can
+ * see.
+ */
 export function objText(mesh: ObjMesh): string {
   const lines: string[] = [];
   for (const position of mesh.positions) {
@@ -51,16 +59,17 @@ export function objText(mesh: ObjMesh): string {
 }
 
 /**
- * One line a vertex, one weight for each joint but the first, each with a space after it, as the
- * course's own files have them. Rows hold whole numbers that sum to `WEIGHT_STEPS`.
+ * Writes one line per vertex with one weight for each joint except the first. Each weight has a
+ * space after it, as in the course's own files. Rows contain integers that sum to `WEIGHT_STEPS`.
  */
 export function attachText(rows: readonly (readonly number[])[]): string {
   return rows.map((row) => `${row.map((steps) => `${steps / WEIGHT_STEPS} `).join('')}\n`).join('');
 }
 
 /**
- * Rounds weights to whole steps that sum to exactly `WEIGHT_STEPS` (largest remainder: what is left
- * over after rounding down goes to those that lost most). Weights under one step are dropped first.
+ * Rounds weights to whole steps that sum to exactly `WEIGHT_STEPS`, by the largest remainder
+ * method: the steps left after rounding down go to the weights that lost most. Weights under one
+ * step are dropped first.
  */
 export function roundWeights(weights: readonly number[]): number[] {
   const kept = weights.map((weight) => (weight * WEIGHT_STEPS < 1 ? 0 : weight));

@@ -7,10 +7,10 @@ const NAME_BYTES = 40;
 /**
  * Reads MuJoCo's binary skin: four counts (vertices, texture coordinates, faces, bones), then
  * positions, texture coordinates, faces, and for each bone its name, bind position, bind
- * orientation, the number of its vertices, their indices and their weights. Little-endian int32 and
- * float32 throughout. MuJoCo counts v from the top of the picture.
+ * orientation, number of vertices, their indices and their weights. All numbers are little-endian
+ * int32 or float32. MuJoCo counts v from the top of the picture.
  *
- * @param name for its one part
+ * @param name for its only part
  */
 export function readMujocoSkin(path: string, name: string): SourceSkin {
   const file = readFileSync(path);
@@ -47,7 +47,7 @@ export function readMujocoSkin(path: string, name: string): SourceSkin {
   return { positions, textureCoordinates, parts: [{ name, triangles }], bones };
 }
 
-/** A tag's attributes, from the text after its name. */
+/** Reads a tag's attributes from the text after its name. */
 function attributesOf(text: string): ReadonlyMap<string, string> {
   return new Map([...text.matchAll(/(\w+)="([^"]*)"/g)].map(([, key, value]) => [key!, value!]));
 }
@@ -59,9 +59,9 @@ function parsePoint(text: string): Vector3 {
 }
 
 /**
- * For each body of a MuJoCo model where its last joint turns it, relative to the body's own origin;
- * bodies without a joint are absent. A joint without a `pos` has its default class's, and a class
- * without one has the class's around it.
+ * For each body of a MuJoCo model, returns the position of its last joint relative to the body's
+ * own origin. Bodies without a joint are absent. A joint without a `pos` has that of its default
+ * class, and a class without one has that of the enclosing class.
  */
 export function readJointPlaces(path: string): ReadonlyMap<string, Vector3> {
   const places = new Map<string, Vector3>();
@@ -94,7 +94,7 @@ export function readJointPlaces(path: string): ReadonlyMap<string, Vector3> {
   return places;
 }
 
-/** The skin with its bones where the model's joints turn them. */
+/** Moves the skin's bones to the positions of the model's joints. */
 export function moveBones(skin: SourceSkin, places: ReadonlyMap<string, Vector3>): SourceSkin {
   const bones = [...skin.bones].map(([name, bone]): [string, SourceBone] => {
     const place = places.get(name);

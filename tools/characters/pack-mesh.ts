@@ -1,7 +1,7 @@
 import type { ObjMesh, ObjPart } from './mit-text.ts';
 import type { Vector2, Vector3 } from './vector.ts';
 
-/** One corner of a face: zero-based indices into the positions and the texture coordinates. */
+/** A corner of a face: indices from zero into the positions and the texture coordinates. */
 export interface Corner {
   readonly position: number;
   readonly texture: number;
@@ -13,19 +13,19 @@ export interface SourceMesh {
   readonly positions: readonly Vector3[];
   readonly textureCoordinates: readonly Vector2[];
   readonly parts: readonly { readonly name: string; readonly faces: readonly Face[] }[];
-  /** For each vertex its mirror image in the plane x = 0, or itself. */
+  /** For each vertex, its mirror image in the plane x = 0, or itself. */
   readonly mirror?: readonly number[];
 }
 
-/** The mesh for the file and, for each of its vertices, the vertex of the source that it was. */
+/** The mesh for the file and, for each of its vertices, the vertex of the source. */
 export interface PackedMesh {
   readonly obj: ObjMesh;
   readonly sourceVertex: readonly number[];
 }
 
 /**
- * Vertices in the order of their first use, each followed by its mirror image: its line in the file
- * is then the line before but for the sign, and gzip stores it in almost nothing.
+ * Orders vertices by their first use, each followed by its mirror image. The line of the mirror
+ * image equals the one before it except for a sign, so gzip stores it in very few bytes.
  */
 function orderVertices(faces: readonly Face[], mirror: readonly number[]): number[] {
   const used = new Set(faces.flat().map((corner) => corner.position));
@@ -39,15 +39,15 @@ function orderVertices(faces: readonly Face[], mirror: readonly number[]): numbe
   return [...order];
 }
 
-/** What is equal after rounding to the file's four decimals is one coordinate there. */
+/** Coordinates that are equal after rounding to the file's four decimals count as one. */
 function textureKey(coordinate: Vector2): string {
   return coordinate.map((value) => value.toFixed(4)).join(' ');
 }
 
 /**
  * Keeps only the vertices that the parts use. Texture coordinates are numbered like the vertices as
- * far as that goes (`f 7/7 8/8 …` packs well): vertex k's first coordinate is number k, and those
- * of further charts, along seams, come after all of them.
+ * far as possible, because `f 7/7 8/8 …` compresses well: vertex k's first coordinate has number k,
+ * and those of other charts, along seams, come after all of these.
  */
 export function packMesh(source: SourceMesh): PackedMesh {
   const allFaces = source.parts.flatMap((part) => part.faces);

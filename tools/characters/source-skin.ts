@@ -5,7 +5,7 @@ import type { Vector2, Vector3 } from './vector.ts';
 import { writeCharacter } from './write-character.ts';
 
 export interface SourceBone {
-  /** Where it turns while the mesh is as stored. */
+  /** The center of rotation in the pose in which the mesh is stored. */
   readonly position: Vector3;
   /** From vertex to weight. */
   readonly weights: ReadonlyMap<number, number>;
@@ -16,10 +16,10 @@ export interface SourcePart {
   readonly triangles: readonly (readonly number[])[];
 }
 
-/** A skinned mesh as engines hold it: vertices are doubled wherever their texture has a seam. */
+/** A skinned mesh as engines store it: vertices are duplicated along texture seams. */
 export interface SourceSkin {
   readonly positions: readonly Vector3[];
-  /** One for each position, origin at the lower left. */
+  /** One per position, with the origin at the lower left. */
   readonly textureCoordinates: readonly Vector2[];
   readonly parts: readonly SourcePart[];
   readonly bones: ReadonlyMap<string, SourceBone>;
@@ -31,7 +31,7 @@ export function boneOf(skin: SourceSkin, name: string): SourceBone {
   return bone;
 }
 
-/** The skin and a part that moves with one bone; it has no texture. */
+/** Adds a part that moves with one bone and has no texture. */
 export function addRigidPart(
   skin: SourceSkin,
   name: string,
@@ -50,24 +50,26 @@ export function addRigidPart(
   };
 }
 
-/** Every three vertices in a row are a triangle. */
+/** Groups the vertices into triangles, three in a row for each. */
 export function trianglesOf(vertices: readonly number[]): number[][] {
   return Array.from({ length: vertices.length / 3 }, (_, face) =>
     vertices.slice(face * 3, face * 3 + 3),
   );
 }
 
-/** The least y of the mesh once turned. */
+/** The smallest y of the turned mesh. */
 export function floorOf(skin: SourceSkin, turn: (point: Vector3) => Vector3): number {
   return skin.positions.reduce((low, point) => Math.min(low, turn(point)[1]), Infinity);
 }
 
-/** One vertex for each place, so that doubled ones do not part where the mesh bends. */
+/**
+ * The mesh with one vertex per position, so that duplicates do not separate where the mesh bends.
+ */
 interface Welded {
   readonly positions: readonly Vector3[];
-  /** The first of the source's vertices at each place. */
+  /** The first vertex of the source at each position. */
   readonly first: readonly number[];
-  /** From the source's vertices to places. */
+  /** Maps the source's vertices to positions. */
   readonly placeOf: readonly number[];
 }
 
@@ -83,9 +85,9 @@ function weld(points: readonly Vector3[]): Welded {
   return { positions: first.map((vertex) => points[vertex]!), first, placeOf };
 }
 
-/** For each point the index of its mirror image in the plane x = 0, or its own. */
+/** For each point, the index of its mirror image in the plane x = 0, or its own. */
 function mirrorOf(points: readonly Vector3[]): number[] {
-  // Six decimals: the two sides were rounded apart by less than that.
+  // Six decimals are used because rounding moved the two sides apart by less than that.
   const key = (x: number, y: number, z: number): string =>
     [x, y, z].map((value) => Math.round(value * 1e6)).join(' ');
   const indices = new Map(points.map(([x, y, z], index) => [key(x, y, z), index]));
@@ -93,10 +95,10 @@ function mirrorOf(points: readonly Vector3[]): number[] {
 }
 
 /**
- * Writes the three files of a character from an engine's skin. A root that carries no weights
- * stands where joint 1 does, since an `.attach` file has no column for joint 0.
+ * Writes the three files of a character from an engine's skin. Its root has no weights and is at
+ * the position of joint 1, because an `.attach` file has no column for joint 0.
  *
- * @param place takes a point of the source to file space
+ * @param place maps a point of the source to file space
  */
 export function makeFromSkin(
   name: string,

@@ -5,7 +5,7 @@ const HEADER_BYTES = 84;
 const TRIANGLE_BYTES = 50;
 const NORMAL_BYTES = 12;
 
-/** Reads a binary STL: the three corners of each triangle, one triangle after the other. */
+/** Reads a binary STL: the three corners of each triangle, one triangle after another. */
 export function readStl(path: string): Vector3[] {
   const file = readFileSync(path);
   const corners: Vector3[] = [];

@@ -2,19 +2,19 @@ import { roundWeights, type ObjPart } from './mit-text.ts';
 import type { Vector2, Vector3 } from './vector.ts';
 import { writeCharacter } from './write-character.ts';
 
-/** Metres. The tube stands on the origin along +y, rounded at both ends. */
+/** In meters. The tube stands on the origin along +y and is rounded at both ends. */
 const RADIUS = 0.25;
 const HEIGHT = 2;
 
-/** How far above and below the middle the two joints share the tube, metres. */
+/** The distance above and below the middle over which the two joints share the tube, in meters. */
 const BLEND_HALF_LENGTH = 0.3;
 
 const SEGMENTS = 64;
 const WALL_RINGS = 81;
-/** Rings in each rounded end, the pole not counted. */
+/** The number of rings in each rounded end, without the pole. */
 const END_RINGS = 8;
 
-/** A ring of the outline: its height and its radius, metres. */
+/** A ring of the outline: its height and its radius, in meters. */
 type Ring = readonly [height: number, radius: number];
 
 /** From the ring next to the lower pole to the ring next to the upper pole. */
@@ -35,7 +35,7 @@ function outline(): Ring[] {
   return rings;
 }
 
-/** 0 below the blend, 1 above it, and smooth (the cubic with level ends) in between. */
+/** Returns 0 below the blend, 1 above it, and a cubic with level ends in between. */
 function upperWeight(height: number): number {
   const along = (height - HEIGHT / 2) / (2 * BLEND_HALF_LENGTH) + 0.5;
   const t = Math.min(1, Math.max(0, along));
@@ -49,8 +49,9 @@ interface Wall {
 }
 
 /**
- * Vertices ring by ring, the poles last. Texture coordinates have one column more than there are
- * segments, so that u runs from 0 to 1 round the tube; v is the height over the tube's height.
+ * Lists vertices ring by ring, with the poles last. Texture coordinates have one more column than
+ * there are segments, so that u runs from 0 to 1 around the tube; v is the height divided by the
+ * tube's height.
  */
 function buildWall(rings: readonly Ring[]): Wall {
   const positions: Vector3[] = [];
@@ -58,7 +59,7 @@ function buildWall(rings: readonly Ring[]): Wall {
   for (const [height, radius] of rings) {
     for (let segment = 0; segment <= SEGMENTS; segment++) {
       const angle = (segment / SEGMENTS) * 2 * Math.PI;
-      // The seam is at the back (-z); seen from above, u runs counter-clockwise.
+      // The seam is at the back (-z). Seen from above, u runs counterclockwise.
       const point: Vector3 = [-radius * Math.sin(angle), height, -radius * Math.cos(angle)];
       if (segment < SEGMENTS) positions.push(point);
       textureCoordinates.push([segment / SEGMENTS, height / HEIGHT]);
@@ -79,7 +80,7 @@ function buildWall(rings: readonly Ring[]): Wall {
       ]);
     }
   }
-  // A pole has a texture coordinate for each triangle, in the middle of it, so that no chart twists.
+  // A pole has one texture coordinate per triangle, centered on it, so that no chart twists.
   for (const [ring, height] of [
     [0, 0],
     [rings.length - 1, HEIGHT],
@@ -97,9 +98,10 @@ function buildWall(rings: readonly Ring[]): Wall {
 }
 
 /**
- * Makes the tube of skinning papers: two joints on one axis, weights that blend about the middle.
- * Turning the upper joint about y by half a turn closes the tube to a point under linear blend
- * skinning (the candy wrapper). Joint 0 is a root without weights at the base.
+ * Makes the tube of skinning papers: two joints on one axis, with weights that blend around the
+ * middle. Rotating the upper joint about y by half a turn collapses the tube to a point under
+ * linear blend skinning (the candy-wrapper artifact). Joint 0 is a root without weights at the
+ * base.
  */
 export function makeTube(dataFolder: string): void {
   const { positions, textureCoordinates, faces } = buildWall(outline());

@@ -1,7 +1,7 @@
-/** A point or a direction; the unit and the space are said where it is used. */
+/** A point or a direction; the unit and the space are stated where it is used. */
 export type Vector3 = readonly [x: number, y: number, z: number];
 
-/** A texture coordinate, origin at the lower left. */
+/** A texture coordinate with the origin at the lower left. */
 export type Vector2 = readonly [u: number, v: number];
 
 export function add(a: Vector3, b: Vector3): Vector3 {
@@ -28,12 +28,12 @@ export function unit(a: Vector3): Vector3 {
   return scale(a, 1 / Math.hypot(...a));
 }
 
-/** From a (0) to b (1). */
+/** Interpolates from a (0) to b (1). */
 export function mix(a: Vector3, b: Vector3, t: number): Vector3 {
   return add(a, scale(subtract(b, a), t));
 }
 
-/** The mean of some points; throws where there are none. */
+/** The mean of some points; throws if there are none. */
 export function meanOf(points: readonly Vector3[]): Vector3 {
   if (points.length === 0) throw new Error('the mean of no points');
   const sum = [0, 0, 0] as [number, number, number];

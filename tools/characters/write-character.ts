@@ -4,16 +4,16 @@ import { attachText, objText, skelText, type ObjMesh } from './mit-text.ts';
 import { subtract, type Vector3 } from './vector.ts';
 
 interface CharacterText {
-  /** Where the joints stand, metres, in file order. */
+  /** The positions of the joints in meters, in file order. */
   readonly joints: readonly Vector3[];
-  /** Parents first; -1 for the root. */
+  /** Parents come before their children; -1 for the root. */
   readonly parents: readonly number[];
   readonly obj: ObjMesh;
   /** A row of `roundWeights` for each vertex, without a column for joint 0. */
   readonly rows: readonly (readonly number[])[];
 }
 
-/** Writes `NAME/NAME.skel.gz`, `.obj.gz` and `.attach.gz` and says how large they are. */
+/** Writes `NAME/NAME.skel.gz`, `.obj.gz` and `.attach.gz` and prints their sizes. */
 export function writeCharacter(dataFolder: string, name: string, text: CharacterText): void {
   const { joints, parents, obj, rows } = text;
   const offsets = joints.map((joint, index) => {

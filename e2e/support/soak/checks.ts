@@ -1,10 +1,10 @@
 import { expect, type CDPSession, type Page } from '@playwright/test';
 import { type Holdings, holdingsOf } from '../holdings.ts';
 
-/** More steps of undo than these would take longer than the walk that made them. */
+/** Undoing more steps than this would take longer than making them. */
 const mostUndone = 10;
 
-/** Ends what is under way, whatever it was: dialogs, playing clips, openings, decoding. */
+/** Ends whatever is in progress: dialogs, playing clips, openings, decoding. */
 export async function comeToRest(page: Page): Promise<void> {
   await page.setViewportSize({ width: 760, height: 420 });
   await page.keyboard.press('Escape');
@@ -17,13 +17,16 @@ export async function comeToRest(page: Page): Promise<void> {
     for (const { id } of window.sinew.characters) {
       window.sinew.select(id);
       await new Promise((resolve) => setTimeout(resolve));
-      // Of an actor without a bound clip it would bind one.
+      // Pause would bind a clip to an actor that has none bound.
       if (button('Own pose')?.disabled === false) button('Pause')?.click();
     }
   });
 }
 
-/** The page shows what it shows by the same numbers on CPU and GPU, and one actor is selected. */
+/**
+ * Expects the CPU and the GPU to agree on the numbers of every character, and one character to be
+ * selected.
+ */
 export async function expectNumbers(page: Page): Promise<void> {
   await expect.poll(() => page.locator('.message').count(), 'the context is back').toBe(0);
   const characters = await page.evaluate(() => window.sinew.characters);
@@ -35,12 +38,15 @@ export async function expectNumbers(page: Page): Promise<void> {
   }
 }
 
-/** Undone and done again, the scene passes through the very same states. */
+/** Expects undo and redo to pass through exactly the same states. */
 export async function expectReplay(page: Page): Promise<void> {
   const { undone, redone } = await page.evaluate(async (mostUndone) => {
     const hash = (numbers: Float32Array): number =>
       new Int32Array(numbers.buffer).reduce((sum, bits) => (Math.imul(sum, 31) + bits) | 0, 0);
-    /** All that is told of the scene, and the places and ways that its controls show. */
+    /**
+     * Everything that scripts can read of the scene, and the places and options that its controls
+     * show.
+     */
     const tell = (): string =>
       JSON.stringify(
         window.sinew.characters.map(({ id, name }) => {
@@ -76,13 +82,13 @@ export async function expectReplay(page: Page): Promise<void> {
 }
 
 export interface Resting extends Holdings {
-  /** Of all documents, those among them that no document has and something still holds. */
+  /** Nodes of all documents, including detached nodes that something still references. */
   readonly nodes: number;
-  /** Bytes. */
+  /** In bytes. */
   readonly heap: number;
 }
 
-/** What the page holds on to when a small character stands alone in it. */
+/** Measures what the page holds when it shows only a small character. */
 export async function restingHoldings(page: Page, devtools: CDPSession): Promise<Resting> {
   await page.evaluate(async () => {
     while (window.sinew.characters.length > 1) window.sinew.remove();
@@ -97,10 +103,10 @@ export async function restingHoldings(page: Page, devtools: CDPSession): Promise
 }
 
 /**
- * The bounds are some twice of what a page holds at most, with every pass and panel used, however long it is
- * in use; of a character that stayed there would be more after a few openings.
+ * The bounds are about twice what a page holds at most with every pass and panel in use, however
+ * long it is used. A character that leaked would exceed them after a few openings.
  *
- * @param recentDownloads files that were just saved, whose addresses are still there
+ * @param recentDownloads number of files that were just saved, whose addresses still exist
  */
 export function expectNoLeak(resting: Resting, recentDownloads: number): void {
   const { objects, listeners, workers, urls, nodes, heap } = resting;

@@ -1,6 +1,6 @@
 import type { Page } from '@playwright/test';
 
-/** A control that the pointer reaches, and its middle in the page. */
+/** A control that the pointer can reach, and its middle in page coordinates. */
 export interface FoundControl {
   readonly kind: 'click' | 'select' | 'type' | 'slide';
   readonly name: string;
@@ -13,10 +13,10 @@ const controls =
   'button, select, summary, input, .lil-title, [role=treeitem], [role=slider], .timeline svg';
 
 /**
- * One of the controls that are visible, brought into view, the number choosing among them; none where
- * something else lies over it.
+ * Chooses one of the visible controls by the number and scrolls it into view. Returns null if
+ * something else covers it.
  *
- * @param kind of which kind alone
+ * @param kind limits the choice to this kind
  */
 export function findControl(
   page: Page,

@@ -6,13 +6,13 @@ import { catalogue } from '../catalogue.ts';
 import { madeCharacter } from '../made-character.ts';
 import { type FoundControl, findControl } from './find-control.ts';
 
-/** A random number, 0 or more and below the count. */
+/** Returns a random integer from 0 to less than the count. */
 export type Dice = (count: number) => number;
 
-/** What a user does next. */
+/** An action of a user. */
 export interface Step {
   readonly name: string;
-  /** How often it is taken, among the others. */
+  /** How often the step is chosen, relative to the others. */
   readonly weight: number;
   /** @returns what exactly was done, for the log */
   run(page: Page, dice: Dice): Promise<string>;
@@ -23,7 +23,9 @@ const keys = [
   ...['Tab', 'Shift+Tab', 'Enter', 'Control+z', 'Control+z', 'Control+Shift+z'],
 ];
 
-/** Of a phone, of a tablet, and of windows; small, since pictures are drawn by the CPU. */
+/**
+ * The sizes of a phone, a tablet and windows; all are small, because the CPU draws the pictures.
+ */
 const sizes = [
   [760, 420],
   [390, 700],
@@ -46,7 +48,7 @@ const texts = [
   '#4080c0',
 ];
 
-/** What is dropped or chosen: characters, a part, a pose, and what nothing reads. */
+/** What is dropped or chosen: characters, a part, a pose, and a file with errors. */
 const drops: readonly (readonly { readonly name: string; readonly content: string }[])[] = [
   madeCharacter(5, 2),
   madeCharacter(30, 20),
@@ -71,10 +73,10 @@ export const steps: readonly Step[] = [
   { name: 'lose the context', weight: 1, run: loseContext },
 ];
 
-/** Answers the dialog for files that a control opens. */
+/** Answers the file dialogs that controls open. */
 export function answerFileDialogs(page: Page, dice: Dice): void {
   page.on('filechooser', (chooser) => {
-    // A folder can't be answered with files; nobody answers it.
+    // A dialog that asks for a folder rejects files and stays unanswered.
     const files = drops[dice(drops.length)]!.map(({ name, content }) => ({
       name,
       mimeType: 'application/octet-stream',
@@ -90,7 +92,7 @@ async function pressKey(page: Page, dice: Dice): Promise<string> {
   return key;
 }
 
-/** As Playwright names it. */
+/** The name of the key combination in Playwright. */
 function pressOf({ key, control, shift }: KeyPress): string {
   const named = key === ' ' ? 'Space' : key;
   return `${control ? 'Control+' : ''}${shift ? 'Shift+' : ''}${named}`;
@@ -112,7 +114,9 @@ async function useControl(page: Page, dice: Dice): Promise<string> {
   return `${control.name}: "${text}" ${end}`;
 }
 
-/** By its value, since the list of a browser is no part of its page. */
+/**
+ * Chooses an option by its value, because the browser's list of options is not part of the page.
+ */
 async function chooseOption(page: Page, dice: Dice, control: FoundControl): Promise<string> {
   const { x, y, name } = control;
   const chosen = await page.evaluate(
@@ -153,7 +157,7 @@ async function dragInView(page: Page, dice: Dice): Promise<string> {
   return `${button} ${await drag(page, dice, button, place(), place())}`;
 }
 
-/** Something else may come between the press and the release. */
+/** Something else may happen between the press and the release. */
 async function drag(
   page: Page,
   dice: Dice,
@@ -189,7 +193,7 @@ function setPose(page: Page, dice: Dice): Promise<string> {
   );
 }
 
-/** Waited for or not: the next step may come while it is read. */
+/** Waits for the opening, or lets the next step begin while the character is still being read. */
 async function openBundled(page: Page, dice: Dice, way: 'open' | 'add'): Promise<string> {
   const { id } = catalogue[dice(catalogue.length)]!;
   const waits = dice(2) === 0;
@@ -233,7 +237,7 @@ async function resize(page: Page, dice: Dice): Promise<string> {
   return `${width} × ${height}`;
 }
 
-/** Some steps are taken without the context, which then comes back. */
+/** Takes a few steps without the context, which is then restored. */
 async function loseContext(page: Page, dice: Dice): Promise<string> {
   const extension = await page.evaluateHandle(() => {
     const gl = document.querySelector('canvas')!.getContext('webgl2')!;
@@ -243,7 +247,7 @@ async function loseContext(page: Page, dice: Dice): Promise<string> {
   });
   const done: string[] = [];
   for (let i = dice(4); i > 0; i--) {
-    const { name, run } = steps[dice(steps.length - 1)]!; // all but this one, the last
+    const { name, run } = steps[dice(steps.length - 1)]!; // all steps except this one, the last
     done.push(`${name} ${await run(page, dice)}`);
   }
   await extension.evaluate((extension) => {

@@ -1,6 +1,6 @@
 import type { Place } from './sweep.ts';
 
-/** Side of the square texture, pixels. */
+/** The side of the square texture, in pixels. */
 export const textureSize = 1024;
 
 /** A rectangle of the texture, in pixels from its upper left corner. */
@@ -12,8 +12,8 @@ export interface Region {
 }
 
 /**
- * Where each part is painted: along the part to the right, across it downwards. Both flanks of a
- * part share their picture, so nothing has a seam. Strips as wide as the texture may be repeated.
+ * The region of each part: along the part to the right, across it downward. Both flanks of a part
+ * share their picture, so nothing has a seam. Strips as wide as the texture may be repeated.
  */
 export const atlas = {
   abdomen: { left: 0, top: 0, width: 1024, height: 208 },
@@ -27,22 +27,25 @@ export const atlas = {
   mandible: { left: 512, top: 928, width: 512, height: 96 },
 } as const satisfies Readonly<Record<string, Region>>;
 
-/** Pixels at a region's upper and lower edge that belong to it and are not reached. */
+/**
+ * The rows at a region's upper and lower edge, in pixels, that belong to it but are never sampled.
+ */
 const margin = 3;
 
-/** 0 on top of an ellipse, 1 underneath, the same on both flanks. */
+/** Returns 0 on top of an ellipse and 1 underneath, equal on both flanks. */
 function fromTop(angle: number): number {
   return Math.acos(Math.min(1, Math.max(-1, Math.sin(angle)))) / Math.PI;
 }
 
-/** 0 on the side away from `side`, 1 toward it, the same above and below. */
+/** Returns 0 on the side away from `side` and 1 toward it, equal above and below. */
 export function fromFront(angle: number): number {
   return (1 + Math.cos(angle)) / 2;
 }
 
 /**
- * @param along of the stations, what is at the region's left edge and at its right edge
- * @param repeats how often the picture comes; more than once only for a strip as wide as the texture
+ * @param along the values of the stations at the region's left edge and at its right edge
+ * @param repeats how often the picture repeats; more than once only for a strip as wide as the
+ * texture
  */
 export function placeIn(
   region: Region,

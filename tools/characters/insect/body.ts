@@ -4,21 +4,21 @@ import { type InsectJoint } from './joints.ts';
 import { chainWeights, places, profile, roundedEnd } from './profile.ts';
 import { type Station, type Surface, sweep } from './sweep.ts';
 
-/** Where the abdomen's joints turn: z, going backwards, and y. */
+/** The positions of the abdomen's joints: z, going backward, and y. */
 const abdomenJoints = [
   { name: 'abdomen1', z: -0.27, y: 0.45 },
   { name: 'abdomen2', z: -0.53, y: 0.455 },
   { name: 'abdomen3', z: -0.75, y: 0.435 },
 ] as const;
 
-/** Ends of the abdomen's plates, z. */
+/** The z of the end of each plate of the abdomen. */
 export const plates = [-0.36, -0.485, -0.6, -0.7, -0.79, -0.87, -0.945] as const;
 
 export const abdomenRange = [-0.16, -1.1] as const;
 export const thoraxRange = [0.55, -0.29] as const;
 
 const thoraxShape = profile([
-  // −z, y of the middle, half the width, half the height, belly
+  // −z, y of the center, half the width, half the height, belly
   [-0.55, 0.475, 0.05, 0.05, 1],
   [-0.47, 0.475, 0.07, 0.075, 1],
   [-0.42, 0.482, 0.128, 0.12, 0.95],
@@ -53,7 +53,7 @@ const abdomenShape = profile([
   [1.1, 0.31, 0.004, 0.004, 1],
 ]);
 
-/** Swells just before the end of each plate and steps in behind it. */
+/** The surface swells just before the end of each plate and steps inward behind it. */
 function plateRelief(z: number): number {
   let relief = 0;
   for (const [index, end] of plates.entries()) {
@@ -64,7 +64,7 @@ function plateRelief(z: number): number {
   return z < -0.34 && z > -0.95 ? relief : 0;
 }
 
-/** How far the abdomen swells at a z when the insect breathes in, 0 to 1. */
+/** How far the abdomen swells at a z when the insect breathes in, from 0 to 1. */
 function swelling(z: number): number {
   const t = (-z - 0.34) / 0.62;
   return t > 0 && t < 1 ? Math.sin(Math.PI * t) ** 1.5 : 0;
@@ -113,7 +113,7 @@ export function abdomenSurface(breath: number): Surface {
     ['body', -Infinity, 0],
     ...abdomenJoints.map(({ name, z }, index) => [name, -z, index === 0 ? 0.05 : 0.13] as const),
   ] as const;
-  // Rings stand on both sides of each plate's end.
+  // There are rings on both sides of each plate's end.
   const steps = plates.slice(0, -1).flatMap((end, index) => {
     const next = plates[index + 1]!;
     return [0.03, 0.12, 0.35, 0.6, 0.82, 0.95].map((t) => end + (next - end) * t);

@@ -2,7 +2,9 @@ import { abdomenRange, plates, thoraxRange } from './body.ts';
 import { blend, type Color, dimples, hex, noise, ramp, shade } from './paint.ts';
 import { smoothstep } from './profile.ts';
 
-/** A shell as of polished metal: its color runs from gold-green on top to violet underneath. */
+/**
+ * The shell looks like polished metal; its color runs from gold-green on top to violet underneath.
+ */
 const shell = [hex(0x5fc24a), hex(0x12a866), hex(0x078a86), hex(0x1a5aa6), hex(0x4a2f8c)];
 const copper = hex(0xd8742a);
 const ember = hex(0xd2481c);
@@ -15,7 +17,10 @@ function metal(across: number, grain: number): Color {
   return ramp(shell, 0.08 + across * 0.85 + (grain - 0.5) * 0.22);
 }
 
-/** Small hammered hollows, dark in their middle; none at the midlines, where they would be mirrored. */
+/**
+ * Adds small hammered hollows with dark centers. There are none at the midlines, where they would
+ * be mirrored.
+ */
 function pitted(color: Color, x: number, y: number, rows: number, depth: number): Color {
   const off = smoothstep(1.2, 3, Math.min(y, rows - y));
   return shade(color, 1 - depth * off * (1 - smoothstep(0.05, 0.38, dimples(x, y))));
@@ -29,7 +34,7 @@ export function paintAbdomen(along: number, across: number): Color {
   if (index < 0) return blend(hex(0x2a5f86), dark, smoothstep(-0.97, -1.04, z));
   const start = index === 0 ? -0.3 : plates[index - 1]!;
   const t = (z - start) / (plates[index]! - start);
-  // Each plate is blue where it comes out, gold toward its end, and has a dark hem.
+  // Each plate is blue where it emerges, gold toward its end, and has a dark hem.
   color = blend(color, hex(0x12508c), 0.75 * (1 - smoothstep(0, 0.5, t)));
   color = blend(color, hex(0xb8d13c), 0.5 * smoothstep(0.45, 0.86, t) * (1 - across));
   color = blend(
@@ -45,7 +50,7 @@ export function paintAbdomen(along: number, across: number): Color {
 export function paintThorax(along: number, across: number): Color {
   const z = thoraxRange[0] + along * (thoraxRange[1] - thoraxRange[0]);
   let color = metal(across, noise(along * 7 + 40, across * 5));
-  // Seams between the plates of the back, and two furrows along it.
+  // There are seams between the plates of the back, and two furrows along it.
   const seam = (at: number, width: number): number => 1 - smoothstep(0, width, Math.abs(z - at));
   const furrow = 1 - smoothstep(0.012, 0.03, Math.abs(across - 0.17));
   const onBack = smoothstep(0.3, 0.26, z) * smoothstep(0.0, 0.05, z);
@@ -58,7 +63,7 @@ export function paintThorax(along: number, across: number): Color {
 
 export function paintHead(along: number, across: number): Color {
   let color = metal(0.1 + 0.45 * across + 0.3 * along, noise(along * 6, across * 6 + 90));
-  // Three small eyes on the crown, a bright shield above the mouth.
+  // There are three small eyes on the crown and a bright shield above the mouth.
   for (const [at, side] of [
     [0.2, 0],
     [0.13, 0.12],
@@ -82,7 +87,9 @@ export function paintEye(along: number, across: number): Color {
   return blend(shade(color, 1.05 - 0.3 * cell), hex(0xd06a3a), 0.45 * glow);
 }
 
-/** Coxa and tibia like the shell, the femur of embers, dark joints. */
+/**
+ * Coxa and tibia have the colors of the shell, the femur that of embers, and the joints are dark.
+ */
 export function paintLeg(along: number, across: number): Color {
   const place = along * 3.25;
   const grain = noise(along * 30, across * 3);
@@ -99,14 +106,14 @@ export function paintLeg(along: number, across: number): Color {
   return blend(color, dark, 0.85 * joint);
 }
 
-/** One bead of a foot. */
+/** Paints one bead of a foot. */
 export function paintTarsus(along: number, across: number): Color {
   const color = ramp([hex(0xc8742c), hex(0x7a3a18), hex(0x3a1a12)], across * 0.8 + 0.1);
   const edge = Math.max(1 - smoothstep(0, 0.16, along), smoothstep(0.86, 1, along));
   return blend(color, dark, 0.9 * edge);
 }
 
-/** One bead of an antenna. */
+/** Paints one bead of an antenna. */
 export function paintAntenna(along: number, across: number): Color {
   const color = ramp([hex(0x2b3550), hex(0x171c30), hex(0x0c0f1c)], across);
   return blend(

@@ -8,14 +8,14 @@ const headJoint: Vector3 = [0, 0.485, 0.5];
 const mandibleJoint: Vector3 = [0.05, 0.375, 0.655];
 const antennaJoint: Vector3 = [0.034, 0.535, 0.695];
 
-/** Forwards, up and out, bound; the flagellum follows from its end. */
+/** When bound, the scape points forward, up and outward; the flagellum continues from its end. */
 const scapeDirection = unit([0.32, 0.62, 0.6]);
 const scapeLength = 0.13;
 const flagellumJoint = add(antennaJoint, scale(scapeDirection, scapeLength));
 const flagellumBeads = 11;
 
 const capsule = profile([
-  // −y, z of the middle, half the width, half the depth
+  // −y, z of the center, half the width, half the depth
   [-0.655, 0.575, 0.1, 0.06],
   [-0.62, 0.58, 0.14, 0.088],
   [-0.57, 0.595, 0.16, 0.104],
@@ -28,7 +28,7 @@ const capsule = profile([
 
 const rigid = (joint: string): Station['weights'] => [[joint, 1]];
 
-/** The head's capsule, seen from above first; its front is on top in the texture. */
+/** The head's capsule, swept from the top down; its front is at the top of the texture region. */
 export function headSurface(): Surface {
   const [start, end] = [0.66, 0.33];
   const stations = places(22).map((t): Station => {
@@ -48,7 +48,7 @@ export function headSurface(): Surface {
   return sweep(stations, 26, placeIn(atlas.head, [0, 1]));
 }
 
-/** The left compound eye: an egg that leans with the flank of the head. */
+/** The left compound eye, an egg that leans with the flank of the head. */
 export function eyeSurface(): Surface {
   const down = unit([-0.22, -1, 0.16]);
   const up = unit(cross(down, cross([1, 0, 0.35], down)));
@@ -69,7 +69,7 @@ export function eyeSurface(): Surface {
   return sweep(stations, 18, placeIn(atlas.eye, [0, 1]));
 }
 
-/** Turns a point about an axis through a pivot. */
+/** Rotates a point about an axis through a pivot. */
 function turned(point: Vector3, pivot: Vector3, axis: Vector3, angle: number): Vector3 {
   const arm: Vector3 = [point[0] - pivot[0], point[1] - pivot[1], point[2] - pivot[2]];
   const along = arm[0] * axis[0] + arm[1] * axis[1] + arm[2] * axis[2];
@@ -103,7 +103,7 @@ function tube(
 }
 
 /**
- * The left mandible, a sickle that closes before the mouth.
+ * The left mandible, a sickle that closes in front of the mouth.
  *
  * @param alert 0 as bound, 1 wide open
  */
@@ -125,7 +125,7 @@ export function mandibleSurface(alert: number): Surface {
 }
 
 /**
- * The left antenna: a scape and a beaded flagellum that curls down at its end.
+ * The left antenna: a scape, and a beaded flagellum that curls down at its end.
  *
  * @param alert 0 as bound, 1 raised and stretched
  */

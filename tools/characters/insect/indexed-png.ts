@@ -1,11 +1,16 @@
 import { deflateSync } from 'node:zlib';
 import { crc32 } from '../../../src/formats/crc32.ts';
 
-/** A piece of the space of colors, six bits a channel, and how often each of its colors comes. */
+/**
+ * A box of the color space with six bits per channel, and the number of pixels of each color in it.
+ */
 interface Box {
   readonly colors: readonly { readonly code: number; readonly count: number }[];
   readonly channel: number;
-  /** From its extent along its longest channel and its pixels: the larger, the sooner it is cut. */
+  /**
+   * Computed from its extent along its longest channel and its number of pixels; the largest is cut
+   * first.
+   */
   readonly weight: number;
 }
 
@@ -30,7 +35,7 @@ function boxOf(colors: Box['colors']): Box {
   return { colors, channel: extents.indexOf(longest), weight: longest ** 3 * count ** 0.6 };
 }
 
-/** Both halves of a box, as many pixels in each as its colors allow. */
+/** Cuts a box into two halves with numbers of pixels as equal as its colors allow. */
 function cut({ colors, channel }: Box): [Box, Box] {
   const sorted = colors.toSorted(
     (a, b) => channelOf(a.code, channel) - channelOf(b.code, channel) || a.code - b.code,
@@ -42,7 +47,7 @@ function cut({ colors, channel }: Box): [Box, Box] {
   return [boxOf(sorted.slice(0, at)), boxOf(sorted.slice(at))];
 }
 
-/** Median cut (Heckbert 1982): the colors of a picture in at most so many boxes. */
+/** Divides the colors of a picture into at most this many boxes, by median cut (Heckbert 1982). */
 function boxesOf(pixels: Uint8Array, most: number): Box[] {
   const counts = new Map<number, number>();
   for (let at = 0; at < pixels.length; at += 3) {
@@ -67,7 +72,8 @@ function chunk(kind: string, content: Uint8Array): Buffer {
 }
 
 /**
- * A PNG of a table of colors and one byte a pixel: a third of the size of one with full colors.
+ * Makes a PNG with a palette and one byte per pixel, which has a third of the size of a PNG with
+ * full colors.
  *
  * @param pixels (size × size × 3) red, green, blue, row by row from the top
  * @param colors at most 256
@@ -79,7 +85,7 @@ export function indexedPng(pixels: Uint8Array, size: number, colors: number): Bu
     for (const { code } of box.colors) indexOf.set(code, index);
   });
   const sums = boxes.map(() => [0, 0, 0, 0] as [number, number, number, number]);
-  // Each row begins with its filter: 0, none.
+  // Each row begins with its filter type: 0 is none.
   const rows = Buffer.alloc((size + 1) * size);
   for (let pixel = 0; pixel < size * size; pixel++) {
     const index = indexOf.get(codeOf(pixels, pixel * 3))!;

@@ -1,23 +1,28 @@
 import type { Vector3 } from '../vector.ts';
 
-/** Radians; two equal numbers lock the angle. */
+/** In radians; two equal numbers lock the angle. */
 export type Range = readonly [min: number, max: number];
 
 export interface InsectJoint {
   readonly name: string;
   /** '' for the root. */
   readonly parent: string;
-  /** Where it turns when the insect is bound, model units, character space. */
+  /** The center of rotation when the insect is bound, in model units, in the character's space. */
   readonly position: Vector3;
-  /** Angles x, y, z, radians, at which the insect is bound: the frame then lies along the limb. */
+  /**
+   * The angles x, y, z at which the joint is bound, in radians; its frame then lies along the limb.
+   */
   readonly bind: Vector3;
-  /** Of the angles about x, y and z. */
+  /** The limits of the angles about x, y and z. */
   readonly limits: readonly [Range, Range, Range];
 }
 
 export const locked: Range = [0, 0];
 
-/** The joint and its image on the right: angles about y and z are the opposite ones there. */
+/**
+ * Returns the joint and its mirror image on the right, whose angles about y and z have the opposite
+ * sign.
+ */
 export function bothSides(joint: InsectJoint): InsectJoint[] {
   const { position, bind, limits } = joint;
   const other = (name: string): string => name.replace('_l', '_r');

@@ -6,10 +6,10 @@ import { joined, type Station, type Surface, sweep } from './sweep.ts';
 
 const segments = 10;
 
-/** How far from a joint its bend begins and ends, model units. */
+/** The distance from a joint at which its bend begins and ends, in model units. */
 const bend = 0.045;
 
-/** Half the thickness of a middle leg; places count segments: 1.5 is half way down the femur. */
+/** Half the thickness of a middle leg. Places count segments: 1.5 is halfway down the femur. */
 const thickness = profile([
   [0, 0.03],
   [0.3, 0.052],
@@ -26,7 +26,7 @@ const thickness = profile([
   [3, 0.015],
 ]);
 
-/** Where rings stand on each segment, 0 to 1, between the bends. */
+/** The positions of the rings on each segment between the bends, from 0 to 1. */
 const ringsOf: readonly (readonly number[])[] = [
   [0.05, 0.2, 0.42, 0.58],
   [0.17, 0.26, 0.36, 0.48, 0.62, 0.76],
@@ -35,13 +35,13 @@ const ringsOf: readonly (readonly number[])[] = [
 
 const tarsusBeads = 5;
 
-/** A point of the leg's middle line and its place on it, segments. */
+/** A point of the leg's center line and its place on it, in segments. */
 interface LinePoint {
   readonly point: Vector3;
   readonly place: number;
 }
 
-/** The middle line from base to ankle, its corners rounded. */
+/** The center line from base to ankle, with rounded corners. */
 function middleLine(corners: readonly Vector3[]): LinePoint[] {
   const line: LinePoint[] = [];
   for (let segment = 0; segment < 3; segment++) {
@@ -52,7 +52,7 @@ function middleLine(corners: readonly Vector3[]): LinePoint[] {
   return line;
 }
 
-/** Five points of the parabola that touches both segments at a joint. */
+/** Five points of the parabola that is tangent to both segments at a joint. */
 function corner(from: Vector3, joint: Vector3, to: Vector3, place: number): LinePoint[] {
   const [before, after] = [subtract(from, joint), subtract(to, joint)];
   const [lengthBefore, lengthAfter] = [Math.hypot(...before), Math.hypot(...after)];
@@ -65,7 +65,7 @@ function corner(from: Vector3, joint: Vector3, to: Vector3, place: number): Line
   }));
 }
 
-/** Frames of a line in the plane of the leg, its side toward the back. */
+/** Frames of a line in the plane of the leg, with their sides toward the back. */
 function stationsOf(
   line: readonly LinePoint[],
   leg: Leg,
@@ -95,7 +95,7 @@ function stationsOf(
   });
 }
 
-/** Five beads, each wider toward its end, and a bent claw. */
+/** The foot has five beads, each wider toward its end, and a bent claw. */
 function tarsusRadius(place: number): number {
   const t = place - 3;
   const bead = (t * tarsusBeads) % 1;
@@ -113,7 +113,7 @@ function tarsusLine(ankle: Vector3, tip: Vector3): LinePoint[] {
     .map((t) => ({ point: mix(ankle, tip, t), place: 3 + t }));
 }
 
-/** A left leg, coxa to foot, in two closed surfaces: down to the ankle, and the foot. */
+/** A left leg from coxa to foot, in two closed surfaces: one down to the ankle, and the foot. */
 export function legSurface(leg: Leg): Surface {
   const corners = boundPoints(leg);
   const [, , , ankle, tip] = corners;

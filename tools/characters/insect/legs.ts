@@ -1,15 +1,18 @@
 import type { Vector3 } from '../vector.ts';
 import { bothSides, type InsectJoint, locked } from './joints.ts';
 
-/** A left leg. It is bound straight out to the side, in the plane z = base z. Model units. */
+/**
+ * A left leg. It is bound straight out to the side, in the plane z = base z. Lengths are in model
+ * units.
+ */
 export interface Leg {
   readonly name: string;
-  /** Where the coxa turns. */
+  /** The coxa's center of rotation. */
   readonly base: Vector3;
   readonly lengths: { readonly femur: number; readonly tibia: number; readonly tarsus: number };
-  /** Where the foot stands, y = 0. */
+  /** The position of the foot when standing, at y = 0. */
   readonly foot: Vector3;
-  /** Thickness over the middle leg's. */
+  /** The thickness relative to the middle leg's. */
   readonly bulk: number;
 }
 
@@ -37,16 +40,19 @@ export const legs: readonly Leg[] = [
   },
 ];
 
-/** From where the coxa turns to where the femur does, in the coxa's frame. */
+/** The vector from the coxa's center of rotation to the femur's, in the coxa's frame. */
 const coxaSpan: Vector3 = [0.058, -0.12, 0];
 
-/** Half the thickness of a foot's tip, model units: how far above the floor its middle stands. */
+/**
+ * Half the thickness of a foot's tip, in model units, which is the height of its center above the
+ * floor.
+ */
 export const footRadius = 0.008;
 
-/** How steeply a foot goes down to its tip, radians. */
+/** The angle at which a foot slopes down to its tip, in radians. */
 const footSlope = 0.32;
 
-/** Angles of a leg, radians: coxa about y, the others about z. */
+/** The angles of a leg in radians: the coxa's about y, the others about z. */
 export interface LegAngles {
   readonly coxa: number;
   readonly femur: number;
@@ -55,8 +61,9 @@ export interface LegAngles {
 }
 
 /**
- * The angles at which a left leg's tip is at a point. The coxa turns the plane of the leg toward it;
- * in that plane femur and tibia reach the ankle, knee up, and the foot keeps its slope.
+ * Computes the angles that put a left leg's tip at a point. The coxa turns the plane of the leg
+ * toward the point. In that plane, femur and tibia reach the ankle with the knee up, and the foot
+ * keeps its slope.
  *
  * @param target in the frame of the thorax, relative to the leg's base
  */
@@ -78,13 +85,13 @@ export function reach({ lengths }: Leg, [x, y, z]: Vector3): LegAngles {
   };
 }
 
-/** A leg as it is bound: as far out as it stands, but straight to the side. */
+/** The bound leg reaches as far outward as the standing leg, but straight to the side. */
 function boundAngles(leg: Leg): LegAngles {
   const [x, z] = [leg.foot[0] - leg.base[0], leg.foot[2] - leg.base[2]];
   return { ...reach(leg, [Math.hypot(x, z), footRadius - leg.base[1], 0]), coxa: 0 };
 }
 
-/** Base, femur, knee, ankle and tip of a left leg as it is bound, character space. */
+/** Base, femur, knee, ankle and tip of a bound left leg, in the character's space. */
 export function boundPoints(leg: Leg): [Vector3, Vector3, Vector3, Vector3, Vector3] {
   const angles = boundAngles(leg);
   const { femur, tibia, tarsus } = leg.lengths;
@@ -100,7 +107,10 @@ export function boundPoints(leg: Leg): [Vector3, Vector3, Vector3, Vector3, Vect
   return [leg.base, hip, knee, ankle, tip];
 }
 
-/** Coxae turn freely, femora and tibiae are hinges, feet may also be set a little sideways. */
+/**
+ * Coxae rotate about all axes, femora and tibiae are hinges, and feet also rotate a little
+ * sideways.
+ */
 function jointsOf(leg: Leg): InsectJoint[] {
   const [base, hip, knee, ankle] = boundPoints(leg);
   const angles = boundAngles(leg);
@@ -137,7 +147,7 @@ function jointsOf(leg: Leg): InsectJoint[] {
   ];
 }
 
-/** Of all six legs: left and right of each pair, base first. */
+/** The joints of all six legs: left and right of each pair, from the base outward. */
 export function legJoints(): InsectJoint[] {
   return legs.flatMap((leg) => {
     const pairs = jointsOf(leg).map(bothSides);

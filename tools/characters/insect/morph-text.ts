@@ -1,9 +1,11 @@
 import { normalsOf, rounded, type Shape, insectSurface } from './surface.ts';
 
-/** What moves less is left out, model units. */
+/** Vertices that move less than this are left out, in model units. */
 const smallest = 1e-4;
 
-/** The `.morph` of a shape: where the vertices that it moves are, and where they point to. */
+/**
+ * Returns the `.morph` text of a shape: the positions and normals of the vertices that it moves.
+ */
 export function morphText(shape: Shape): string {
   const rest = insectSurface({ breath: 0, alert: 0 });
   const target = insectSurface(shape);

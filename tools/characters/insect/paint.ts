@@ -1,11 +1,11 @@
-/** A color, sRGB, each 0 to 1. */
+/** An sRGB color with channels from 0 to 1. */
 export type Color = readonly [red: number, green: number, blue: number];
 
 export function hex(code: number): Color {
   return [(code >> 16) / 255, ((code >> 8) & 255) / 255, (code & 255) / 255];
 }
 
-/** From a (0) to b (1). */
+/** Interpolates from a (0) to b (1). */
 export function blend(a: Color, b: Color, t: number): Color {
   const u = Math.min(1, Math.max(0, t));
   return [a[0] + (b[0] - a[0]) * u, a[1] + (b[1] - a[1]) * u, a[2] + (b[2] - a[2]) * u];
@@ -15,14 +15,14 @@ export function shade(color: Color, factor: number): Color {
   return [color[0] * factor, color[1] * factor, color[2] * factor];
 }
 
-/** A color of a row of them, evenly spaced from 0 to 1. */
+/** Interpolates a row of colors that are evenly spaced from 0 to 1. */
 export function ramp(colors: readonly Color[], t: number): Color {
   const at = Math.min(1, Math.max(0, t)) * (colors.length - 1);
   const first = Math.min(colors.length - 2, Math.floor(at));
   return blend(colors[first]!, colors[first + 1]!, at - first);
 }
 
-/** 0 to 1, from two whole numbers, without any order that shows. */
+/** Returns a pseudorandom number from 0 to 1 for two integers, without a visible pattern. */
 function hash(x: number, y: number): number {
   let h = Math.imul(x, 0x27d4eb2d) ^ Math.imul(y, 0x165667b1);
   h = Math.imul(h ^ (h >>> 15), 0x2c1b3c6d);
@@ -30,7 +30,7 @@ function hash(x: number, y: number): number {
   return ((h ^ (h >>> 15)) >>> 0) / 2 ** 32;
 }
 
-/** Smooth noise, 0 to 1, one swell a unit. */
+/** Smooth noise from 0 to 1, with one swell per unit. */
 export function noise(x: number, y: number): number {
   const [column, row] = [Math.floor(x), Math.floor(y)];
   const ease = (t: number): number => t * t * (3 - 2 * t);
@@ -40,7 +40,10 @@ export function noise(x: number, y: number): number {
   return top * (1 - v) + bottom * v;
 }
 
-/** How close a point is to the nearest of scattered points, one a unit square: 0 at it, about 1 far. */
+/**
+ * The distance to the nearest of scattered points, one per unit square: 0 at the point, about 1 far
+ * away.
+ */
 export function dimples(x: number, y: number): number {
   let nearest = 2;
   for (let row = Math.floor(y) - 1; row <= Math.floor(y) + 1; row++) {

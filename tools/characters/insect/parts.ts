@@ -21,7 +21,7 @@ import { insectSurface, normalsOf, rounded } from './surface.ts';
 import { wingJoints } from './wings.ts';
 import type { Surface } from './sweep.ts';
 
-/** Depth first, as the file has them. */
+/** In depth-first order, as in the file. */
 export const insectJoints: readonly InsectJoint[] = [
   ...bodyJoints(),
   ...headJoints(),
@@ -32,14 +32,14 @@ export const insectJoints: readonly InsectJoint[] = [
 const triple = ([x, y, z]: Vector3): [number, number, number] => [x, y, z];
 const indexOf = new Map(insectJoints.map(({ name }, index) => [name, index]));
 
-/** The skeleton whose pose in the file is given; offsets are in the parents' frames. */
+/** Returns the skeleton with this pose in its file; offsets are in the parents' frames. */
 function skeletonParts(pose: (joint: InsectJoint) => Vector3): SkeletonParts {
   const turn = new Map<string, number>([['', 0]]);
   const joints = insectJoints.map((joint): JointParts => {
     const { name, parent, position, bind, limits } = joint;
     const from = insectJoints[indexOf.get(parent) ?? -1]?.position ?? [0, 0, 0];
     const [x, y, z] = [position[0] - from[0], position[1] - from[1], position[2] - from[2]];
-    // Only limbs are bound turned, and only about z: their angles add up.
+    // Only limbs are bound rotated, and only about z, so their angles add up.
     const angle = turn.get(parent)!;
     turn.set(name, angle + bind[2]);
     const [c, s] = [Math.cos(angle), Math.sin(angle)];
@@ -56,7 +56,7 @@ function skeletonParts(pose: (joint: InsectJoint) => Vector3): SkeletonParts {
   return { file: 'insect.skel', joints };
 }
 
-/** (jointCount × 16) column-major: where the joints are while the mesh is as bound. */
+/** (jointCount × 16) column-major: the world matrices of the joints while the mesh is bound. */
 function bindMatrices(): Float64Array {
   const unlimited = skeletonParts(({ bind }) => bind);
   const skeleton = buildSkeleton(unlimited, new DiagnosticLog('insect.skel'), defaultLimits);
@@ -64,7 +64,7 @@ function bindMatrices(): Float64Array {
   return Float64Array.from(rounded(jointMatrices(skeleton, skeleton.qRest), 6));
 }
 
-/** Weights in whole ten-thousandths, so that a row sums to 1. */
+/** Weights are whole ten-thousandths, so that a row sums to 1. */
 function skinParts(surface: Surface, bindFromJoint: Float64Array): SkinParts {
   const start = [0];
   const joints: number[] = [];
@@ -87,7 +87,7 @@ function skinParts(surface: Surface, bindFromJoint: Float64Array): SkinParts {
   };
 }
 
-/** Boxes around the vertices that follow a joint most, in its frame. */
+/** Boxes around the vertices that follow a joint most, in the joint's frame. */
 function boxes(
   { positions }: Surface,
   skin: SkinParts,
@@ -109,7 +109,7 @@ function boxes(
     const joint = skin.joints[most]!;
     const bind = bindFromJoint.subarray(joint * 16, joint * 16 + 16);
     for (let axis = 0; axis < 3; axis++) {
-      // Binds are rigid: the dot product with an axis is the coordinate along it.
+      // Bind matrices are rigid, so the dot product with an axis is the coordinate along it.
       const value = [0, 1, 2].reduce(
         (sum, k) => sum + (point[k]! - bind[12 + k]!) * bind[axis * 4 + k]!,
         0,
@@ -137,7 +137,7 @@ function meshParts(surface: Surface): MeshParts {
   };
 }
 
-/** The insect's skeleton, mesh and weights, as its files are to have them. */
+/** Returns the insect's skeleton, mesh and weights for its files. */
 export function insectParts(): CharacterParts {
   const surface = insectSurface({ breath: 0, alert: 0 });
   const bindFromJoint = bindMatrices();

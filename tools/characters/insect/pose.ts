@@ -1,10 +1,10 @@
 import { subtract, type Vector3 } from '../vector.ts';
 import { footRadius, type Leg, type LegAngles, legs, reach } from './legs.ts';
 
-/** Angles x, y, z of joints by name, radians; joints that are not named have zeros. */
+/** The angles x, y, z of joints by name, in radians; joints that are not named have zeros. */
 export type Angles = ReadonlyMap<string, Vector3>;
 
-/** The angles of a leg's joints; a right leg's are the opposite ones. */
+/** The angles of a leg's joints; those of a right leg have the opposite sign. */
 export function anglesOfLeg(leg: Leg, isRight: boolean, angles: LegAngles): [string, Vector3][] {
   const name = isRight ? leg.name.replace('_l', '_r') : leg.name;
   const sign = isRight ? -1 : 1;
@@ -16,7 +16,7 @@ export function anglesOfLeg(leg: Leg, isRight: boolean, angles: LegAngles): [str
   ];
 }
 
-/** The same angles on both sides. */
+/** The mirrored angles of the joints on both sides. */
 function pair(name: string, [x, y, z]: Vector3): [string, Vector3][] {
   return [
     [name, [x, y, z]],
@@ -24,7 +24,7 @@ function pair(name: string, [x, y, z]: Vector3): [string, Vector3][] {
   ];
 }
 
-/** How the insect stands: feet on the floor, wings laid back, abdomen and antennae at ease. */
+/** The standing pose: feet on the floor, wings laid back, abdomen and antennae relaxed. */
 export function standing(): Angles {
   const feet = legs.flatMap((leg) => {
     const [x, , z] = subtract(leg.foot, leg.base);

@@ -1,16 +1,20 @@
 import type { Weights } from './sweep.ts';
 
-/** 0 up to `from`, 1 past `to`, smooth in between; `to` may be the smaller one. */
+/**
+ * Returns 0 up to `from`, 1 beyond `to`, and a smooth transition in between; `to` may be smaller
+ * than `from`.
+ */
 export function smoothstep(from: number, to: number, value: number): number {
   const t = Math.min(1, Math.max(0, (value - from) / (to - from)));
   return t * t * (3 - 2 * t);
 }
 
 /**
- * A smooth curve through rows of numbers, the first of each row its place, rising. No value goes
- * past its neighbors': slopes are harmonic means, zero at extremes (Fritsch and Butland 1984).
+ * A smooth curve through rows of numbers. The first number of each row is its place; places
+ * increase. No value overshoots its neighbors': slopes are harmonic means, and zero at extremes
+ * (Fritsch and Butland 1984).
  *
- * @returns the other numbers of a row, at any place; ends are held
+ * @returns the other numbers of a row at any place; beyond the ends they stay constant
  */
 export function profile(rows: readonly (readonly number[])[]): (place: number) => number[] {
   const slopeOf = (row: number, column: number): number =>
@@ -42,13 +46,13 @@ export function profile(rows: readonly (readonly number[])[]): (place: number) =
   };
 }
 
-/** How much of its radius a rounded end has at a distance from the tip. */
+/** The fraction of its radius that a rounded end has at a distance from the tip. */
 export function roundedEnd(distance: number, length: number): number {
   const left = 1 - Math.min(1, Math.max(0, distance / length));
   return Math.sqrt(1 - left * left);
 }
 
-/** Places from 0 to 1, closer to each other at both ends. */
+/** Places from 0 to 1, denser at both ends. */
 export function places(count: number): number[] {
   return Array.from({ length: count }, (_, index) => {
     const t = index / (count - 1);
@@ -57,8 +61,8 @@ export function places(count: number): number[] {
 }
 
 /**
- * Weights along a chain of joints: each takes over from the one before it, smoothly, around where it
- * begins. Where two such ranges overlap a vertex has three joints.
+ * Weights along a chain of joints. Each joint smoothly takes over from the one before it around the
+ * place where it begins. A vertex where two such transitions overlap has three joints.
  *
  * @param chain joints in order, where each begins and half the length of its transition
  */

@@ -6,15 +6,15 @@ import { legs } from './legs.ts';
 import { joined, mirrored, type Surface } from './sweep.ts';
 import { wingSurface } from './wings.ts';
 
-/** What the morph targets change, each 0 as bound and 1 at the target. */
+/** The weights of the morph targets, each 0 as bound and 1 at the target. */
 export interface Shape {
   /** The abdomen swells. */
   readonly breath: number;
-  /** Mandibles open, antennae are raised. */
+  /** The mandibles open and the antennae rise. */
   readonly alert: number;
 }
 
-/** The whole insect as it is bound: closed surfaces that stand in one another. */
+/** The whole insect as it is bound, made of closed surfaces that intersect each other. */
 export function insectSurface({ breath, alert }: Shape): Surface {
   const left = [
     eyeSurface(),
@@ -27,13 +27,13 @@ export function insectSurface({ breath, alert }: Shape): Surface {
   return joined([thoraxSurface(), abdomenSurface(breath), headSurface(), ...pairs]);
 }
 
-/** To a number of decimals, and never a negative zero. */
+/** Rounds to a number of decimals, and never to a negative zero. */
 export function rounded(values: Iterable<number>, decimals: number): number[] {
   const steps = 10 ** decimals;
   return Array.from(values, (value) => Math.round(value * steps) / steps + 0);
 }
 
-/** @returns (vertexCount × 3) unit normals, three decimals */
+/** @returns (vertexCount × 3) unit normals with three decimals */
 export function normalsOf({ positions, triangles }: Surface): number[] {
   const normals = new Float32Array(positions.length * 3);
   const indices = Uint32Array.from(triangles.flat());

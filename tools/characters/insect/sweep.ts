@@ -1,25 +1,27 @@
 import { add, cross, dot, scale, subtract, unit, type Vector2, type Vector3 } from '../vector.ts';
 
-/** Joints by name, and how much each moves a vertex; they sum to 1. */
+/** Joints by name with the weight of each; the weights of a vertex sum to 1. */
 export type Weights = readonly (readonly [joint: string, weight: number])[];
 
-/** An ellipse of the surface. Lengths are model units, in the space the insect is bound in. */
+/**
+ * An ellipse of the surface. Lengths are in model units, in the space in which the insect is bound.
+ */
 export interface Station {
   readonly center: Vector3;
-  /** Unit, square to each other; side × up is the way the sweep goes. */
+  /** Orthogonal unit vectors; side × up is the direction of the sweep. */
   readonly side: Vector3;
   readonly up: Vector3;
   /** Half the width (along `side`) and half the height (along `up`). */
   readonly width: number;
   readonly height: number;
-  /** Height below the center over height above; 1 where absent. */
+  /** The height below the center divided by the height above it; 1 if absent. */
   readonly belly?: number;
-  /** How far along the part, for the texture. */
+  /** The distance along the part, for the texture. */
   readonly along: number;
   readonly weights: Weights;
 }
 
-/** A closed surface, counter-clockwise seen from outside; no vertex is doubled. */
+/** A closed surface, counterclockwise seen from outside, without duplicate vertices. */
 export interface Surface {
   readonly positions: readonly Vector3[];
   readonly textureCoordinates: readonly Vector2[];
@@ -27,10 +29,13 @@ export interface Surface {
   readonly triangles: readonly (readonly [number, number, number])[];
 }
 
-/** A place in the texture for a station and an angle, radians from `side` toward `up`. */
+/** The texture coordinate for a station and an angle, in radians from `side` toward `up`. */
 export type Place = (along: number, angle: number) => Vector2;
 
-/** A surface through ellipses. The first and the last station are its poles: points, not rings. */
+/**
+ * Makes a surface through ellipses. The first and the last station are its poles, which are points
+ * instead of rings.
+ */
 export function sweep(stations: readonly Station[], segments: number, place: Place): Surface {
   const positions: Vector3[] = [];
   const textureCoordinates: Vector2[] = [];
@@ -67,7 +72,7 @@ export function sweep(stations: readonly Station[], segments: number, place: Pla
   return { positions, textureCoordinates, weights, triangles };
 }
 
-/** Frames along a curve that turn no more than it does. */
+/** Frames along a curve that rotate no more than the curve itself. */
 export function framesAlong(
   points: readonly Vector3[],
   firstUp: Vector3,
@@ -82,7 +87,7 @@ export function framesAlong(
   });
 }
 
-/** The surface's image in the plane x = 0, its joints those of the other side. */
+/** Mirrors a surface in the plane x = 0, with the joints of the other side. */
 export function mirrored(surface: Surface): Surface {
   return {
     positions: surface.positions.map(([x, y, z]): Vector3 => [-x, y, z]),
@@ -94,7 +99,7 @@ export function mirrored(surface: Surface): Surface {
   };
 }
 
-/** Several surfaces as one. */
+/** Joins several surfaces into one. */
 export function joined(surfaces: readonly Surface[]): Surface {
   let start = 0;
   const triangles = surfaces.flatMap((surface) => {

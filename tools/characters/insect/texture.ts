@@ -13,7 +13,7 @@ import { indexedPng } from './indexed-png.ts';
 import type { Color } from './paint.ts';
 import { paintWing } from './wing-veins.ts';
 
-/** The color of a part at a place along it and across it, both 0 to 1. */
+/** The color of a part at a place along it and across it, both from 0 to 1. */
 type Painter = (along: number, across: number) => Color;
 
 const painters: readonly (readonly [Region, Painter])[] = [
@@ -28,10 +28,13 @@ const painters: readonly (readonly [Region, Painter])[] = [
   [atlas.mandible, paintMandible],
 ];
 
-/** Colors in the picture's table: enough for the eye, and far fewer bytes than all there are. */
+/**
+ * The number of colors in the picture's palette, which looks the same and takes far fewer bytes
+ * than full color.
+ */
 const colorCount = 256;
 
-/** Paints the texture, a PNG. */
+/** Paints the texture and returns a PNG. */
 export function paintTexture(): Buffer {
   const pixels = new Uint8Array(textureSize * textureSize * 3);
   for (const [{ left, top, width, height }, paint] of painters) {

@@ -6,20 +6,23 @@ import { anglesOfLeg, type Angles, standing } from './pose.ts';
 import { insectJoints } from './parts.ts';
 import { rounded } from './surface.ts';
 
-/** Seconds of a cycle, and how far the body goes in it, model units. */
+/** The duration of a cycle in seconds, and the distance of the body in it, in model units. */
 const period = 0.8;
 const stride = 0.46;
 const cycles = 5;
 
 const intervals = 16;
-/** The part of a cycle in which a foot stands. */
+/** The fraction of a cycle in which a foot stands. */
 const stance = 9 / 16;
 const lift = 0.11;
 
 const rootPosition = insectJoints[0]!.position;
 const wave = (phase: number, shift = 0): number => Math.sin(2 * Math.PI * (phase + shift));
 
-/** The body: forward at an even speed, a little up and down twice a cycle, swaying once. */
+/**
+ * The motion of the body: forward at constant speed, a little up and down twice per cycle, swaying
+ * once.
+ */
 function body(phase: number): { move: Vector3; turn: Vector3 } {
   return {
     move: [0.008 * wave(phase, 0.03), 0.007 * wave(2 * phase, 0.1), stride * phase],
@@ -27,13 +30,13 @@ function body(phase: number): { move: Vector3; turn: Vector3 } {
   };
 }
 
-/** Where a foot is, character space; left and right legs of the two tripods take turns. */
+/** The position of a foot in the character's space. The legs form two tripods that alternate. */
 function footAt(leg: Leg, isRight: boolean, phase: number): Vector3 {
   const isFirst = (legs.indexOf(leg) % 2 === 0) !== isRight;
   const own = phase + (isFirst ? 0 : 0.5);
   const into = own - Math.floor(own);
   const step = Math.floor(own) - (isFirst ? 0 : 0.5);
-  // While it stands, the body passes over the foot's place.
+  // While the foot stands, the body passes over its place.
   const standsAt = leg.foot[2] + stride * (step + stance / 2);
   const swing = Math.max(0, (into - stance) / (1 - stance));
   const eased = swing * swing * swing * (10 - 15 * swing + 6 * swing * swing);
@@ -46,7 +49,7 @@ function footAt(leg: Leg, isRight: boolean, phase: number): Vector3 {
   ];
 }
 
-/** A point of character space as the thorax sees it, relative to where it turns. */
+/** Maps a point of the character's space to the thorax, relative to its center of rotation. */
 function seenFromBody(point: Vector3, phase: number): Vector3 {
   const { move, turn } = body(phase);
   const back = quat.create();
@@ -97,7 +100,10 @@ function anglesAt(phase: number): Angles {
   return angles;
 }
 
-/** Keys of one cycle; slopes at both ends are those of the motion, so that cycles meet smoothly. */
+/**
+ * The keys of one cycle. The slopes at both ends are those of the motion, so that cycles join
+ * smoothly.
+ */
 function keysOf(value: (phase: number) => number): KeyParts[] {
   const values = rounded(
     Array.from({ length: intervals + 1 }, (_, key) => value(key / intervals)),
@@ -114,7 +120,10 @@ function keysOf(value: (phase: number) => number): KeyParts[] {
   });
 }
 
-/** The walk: the root's way x, y, z and then the angles x, y, z of every joint, in file order. */
+/**
+ * The walk: the root's displacement x, y, z and then the angles x, y, z of every joint, in file
+ * order.
+ */
 export function insectWalk(): ClipParts {
   const forward: ChannelParts = {
     target: null,

@@ -1,10 +1,10 @@
 import { blend, type Color, hex, noise, ramp } from './paint.ts';
 import { smoothstep } from './profile.ts';
 
-/** A place on the wing: along from its root (0 to 1), across from its leading edge (0 to 1). */
+/** A point of the wing: along from its root (0 to 1), across from its leading edge (0 to 1). */
 type Spot = readonly [along: number, across: number];
 
-/** Veins from the root outwards, and those between them. */
+/** The veins from the root outward, and those between them. */
 const veins: readonly (readonly Spot[])[] = [
   [
     [0, 0.3],
@@ -74,7 +74,9 @@ const veins: readonly (readonly Spot[])[] = [
   ],
 ];
 
-/** The wing's length over its breadth, so that veins are as thick along it as across. */
+/**
+ * The wing's length divided by its breadth, which makes veins as thick along the wing as across it.
+ */
 const aspect = 2.6;
 
 function distanceToVein(spots: readonly Spot[], along: number, across: number): number {
@@ -92,9 +94,12 @@ function distanceToVein(spots: readonly Spot[], along: number, across: number): 
 const film = [hex(0xe8b65c), hex(0xdca24c), hex(0xc98a44), hex(0x9a6436), hex(0x6a4428)];
 const vein = hex(0x2c1810);
 
-/** An amber film that darkens toward the tip, a sheen of colors, dark veins and a dark edge mark. */
+/**
+ * An amber film that darkens toward the tip, with an iridescent sheen, dark veins and a dark mark
+ * at the edge.
+ */
 export function paintWing(along: number, across: number): Color {
-  // A slight waver, so that no vein is ruled.
+  // A slight waver keeps the veins from looking straight.
   const x = along + 0.006 * (noise(along * 14, across * 9) - 0.5);
   const y = across + 0.02 * (noise(along * 11 + 50, across * 7) - 0.5);
   let color = ramp(film, 0.08 + 0.75 * along * along + 0.16 * across);

@@ -6,10 +6,10 @@ import { joined, type Station, type Surface, sweep } from './sweep.ts';
 
 const hinge: Vector3 = [0.115, 0.635, 0.2];
 const span = 1.06;
-/** Where on the span the outer wing bends. */
+/** The place on the span where the outer wing bends. */
 const fold = 0.46;
 
-/** z of the leading and of the trailing edge along the span, relative to the hinge. */
+/** The z of the leading edge and of the trailing edge along the span, relative to the hinge. */
 const outline = profile([
   // along, leading, trailing
   [0, 0.025, -0.03],
@@ -23,14 +23,14 @@ const outline = profile([
   [1, -0.07, -0.08],
 ]);
 
-/** Half the thickness of the membrane, and of the vein along its leading edge, model units. */
+/** Half the thickness of the membrane, and of the vein along its leading edge, in model units. */
 const membrane = 0.0045;
 const veinRadius = 0.0085;
 
-/** Places along the span, close to each other where the tip is round. */
+/** The places along the span, which are denser where the tip is round. */
 const along = Array.from({ length: 23 }, (_, index) => Math.sin((index / 22) * (Math.PI / 2)));
 
-/** Height of the wing's middle: it rises from the thorax and droops toward its tip. */
+/** The height of the wing's center line: it rises from the thorax and droops toward the tip. */
 function rise(t: number): number {
   return 0.12 * t - 0.09 * t * t;
 }
@@ -81,7 +81,7 @@ export function wingSurface(): Surface {
   ]);
 }
 
-/** The wing turns every way; its outer part bends up and down and twists a little. */
+/** The wing rotates about all axes; its outer part bends up and down and twists a little. */
 export function wingJoints(): InsectJoint[] {
   const foldPosition: Vector3 = [hinge[0] + fold * span, hinge[1] + rise(fold), hinge[2] - 0.1];
   const root = bothSides({
