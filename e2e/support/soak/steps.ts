@@ -239,10 +239,15 @@ async function resize(page: Page, dice: Dice): Promise<string> {
 
 /** Takes a few steps without the context, which is then restored. */
 async function loseContext(page: Page, dice: Dice): Promise<string> {
-  const extension = await page.evaluateHandle(() => {
-    const gl = document.querySelector('canvas')!.getContext('webgl2')!;
-    const extension = gl.getExtension('WEBGL_lose_context');
-    extension?.loseContext();
+  const extension = await page.evaluateHandle(async () => {
+    const canvas = document.querySelector('canvas')!;
+    const extension = canvas.getContext('webgl2')!.getExtension('WEBGL_lose_context')!;
+    // Before the page has heard of the loss, the browser refuses to restore the context.
+    const lost = new Promise((resolve) => {
+      canvas.addEventListener('webglcontextlost', resolve, { once: true });
+    });
+    extension.loseContext();
+    await lost;
     return extension;
   });
   const done: string[] = [];
@@ -251,7 +256,7 @@ async function loseContext(page: Page, dice: Dice): Promise<string> {
     done.push(`${name} ${await run(page, dice)}`);
   }
   await extension.evaluate((extension) => {
-    extension?.restoreContext();
+    extension.restoreContext();
   });
   return done.join(', ');
 }
