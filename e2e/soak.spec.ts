@@ -40,7 +40,10 @@ for (const seed of seeds) {
       await walk(page, dice, log);
     } catch (error) {
       const last = log.slice(-30).join('\n');
-      throw new Error(`seed ${seed}, step ${log.length}, after\n${last}`, { cause: error });
+      const what = error instanceof Error ? error.message : String(error);
+      throw new Error(`seed ${seed}, step ${log.length}: ${what}\nafter\n${last}`, {
+        cause: error,
+      });
     }
     test.info().annotations.push({ type: 'steps', description: String(log.length) });
   });
@@ -75,8 +78,10 @@ async function walk(page: Page, dice: Dice, log: string[]): Promise<void> {
     await expectNumbers(page);
     await inTime(expectReplay(page));
     const since = Date.now() - keptMilliseconds;
+    const resting = await inTime(restingHoldings(page, devtools));
+    // The word of a download may come late, so the recent ones are counted last.
     const recent = downloads.filter((time) => time > since).length;
-    expectNoLeak(await inTime(restingHoldings(page, devtools)), recent);
+    expectNoLeak(resting, recent);
     expect(faults).toEqual([]);
   }
 }
