@@ -13,10 +13,11 @@ const beyondAscii = 0x80;
 const longestText = 256;
 
 export interface LineOptions {
-  /** Whether a backslash at a line's end joins the next line to it, comments aside. */
-  readonly continuations?: boolean;
-  /** First words of lines that hold a name: it may end in a backslash, which joins nothing. */
-  readonly named?: ReadonlySet<string>;
+  /**
+   * First words of lines to which a backslash at their end joins the next line. Of all other lines, and of
+   * comments, it is a part: names are often paths of Windows.
+   */
+  readonly continued?: ReadonlySet<string>;
   readonly limits?: Limits;
 }
 
@@ -35,22 +36,22 @@ export class LineReader {
   tokenEnd = 0;
   private lineStart = 0;
   private lineEnd = 0;
+  /** Where the last of the lines that are joined starts. */
+  private lastStart = 0;
   private nextLine = 1;
   private nextStart = 0;
   /** All bytes of the line, or-ed. */
   private bits = 0;
   private encodingReported = false;
   private readonly log: DiagnosticLog;
-  private readonly continuations: boolean;
-  private readonly named: ReadonlySet<string>;
+  private readonly continued: ReadonlySet<string>;
   /** Whether a backslash at the end of the current line joins the next to it. */
   private joins = false;
 
   constructor(bytes: Uint8Array, log: DiagnosticLog, options: LineOptions = {}) {
     this.bytes = bytes;
     this.log = log;
-    this.continuations = options.continuations ?? false;
-    this.named = options.named ?? new Set();
+    this.continued = options.continued ?? new Set();
     this.limits = options.limits ?? defaultLimits;
   }
 
@@ -61,7 +62,7 @@ export class LineReader {
     this.lineStart = this.nextStart;
     this.bits = 0;
     this.findLineEnd();
-    this.joins = this.continuations && !this.isComment() && !this.holdsName();
+    this.joins = this.endsOpen() && this.isContinued();
     while (this.joins && this.endsOpen() && this.nextStart < this.bytes.length) this.findLineEnd();
     this.tokenEnd = this.lineStart;
     const bytes = this.bytes.subarray(this.lineStart, this.lineEnd);
@@ -114,8 +115,7 @@ export class LineReader {
 
   /** What follows the token on its line, trimmed, comments kept: names may hold blanks and `#`. */
   rest(): string {
-    const text = decodeText(this.bytes.subarray(this.tokenEnd, this.lineEnd));
-    return (this.joins ? text.replace(/\\[ \t]*(\r\r\n|\r\n|\r|\n|$)/g, ' ') : text).trim();
+    return decodeText(this.bytes.subarray(this.tokenEnd, this.lineEnd)).trim();
   }
 
   /** Whether the line is all comment. */
@@ -162,21 +162,31 @@ export class LineReader {
   private endsOpen(): boolean {
     let last = this.lineEnd - 1;
     while (last >= this.lineStart && isSpace(this.bytes[last])) last--;
-    return last >= this.lineStart && this.bytes[last] === backslash;
+    return last >= this.lineStart && this.bytes[last] === backslash && !this.hasComment();
   }
 
-  /** Whether the line's first word is one behind which a name stands. */
-  private holdsName(): boolean {
-    if (this.named.size === 0 || !this.endsOpen()) return false;
+  /** Whether the last line has a comment; those before it, which were joined, had none. */
+  private hasComment(): boolean {
+    let follows = true;
+    for (let at = this.lastStart; at < this.lineEnd; at++) {
+      if (follows && this.bytes[at] === hash) return true;
+      follows = isBlank(this.bytes[at]!);
+    }
+    return false;
+  }
+
+  /** Whether the line's first word is one that may be continued. */
+  private isContinued(): boolean {
     let start = this.lineStart;
     while (start < this.lineEnd && isBlank(this.bytes[start]!)) start++;
     let end = start;
     while (end < this.lineEnd && !isBlank(this.bytes[end]!) && end - start < longestText) end++;
-    return this.named.has(decodeText(this.bytes.subarray(start, end)));
+    return this.continued.has(decodeText(this.bytes.subarray(start, end)));
   }
 
   private findLineEnd(): void {
     const { bytes } = this;
+    this.lastStart = this.nextStart;
     let at = this.nextStart;
     while (at < bytes.length && bytes[at] !== lineFeed && bytes[at] !== carriageReturn) {
       this.bits |= bytes[at]!;

@@ -142,6 +142,17 @@ export const objLines: readonly BadInput[] = [
     ignored(5, 'mtllib D:\\out\\'),
   ),
   accepted('A46 comment that ends in a backslash', '# made from C:\\models\\\n'),
+  {
+    ...accepted('A46 comment behind a face that ends in a backslash', 'f 1 3 4 # in C:\\out\\\n'),
+    left: { ...mesh, triangles: 2 },
+  },
+  ...['USEMTL C:\\tex\\', 'map_Kd C:\\tex\\', 'usemap D:\\'].map((line) =>
+    accepted(
+      `A46 unknown name that ends in a backslash: ${line}`,
+      `${line}\n`,
+      ignored(5, line.split(' ')[0]!, 'unknown'),
+    ),
+  ),
   accepted('A47 unknown word', 'foo 1 2\nfoo\n', ignored(5, 'foo', 'unknown')),
   accepted(
     'A47 150 unknown words',
