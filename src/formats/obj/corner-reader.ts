@@ -69,7 +69,7 @@ export class CornerReader {
     let start = tokenStart;
     for (let at = tokenStart; at <= tokenEnd; at++) {
       if (at < tokenEnd && bytes[at] !== slash) continue;
-      if (numbers.length === 3) return undefined;
+      if (numbers.length === 3 && (start < at || at < tokenEnd)) return undefined;
       numbers.push(this.index(start, at));
       start = at + 1;
     }
