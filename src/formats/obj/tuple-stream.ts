@@ -1,12 +1,12 @@
 import type { DiagnosticLog } from '../../core/diagnostics.ts';
-import { checkFloat32 } from '../text/check-float32.ts';
+import { checkFloat32, largestFloat32 } from '../text/check-float32.ts';
 import { growFloat32 } from '../text/growable.ts';
 import type { LineReader } from '../text/line-reader.ts';
 
 const effect = 'the mesh is not used';
 
-/** As programs write what is no number, and the infinities: `nan`, `-nan(ind)`, `1.#QNAN`, `inf`. */
-const isNotANumber = /^[+-]?(nan|inf|\d\.#)/i;
+/** As programs write what is no number, and the infinities: `nan`, `-nan(ind)`, `1.#QNAN`, `1,#INF`, `inf`. */
+const isNotANumber = /^[+-]?(nan|inf|\d[.,]#)/i;
 
 export interface TupleKind {
   /** For messages: "vertices". */
@@ -81,7 +81,7 @@ export class TupleStream {
     let isOdd = false;
     for (const [index, what] of names.entries()) {
       if (reader.token()) {
-        if (isNotANumber.test(reader.text())) {
+        if (this.isOdd(reader)) {
           this.values.push(NaN);
           isOdd = true;
           continue;
@@ -95,6 +95,13 @@ export class TupleStream {
       log.error({ code: 'obj/field-count', ...reader.linePlace, expected, found, effect });
     }
     if (isOdd) this.noteOdd(reader, log);
+  }
+
+  /** Whether the token says that it is no number, or is one too large where only corners need it. */
+  private isOdd(reader: LineReader): boolean {
+    const value = reader.number();
+    if (Number.isNaN(value)) return isNotANumber.test(reader.text());
+    return this.kind.sparedBy === 'corners' && Math.abs(value) > largestFloat32;
   }
 
   /** A vertex is told with its line, as rows of weights count it; the rest once, with a count. */

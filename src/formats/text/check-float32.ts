@@ -2,7 +2,7 @@ import type { DiagnosticLog } from '../../core/diagnostics.ts';
 import type { LineReader } from './line-reader.ts';
 import { boundText } from './write-number.ts';
 
-const largestFloat32 = 3.4028234663852886e38;
+export const largestFloat32 = 3.4028234663852886e38;
 
 /** What a reader says of its numbers. */
 export interface NumberField {
