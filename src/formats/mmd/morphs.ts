@@ -128,7 +128,7 @@ function offsetsOf(
 
 /**
  * The entries that name something there is, by numbers that are some; mirrored. What goes farther than
- * can be computed with is held to that: models hide a part by a morph of 1e30, and it is hidden so too.
+ * can be computed with is held to that: models hide a part by a morph of 1e30 or of infinity, and it is hidden so too.
  */
 function entriesOf(
   { count, entries }: Section,
@@ -142,7 +142,7 @@ function entriesOf(
     const at = index * entrySize;
     const target = entries.u32(at);
     const vector = entries.triple(at + 4);
-    const isSound = vector.every(Number.isFinite);
+    const isSound = !vector.some(Number.isNaN);
     if (target < targetCount && isSound) {
       const held = vector.map((value) => Math.min(largest, Math.max(-largest, value)));
       kept.push({ index, target, vector: mirrorPoint(held as typeof vector) });
