@@ -47,6 +47,8 @@ describe('the message names the cause', () => {
     const message = await told({ ...whole, 'a.obj': `f 1 2 3\n${obj}` });
     expect(message).toContain('a.obj:1:3: expected a vertex, but none came before');
     expect(message).toContain('vertex 1 comes later, in line 2');
+    const named = await told({ ...whole, 'a.obj': `mtllib D:\\\nf 1 2 3\n${obj}` });
+    expect(named).toContain('vertex 1 comes later, in line 3');
   });
 
   it('of images that no material names, apart from files that Sinew does not read', async () => {

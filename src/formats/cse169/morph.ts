@@ -51,6 +51,10 @@ export function readMorph(
   return log.finish({ file, positions, normals: read.get('normals') ?? none });
 }
 
+function clamp(value: number, largest: number): number {
+  return Math.min(largest, Math.max(-largest, value));
+}
+
 function readTargets(scanner: Scanner, name: string, mostPoints: number): Targets | undefined {
   const count = scanner.count(`rows of ${name}`, 8, mostPoints);
   if (!scanner.sound()) return undefined;
@@ -66,7 +70,11 @@ function readTargets(scanner: Scanner, name: string, mostPoints: number): Target
       const expected = `one row of ${name} for vertex ${point}`;
       scanner.warnOnce(name, 'duplicate', expected, 'another', 'the last one counts');
     }
-    rows.set(point, { line, target: scanner.triple(name) });
+    // A part is hidden by a target past what can be computed with, and is hidden at that bound too.
+    const held = scanner
+      .triple(name, Infinity)
+      .map((value) => clamp(value, scanner.limits.coordinate));
+    rows.set(point, { line, target: held });
     if (!scanner.sound()) return undefined;
   }
   if (!closeRows(scanner, name, count, opened)) return undefined;

@@ -128,7 +128,7 @@ function offsetsOf(
 
 /**
  * Returns the valid entries, mirrored. Larger values than can be computed with are clamped: models
- * hide a part with a morph of 1e30, and it is hidden by the clamped value too.
+ * hide a part with a morph of 1e30 or of infinity, and it is hidden by the clamped value too.
  */
 function entriesOf(
   { count, entries }: Section,
@@ -142,7 +142,7 @@ function entriesOf(
     const at = index * entrySize;
     const target = entries.u32(at);
     const vector = entries.triple(at + 4);
-    const isSound = vector.every(Number.isFinite);
+    const isSound = !vector.some(Number.isNaN);
     if (target < targetCount && isSound) {
       const held = vector.map((value) => Math.min(largest, Math.max(-largest, value)));
       kept.push({ index, target, vector: mirrorPoint(held as typeof vector) });

@@ -77,9 +77,14 @@ export class CornerReader {
     let start = tokenStart;
     for (let at = tokenStart; at <= tokenEnd; at++) {
       if (at < tokenEnd && bytes[at] !== slash) continue;
-      if (field === 3) return false;
       const number = this.index(start, at);
       if (Number.isNaN(number)) return false;
+      if (field === 3) {
+        // A slash behind all three numbers is left out, as one behind two is.
+        if (number !== absent || at < tokenEnd) return false;
+        this.openCount++;
+        return true;
+      }
       numbers[field++] = number;
       start = at + 1;
     }

@@ -2,14 +2,12 @@ import type { MeshParts } from '../../core/character-parts.ts';
 import { DiagnosticLog, type Parsed } from '../../core/diagnostics.ts';
 import { defaultLimits, type Limits } from '../../core/limits.ts';
 import { openText } from '../text/open-text.ts';
+import { continued } from './continued.ts';
 import { FaceReader } from './face-reader.ts';
 import { IgnoredKeywords } from './ignored-keywords.ts';
 import { type ObjStreams, TupleStream } from './tuple-stream.ts';
 
 const effect = 'the mesh is not used';
-
-/** These keywords are followed by a name, often a path on Windows. */
-const named = new Set(['usemtl', 'mtllib', 'g', 'o']);
 
 /**
  * Reads a Wavefront OBJ: `v` (with w or color, unused), `vt`, `vn`, faces with slashes, negative
@@ -23,7 +21,7 @@ export async function readObj(
   limits: Limits = defaultLimits,
 ): Promise<Parsed<MeshParts>> {
   const log = new DiagnosticLog(file);
-  const reader = openText(file, bytes, log, { limits, continuations: true, named });
+  const reader = openText(file, bytes, log, { limits, continued });
   if (!reader) return log.finish<MeshParts>(undefined);
   const streams: ObjStreams = {
     positions: new TupleStream({

@@ -5,8 +5,8 @@ import type { LineReader } from '../text/line-reader.ts';
 
 const effect = 'the mesh is not used';
 
-/** How programs write NaN and infinities: `nan`, `-nan(ind)`, `1.#QNAN`, `inf`. */
-const isNotANumber = /^[+-]?(nan|inf|\d\.#)/i;
+/** How programs write NaN and infinities: `nan`, `-nan(ind)`, `1.#QNAN`, `1,#INF`, `inf`. */
+const isNotANumber = /^[+-]?(nan|inf|\d[.,]#)/i;
 
 export interface TupleKind {
   /** For messages: "vertices". */
@@ -83,7 +83,7 @@ export class TupleStream {
       if (reader.token()) {
         const value = reader.number();
         if (Math.abs(value) <= largest) this.values.push(value);
-        else if (isNotANumber.test(reader.text())) {
+        else if (this.isOdd(reader)) {
           this.values.push(NaN);
           isOdd = true;
         } else {
@@ -98,6 +98,16 @@ export class TupleStream {
       log.error({ code: 'obj/field-count', ...reader.linePlace, expected, found, effect });
     }
     if (isOdd) this.noteOdd(reader, log);
+  }
+
+  /**
+   * Whether the token says that it is not a number, or is a number past all that a float32 holds where
+   * only corners need it.
+   */
+  private isOdd(reader: LineReader): boolean {
+    const value = reader.number();
+    if (Number.isNaN(value)) return isNotANumber.test(reader.text());
+    return this.kind.sparedBy === 'corners' && Math.abs(value) > largestFloat32;
   }
 
   /**

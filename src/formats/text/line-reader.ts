@@ -13,13 +13,11 @@ const beyondAscii = 0x80;
 const longestText = 256;
 
 export interface LineOptions {
-  /** Whether a backslash at the end of a line continues it on the next one, except in comments. */
-  readonly continuations?: boolean;
   /**
-   * First words of lines that contain a name; such a name may end in a backslash without continuing
-   * the line.
+   * First words of the lines that a backslash at their end continues on the next line. In all other
+   * lines and in comments a backslash belongs to the text, because names are often paths on Windows.
    */
-  readonly named?: ReadonlySet<string>;
+  readonly continued?: ReadonlySet<string>;
   readonly limits?: Limits;
 }
 
@@ -38,22 +36,22 @@ export class LineReader {
   tokenEnd = 0;
   private lineStart = 0;
   private lineEnd = 0;
+  /** Where the last of the lines that are joined starts. */
+  private lastStart = 0;
   private nextLine = 1;
   private nextStart = 0;
   /** All bytes of the line, combined by bitwise or. */
   private bits = 0;
   private encodingReported = false;
   private readonly log: DiagnosticLog;
-  private readonly continuations: boolean;
-  private readonly named: ReadonlySet<string>;
+  private readonly continued: ReadonlySet<string>;
   /** Whether a backslash at the end of the current line continues it on the next one. */
   private joins = false;
 
   constructor(bytes: Uint8Array, log: DiagnosticLog, options: LineOptions = {}) {
     this.bytes = bytes;
     this.log = log;
-    this.continuations = options.continuations ?? false;
-    this.named = options.named ?? new Set();
+    this.continued = options.continued ?? new Set();
     this.limits = options.limits ?? defaultLimits;
   }
 
@@ -64,7 +62,7 @@ export class LineReader {
     this.lineStart = this.nextStart;
     this.bits = 0;
     this.findLineEnd();
-    this.joins = this.continuations && this.endsOpen() && !this.isComment() && !this.holdsName();
+    this.joins = this.endsOpen() && this.isContinued();
     while (this.joins && this.endsOpen() && this.nextStart < this.bytes.length) this.findLineEnd();
     this.tokenEnd = this.lineStart;
     const length = this.lineEnd - this.lineStart;
@@ -126,8 +124,7 @@ export class LineReader {
    * blanks and `#`.
    */
   rest(): string {
-    const text = decodeText(this.bytes.subarray(this.tokenEnd, this.lineEnd));
-    return (this.joins ? text.replace(/\\[ \t]*(\r\r\n|\r\n|\r|\n|$)/g, ' ') : text).trim();
+    return decodeText(this.bytes.subarray(this.tokenEnd, this.lineEnd)).trim();
   }
 
   /** Whether the line consists only of a comment. */
@@ -174,22 +171,32 @@ export class LineReader {
   private endsOpen(): boolean {
     let last = this.lineEnd - 1;
     while (last >= this.lineStart && isSpace(this.bytes[last])) last--;
-    return last >= this.lineStart && this.bytes[last] === backslash;
+    return last >= this.lineStart && this.bytes[last] === backslash && !this.hasComment();
   }
 
-  /** Whether the line's first word is followed by a name. */
-  private holdsName(): boolean {
-    if (this.named.size === 0) return false;
+  /** Whether the last of the joined lines has a comment; those before it had none. */
+  private hasComment(): boolean {
+    let follows = true;
+    for (let at = this.lastStart; at < this.lineEnd; at++) {
+      if (follows && this.bytes[at] === hash) return true;
+      follows = isBlank(this.bytes[at]!);
+    }
+    return false;
+  }
+
+  /** Whether the line's first word is one that allows a continuation. */
+  private isContinued(): boolean {
     let start = this.lineStart;
     while (start < this.lineEnd && isBlank(this.bytes[start]!)) start++;
     let end = start;
     while (end < this.lineEnd && !isBlank(this.bytes[end]!) && end - start < longestText) end++;
-    return this.named.has(decodeText(this.bytes.subarray(start, end)));
+    return this.continued.has(decodeText(this.bytes.subarray(start, end)));
   }
 
   private findLineEnd(): void {
     const { bytes } = this;
     let { bits, nextStart: at } = this;
+    this.lastStart = at;
     while (at < bytes.length && bytes[at] !== lineFeed && bytes[at] !== carriageReturn) {
       bits |= bytes[at]!;
       at++;

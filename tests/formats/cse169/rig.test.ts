@@ -46,6 +46,12 @@ describe('readRig', () => {
 describe('readMorph', () => {
   const read = (text: string) => readMorph('a.morph', bytesOf(text));
 
+  it('holds targets that hide a part by lying past all numbers', () => {
+    const { value, diagnostics } = read('positions 1 { 0 1e30 -1e400 0.5 }');
+    expect(diagnostics).toEqual([]);
+    expect([...value!.positions.values]).toEqual([1e18, -1e18, 0.5]);
+  });
+
   it('reads absolute targets, which become offsets from the skin', () => {
     const file = read(legMorph).value!;
     expect([...file.positions.points]).toEqual([2, 3]);

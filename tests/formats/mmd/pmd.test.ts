@@ -126,22 +126,25 @@ describe('readPmd', () => {
     });
   });
 
-  it('clamps a morph that hides a part by a huge offset, so that the part is far away', async () => {
-    const [base, smile] = square.morphs!;
-    const hides = { ...smile!, entries: [[1, [0, -1e30, 0.5]]] as const };
-    const bytes = pmdFile({ ...square, morphs: [base!, hides], shownMorphs: [1] }).bytes;
-    const { characters, diagnostics } = await readContents({ 'Square.PMD': bytes });
-    const { character } = characters[0]!;
-    expect(diagnostics.filter(({ code }) => code === 'pmd/index')).toEqual([]);
-    const [morph] = character.morphs;
-    const far = Math.fround(defaultLimits.coordinate);
-    expect([...morph!.offsets]).toEqual([0, -far, -0.5]);
-    const q = character.skeleton.qRest;
-    const pose = { q, morphWeights: Float64Array.of(1) };
-    const posed = skinVertices(character, character.skin, pose, linearBlend);
-    expect(posed.positions.every(Number.isFinite)).toBe(true);
-    expect(posed.positions[morph!.vertices[0]! * 3 + 1]).toBeLessThan(-0.9 * far);
-  });
+  it.each([1e30, Infinity])(
+    'holds a morph that hides a part by a move of %d, which then stands far off',
+    async (hidden) => {
+      const [base, smile] = square.morphs!;
+      const hides = { ...smile!, entries: [[1, [0, -hidden, 0.5]]] as const };
+      const bytes = pmdFile({ ...square, morphs: [base!, hides], shownMorphs: [1] }).bytes;
+      const { characters, diagnostics } = await readContents({ 'Square.PMD': bytes });
+      const { character } = characters[0]!;
+      expect(diagnostics.filter(({ code }) => code === 'pmd/index')).toEqual([]);
+      const [morph] = character.morphs;
+      const far = Math.fround(defaultLimits.coordinate);
+      expect([...morph!.offsets]).toEqual([0, -far, -0.5]);
+      const q = character.skeleton.qRest;
+      const pose = { q, morphWeights: Float64Array.of(1) };
+      const posed = skinVertices(character, character.skin, pose, linearBlend);
+      expect(posed.positions.every(Number.isFinite)).toBe(true);
+      expect(posed.positions[morph!.vertices[0]! * 3 + 1]).toBeLessThan(-0.9 * far);
+    },
+  );
 
   it('keeps the data that motions and writers need, also after a transfer between threads', async () => {
     const mmd = mmdOf(structuredClone(await read()));

@@ -9,8 +9,8 @@ import { bytesOf } from '../../support/files.ts';
 /** [line, column, text] of every token. */
 const log = new DiagnosticLog('a.obj');
 
-function tokensOf(text: string, continuations = false): [number, number, string][] {
-  const reader = new LineReader(bytesOf(text), log, { continuations });
+function tokensOf(text: string, ...continued: string[]): [number, number, string][] {
+  const reader = new LineReader(bytesOf(text), log, { continued: new Set(continued) });
   const tokens: [number, number, string][] = [];
   while (reader.next()) {
     while (reader.token()) {
@@ -62,7 +62,7 @@ describe('LineReader', () => {
 
   it.each(lineEnds)('joins continued lines over %s, under the number of the first', (_, end) => {
     const text = ['a \\', 'b\\', '  c', 'd', ''].join(end);
-    const tokens = tokensOf(text, true).map(([line, , token]) => [line, token]);
+    const tokens = tokensOf(text, 'a').map(([line, , token]) => [line, token]);
     expect(tokens).toEqual([
       [1, 'a'],
       [1, 'b'],
@@ -71,27 +71,25 @@ describe('LineReader', () => {
     ]);
   });
 
-  it('does not continue a line that is only a comment', () => {
-    const tokens = tokensOf('  # in C:\\\na b # c\\\nd\ne', true);
-    expect(tokens.map(([line, , token]) => [line, token])).toEqual([
-      [2, 'a'],
-      [2, 'b'],
-      [4, 'e'],
+  it('joins no line to one whose comment or name ends in a backslash', () => {
+    const text = '  # in C:\\\na b # c\\\na \\\n c #\\\nd C:\\\na';
+    const tokens = tokensOf(text, 'a').map(([line, , token]) => [line, token]);
+    expect(tokens).toEqual([
+      ...[
+        [2, 'a'],
+        [2, 'b'],
+        [3, 'a'],
+        [3, 'c'],
+        [5, 'd'],
+        [5, 'C:\\'],
+        [6, 'a'],
+      ],
     ]);
   });
 
-  it('reads names across joined lines without the backslashes', () => {
-    const reader = new LineReader(bytesOf('usemtl dark \\\r\n  skin \\\\ x\\'), log, {
-      continuations: true,
-    });
-    reader.next();
-    reader.token();
-    expect(reader.rest()).toBe('dark    skin \\\\ x');
-  });
-
-  it('accepts a continuation at the end of the file', () => {
-    expect(tokensOf('a b\\', true).map(([, , token]) => token)).toEqual(['a', 'b']);
-    expect(tokensOf('a \\\n', true).map(([, , token]) => token)).toEqual(['a']);
+  it('copes with a continuation that nothing follows', () => {
+    expect(tokensOf('a b\\', 'a').map(([, , token]) => token)).toEqual(['a', 'b']);
+    expect(tokensOf('a \\\n', 'a').map(([, , token]) => token)).toEqual(['a']);
   });
 
   it('counts the tokens of a line and goes back to before the first', () => {
@@ -120,11 +118,11 @@ describe('LineReader', () => {
     ]);
   });
 
-  it.each([false, true])('ends at a line past the limit, joined or not: %j', (continuations) => {
+  it.each([false, true])('ends at a line past the limit, joined or not: %j', (joins) => {
     const own = new DiagnosticLog('a.obj');
     const limits = { ...defaultLimits, lineLength: 10 };
-    const text = `${'x'.repeat(10)}\n${continuations ? 'abcdef\\\nghij' : 'abcdefghijk'}\nz\n`;
-    const reader = new LineReader(bytesOf(text), own, { continuations, limits });
+    const text = `${'x'.repeat(10)}\n${joins ? 'a cdef\\\nghij' : 'abcdefghijk'}\nz\n`;
+    const reader = new LineReader(bytesOf(text), own, { continued: new Set('a'), limits });
     expect([reader.next(), reader.next(), reader.next()]).toEqual([true, false, false]);
     expect(own.diagnostics).toMatchObject([
       { severity: 'error', code: 'file/limit', line: 2, expected: 'a line of at most 10 bytes' },

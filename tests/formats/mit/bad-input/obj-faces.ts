@@ -106,6 +106,7 @@ export const objFaces: readonly BadInput[] = [
   ),
   noCorner('A41 four numbers', 'f 1/2/3/4 2 3', 3, '1/2/3/4'),
   leftOut('A41 slashes at the end', 'f 1/ 2// 3/', open, 2),
+  leftOut('A41 slashes behind three numbers', 'vt 0 0\nvn 0 0 1\nf 1/1/1/ 2//1/ 3///', open, 2),
   noCorner('A41 slashes alone', 'f // 2 3', 3, '//'),
   noCorner('A41 words', 'f a/b/c 2 3', 3, 'a/b/c'),
   noCorner('A41 fraction', 'f 1 2.5 3', 5, '2.5'),

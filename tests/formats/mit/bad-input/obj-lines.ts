@@ -91,6 +91,16 @@ export const objLines: readonly BadInput[] = [
     check: ({ mesh: { positions, normals } }) =>
       expect([...positions, ...normals].every(Number.isFinite)).toBe(true),
   },
+  {
+    title: 'A31 infinity, and nan of another country, in texture coordinates and normals',
+    files: withObj(`${square}vt 1e400 0\nvt -1,#IND 0\nvn 1e39 0 0\nf 1/1/1 2/2 3/2\n`),
+    messages: [
+      'warning: a.obj:5: expected texture coordinates that are numbers, ' +
+        'found "2 that are not" [obj/number]',
+      'warning: a.obj:7: expected normals that are numbers, found "1 that are not" [obj/number]',
+    ],
+    left: mesh,
+  },
   refused(
     'A32 beyond float32',
     `v 0 1e39 0\n${square}${face}`,
@@ -142,6 +152,17 @@ export const objLines: readonly BadInput[] = [
     ignored(5, 'mtllib D:\\out\\'),
   ),
   accepted('A46 comment that ends in a backslash', '# made from C:\\models\\\n'),
+  {
+    ...accepted('A46 comment behind a face that ends in a backslash', 'f 1 3 4 # in C:\\out\\\n'),
+    left: { ...mesh, triangles: 2 },
+  },
+  ...['USEMTL C:\\tex\\', 'map_Kd C:\\tex\\', 'usemap D:\\'].map((line) =>
+    accepted(
+      `A46 unknown name that ends in a backslash: ${line}`,
+      `${line}\n`,
+      ignored(5, line.split(' ')[0]!, 'unknown'),
+    ),
+  ),
   accepted('A47 unknown word', 'foo 1 2\nfoo\n', ignored(5, 'foo', 'unknown')),
   accepted(
     'A47 150 unknown words',
