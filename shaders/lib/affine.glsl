@@ -1,5 +1,5 @@
-// A vertex under a 3 × 4 matrix given by rows. Mirrors src/skinning/affine-kernel.ts, operation by
-// operation: change one with the other.
+// These functions transform a vertex by a 3 × 4 matrix given by rows. They mirror
+// src/skinning/affine-kernel.ts operation by operation: change one with the other.
 
 vec3 flushSubnormal(vec3 v) {
   return mix(v, vec3(0.0), lessThan(abs(v), vec3(1.2e-38)));
@@ -23,7 +23,7 @@ vec3 transformPoint(vec4 row0, vec4 row1, vec4 row2, vec3 position) {
   );
 }
 
-// The normal by three rows, made unit.
+// Transforms the normal by three rows and normalizes it.
 vec3 transformNormal(vec3 row0, vec3 row1, vec3 row2, vec3 normal) {
   vec3 n = vec3(dotInOrder(row0, normal), dotInOrder(row1, normal), dotInOrder(row2, normal));
   float squared = dotInOrder(n, n);
@@ -31,7 +31,8 @@ vec3 transformNormal(vec3 row0, vec3 row1, vec3 row2, vec3 normal) {
   return vec3(0.0, 1.0, 0.0);
 }
 
-// The normal goes by the cofactors: the inverse transpose times the determinant, whose sign is kept.
+// The normal is transformed by the cofactors, which are the inverse transpose times the
+// determinant, with the determinant's sign taken out again.
 void transformVertex(
   vec4 row0, vec4 row1, vec4 row2,
   vec3 position, vec3 normal,

@@ -1,4 +1,4 @@
-// The studio's backdrop, a gradient over the height of the picture; floors fade into it.
+// The studio's backdrop is a gradient over the height of the picture; the floor fades into it.
 uniform vec3 backdropTop;
 uniform vec3 backdropBottom;
 uniform vec2 viewportSize;

@@ -1,4 +1,5 @@
-// From linear light to the display: a shoulder that keeps hue, then the sRGB curve.
+// These functions convert linear light for the display with a shoulder that preserves hue and then
+// the sRGB curve.
 
 vec3 encodeSrgb(vec3 linear) {
   vec3 low = linear * 12.92;
@@ -6,7 +7,8 @@ vec3 encodeSrgb(vec3 linear) {
   return mix(high, low, lessThan(linear, vec3(0.0031308)));
 }
 
-// Neutral up to 0.75, above it the brightest channel eases toward 1 and carries the others along.
+// Colors up to 0.75 stay as they are. Above that, the brightest channel eases toward 1 and the
+// others are scaled along with it.
 vec3 toneMap(vec3 linear) {
   float peak = max(linear.r, max(linear.g, linear.b));
   if (peak <= 0.75) return linear;
@@ -14,7 +16,7 @@ vec3 toneMap(vec3 linear) {
   return linear * (eased / peak);
 }
 
-// Half a step of noise, fixed to the pixel, so that gentle gradients show no bands.
+// Adds up to half a step of noise, fixed to the pixel, so that gentle gradients show no banding.
 vec3 dither(vec3 encoded) {
   vec2 p = floor(gl_FragCoord.xy);
   float noise = fract(52.9829189 * fract(dot(p, vec2(0.06711056, 0.00583715))));

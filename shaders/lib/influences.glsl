@@ -1,6 +1,6 @@
-// All influences of a vertex, in the file's order: EACH_INFLUENCE(visit) calls visit(entry, weight)
-// for each. They come as INFLUENCE_PAIRS pairs of attributes (four influences a pair, padded with
-// weight 0, which changes no sum that started at +0), or, where INFLUENCE_PAIRS is 0, as a run of
+// EACH_INFLUENCE(visit) calls visit(entry, weight) for every influence of a vertex, in the file's
+// order. The influences come as INFLUENCE_PAIRS pairs of attributes (four influences a pair, padded
+// with weight 0, which changes no sum that started at +0) or, if INFLUENCE_PAIRS is 0, as a run of
 // texels (entry, weight).
 
 #if INFLUENCE_PAIRS > 0
@@ -47,7 +47,7 @@ in vec4 weights3;
 
 #else
 
-// First texel and one past the last.
+// The first texel of the run, and one past the last.
 in uvec2 influenceRange;
 uniform sampler2D influenceTexture;
 

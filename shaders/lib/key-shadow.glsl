@@ -1,12 +1,14 @@
-// How much of the key light reaches a point: 0 in shadow, 1 in light, soft between.
+// keyVisibility tells how much of the key light reaches a point: 0 in shadow, 1 in light, and
+// values between them at soft edges.
 uniform highp sampler2DShadow keyShadow;
 uniform mat4 keyClipFromScene;
 
 float keyVisibility(vec3 position, vec3 normal) {
-  // Off the surface a little, so that it does not shade itself where light grazes it.
+  // The point is moved off the surface a little, so that the surface does not shadow itself where
+  // light grazes it.
   vec3 at = (keyClipFromScene * vec4(position + normal * 0.004, 1.0)).xyz * 0.5 + 0.5;
   if (any(lessThan(at, vec3(0.0))) || any(greaterThan(at, vec3(1.0)))) return 1.0;
-  // Four samples, each of which the texture blends of four texels.
+  // This averages four samples, each of which the sampler filters from four texels.
   vec2 texel = 1.25 / vec2(textureSize(keyShadow, 0));
   float sum = 0.0;
   for (int row = -1; row <= 1; row += 2) {

@@ -1,6 +1,6 @@
-// The palette: PALETTE_STRIDE rows of vec4 an entry, in a uniform array (std140 block) of
-// PALETTE_ROWS rows, or, where PALETTE_ROWS is 0, in a texture addressed linearly. Methods call
-// paletteRow and do not know which it is.
+// The palette has PALETTE_STRIDE rows of vec4 per entry. It is a uniform array (std140 block) of
+// PALETTE_ROWS rows or, if PALETTE_ROWS is 0, a texture addressed linearly. Methods call paletteRow
+// and do not know which it is.
 
 #if PALETTE_ROWS > 0
 

@@ -1,21 +1,23 @@
-// The posed skin in the studio's light, smooth or faceted.
+// Shades the posed skin in the studio's light, smooth or faceted.
 #include "lib/color.glsl"
 #include "lib/studio.glsl"
 
 in vec3 scenePosition;
 centroid in vec3 sceneNormal;
 
-// Of the material's highlight, black where it has none, and its exponent.
+// The color of the material's highlight, black if it has none, and its exponent.
 uniform vec3 specular;
 uniform float shininess;
 uniform bool faceted;
 
-// What is seen of a surface of this color (linear) and opacity.
+// Returns the displayed color of a surface with this base color (linear) and opacity.
 vec4 shadeSkin(vec4 base) {
-  // The face's own normal, from neighboring pixels: the assignment's look without a second mesh.
+  // The face normal comes from neighboring pixels, which gives the assignment's look without a
+  // second mesh.
   vec3 face = normalize(cross(dFdx(scenePosition), dFdy(scenePosition)));
-  // Of open surfaces the inner side shows, its normals turned. Where a closed one curves away, slivers
-  // of its far side show too; their normals lie nearly across the view and must stay.
+  // Open surfaces show their inner side, where normals are flipped. Where a closed surface curves
+  // away, slivers of its far side show too; their normals are nearly perpendicular to the view and
+  // must stay.
   vec3 smoothed = normalize(sceneNormal);
   bool inner = !gl_FrontFacing && dot(smoothed, normalize(eye - scenePosition)) < -0.3;
   if (inner) smoothed = -smoothed;

@@ -1,5 +1,6 @@
-// The studio's light on a matte surface: a warm key, a cool fill, a rim from behind, and a soft dome
-// above a lit floor. Directions point to the light, scene space, unit length; colors are linear.
+// The studio lights a matte surface with a warm key, a cool fill, a rim from behind, and a soft
+// dome above a lit floor. Directions point to the light, in scene space, with unit length; colors
+// are linear.
 #include "lib/key-shadow.glsl"
 
 uniform vec3 keyDirection;
@@ -13,24 +14,25 @@ uniform vec3 eye;
 const vec3 skyColor = vec3(0.84, 0.91, 1.0) * 0.4;
 const vec3 groundColor = vec3(1.0, 0.92, 0.83) * 0.2;
 
-// How far past the terminator light is let, as clay does it: the negative of a cosine.
+// Light reaches this far past the terminator, as it does on clay. The value is the negative of a
+// cosine.
 const float wrap = 0.12;
 
-// Lambert, let a little past the terminator.
+// Lambert's cosine, which reaches a little past the terminator.
 float wrapped(float cosine) {
   return max(0.0, (cosine + wrap) / (1.0 + wrap));
 }
 
-// Blinn's highlight: how much of a light it sends to the eye.
+// Blinn's highlight: the part of a light that the surface reflects to the eye.
 float highlight(vec3 toLight, vec3 view, vec3 normal, float shininess) {
   float along = max(dot(normal, normalize(toLight + view)), 1e-4);
   return pow(along, shininess) * step(0.0, dot(normal, toLight));
 }
 
-// A matte surface with a highlight of its own, of key and fill.
+// Shades a matte surface that also has a highlight from key and fill.
 vec3 shade(vec3 albedo, vec3 specular, float shininess, vec3 normal, vec3 position) {
   vec3 view = normalize(eye - position);
-  // Where the light does not reach a surface, nothing can stand in its way.
+  // A surface that the light does not reach needs no shadow lookup.
   float facing = dot(normal, keyDirection);
   float visibility = facing > -wrap ? keyVisibility(position, normal) : 0.0;
   vec3 light = mix(groundColor, skyColor, 0.5 + 0.5 * normal.y);

@@ -1,4 +1,4 @@
-// One triangle over the whole picture, as far away as can be, without buffers.
+// Draws one triangle over the whole picture, at the far plane, without buffers.
 void main() {
   vec2 corner = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
   gl_Position = vec4(corner, 1.0, 1.0);

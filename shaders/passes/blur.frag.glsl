@@ -1,15 +1,15 @@
-// One direction of a Gaussian blur, of different width for the two channels.
+// Applies one direction of a Gaussian blur, with a different width for each of the two channels.
 in vec2 textureAt;
 
 uniform sampler2D source;
-// Standard deviations along the direction, in texture coordinates: of red, and of green.
+// The standard deviations of red and green along the direction, in texture coordinates.
 uniform vec2 redStep;
 uniform vec2 greenStep;
 
 out vec4 color;
 
-// Samples lie three quarters of a deviation apart, out to two and a quarter; the Gaussian there, and all
-// of them together make 1.
+// Samples are three quarters of a standard deviation apart, out to two and a quarter. The weights
+// are the Gaussian at the samples, scaled so that all of them together sum to 1.
 const float spacing = 0.75;
 const float weights[4] = float[](0.3058, 0.2308, 0.0993, 0.0244);
 

@@ -1,4 +1,5 @@
-// The nearer to the floor, the darker: sharply for contact (red), gently for the body above (green).
+// The shadow is darker the nearer a surface is to the floor. It fades quickly for contact (red) and
+// gently for the body above (green).
 in float height;
 
 out vec4 color;

@@ -1,4 +1,4 @@
-// The posed mesh seen from below, straight onto the floor's square.
+// Draws the posed mesh as seen from below, projected straight onto the floor's square.
 in vec3 posedPosition;
 
 uniform mat4 sceneFromCharacter;

@@ -9,7 +9,8 @@ uniform vec3 floorDark;
 uniform float checkSize;
 uniform float fadeStart;
 uniform float fadeEnd;
-// Contact (red) and broad (green) shadow over a square: its center in x, z and half its side.
+// The contact (red) and broad (green) shadow over a square. contactSquare is the square's center in
+// x and z, and half its side.
 uniform sampler2D contactShadow;
 uniform vec3 contactSquare;
 uniform float shadowStrength;
@@ -22,7 +23,7 @@ vec2 triangleWave(vec2 x) {
   return abs(2.0 * fract(0.5 * x) - 1.0);
 }
 
-// 0 and 1 on neighboring checks, their mean where checks are smaller than pixels.
+// Returns 0 and 1 on neighboring checks, and their mean where checks are smaller than pixels.
 float checker(vec2 x) {
   vec2 width = max(fwidth(x), 1e-4);
   vec2 wave = (triangleWave(x + 0.5 * width) - triangleWave(x - 0.5 * width)) / width;

@@ -1,4 +1,4 @@
-// A square of the plane y = 0 about the origin, scene space.
+// Draws a square of the plane y = 0 around the origin, in scene space.
 uniform mat4 clipFromScene;
 uniform float halfSize;
 

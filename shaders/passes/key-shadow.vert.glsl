@@ -1,4 +1,4 @@
-// The posed mesh as the key light sees it; only depth is kept.
+// Draws the posed mesh as the key light sees it; only depth is kept.
 in vec3 posedPosition;
 
 uniform mat4 sceneFromCharacter;

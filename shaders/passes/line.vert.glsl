@@ -1,6 +1,7 @@
-// Lines as wide as one likes, many in one draw: bones as segments along +y, and grids of lines that are
-// wrapped around it to cylinders (x turns once from 0 to 1). A line is four vertices, two at each end,
-// which move apart in the picture. Each instance has its own 3 × 4 matrix and its color.
+// Draws many lines of any width in one draw call: bones as segments along +y, and grids of lines
+// that are wrapped around +y to cylinders (x turns once from 0 to 1). A line has four vertices, two
+// at each end, which are moved apart in the picture. Each instance has its own 3 × 4 matrix and its
+// color.
 in vec3 position;
 in vec3 otherEnd;
 in vec4 instanceRow0;
@@ -11,7 +12,7 @@ in vec3 instanceColor;
 uniform mat4 clipFromScene;
 uniform vec2 viewportSize;
 uniform bool wrapped;
-// Pixels.
+// In pixels.
 uniform float lineWidth;
 
 out vec3 lineColor;

@@ -2,9 +2,9 @@
 
 in vec2 texturePosition;
 
-// Linear; the texture is multiplied in, repeated beyond its edges.
+// In linear light; the texture is multiplied in and repeats beyond its edges.
 uniform vec3 albedo;
-// Below 1 where what is behind shows through.
+// Below 1, what is behind the surface shows through.
 uniform float opacity;
 uniform sampler2D colorTexture;
 
@@ -12,8 +12,8 @@ out vec4 color;
 
 void main() {
   vec4 base = vec4(albedo, opacity) * texture(colorTexture, texturePosition);
-  // What can't be seen hides nothing either. A surface without a texture has a program of its own, since
-  // a shader that may discard keeps depth tests from coming first.
+  // A fragment that can't be seen must not hide anything either. Surfaces without a texture have a
+  // program of their own, because a shader that may discard prevents early depth tests.
   if (base.a < 0.002) discard;
   color = shadeSkin(base);
 }

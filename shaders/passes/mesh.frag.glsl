@@ -1,8 +1,8 @@
 #include "lib/skin.glsl"
 
-// Linear.
+// In linear light.
 uniform vec3 albedo;
-// Below 1 where what is behind shows through.
+// Below 1, what is behind the surface shows through.
 uniform float opacity;
 
 out vec4 color;

@@ -6,14 +6,15 @@ uniform mat4 sceneFromCharacter;
 uniform mat4 clipFromScene;
 
 out vec3 scenePosition;
-// At pixels that a triangle only touches, its normal must not be guessed beyond its rim.
+// At pixels that a triangle only partly covers, its normal must not be extrapolated beyond its
+// edge.
 centroid out vec3 sceneNormal;
 out vec2 texturePosition;
 
 void main() {
   vec4 position = sceneFromCharacter * vec4(posedPosition, 1.0);
   scenePosition = position.xyz;
-  // The scene scales characters evenly, so that normals need no inverse transpose.
+  // The scene scales characters uniformly, so normals need no inverse transpose.
   sceneNormal = mat3(sceneFromCharacter) * posedNormal;
   texturePosition = uv;
   gl_Position = clipFromScene * position;

@@ -5,7 +5,7 @@ in vec3 scenePosition;
 in vec3 sceneNormal;
 in vec3 solidColor;
 
-// Below 1 where a solid shows through what hides it.
+// Below 1 for a solid that shows through what hides it.
 uniform float opacity;
 // 1 for round solids, 0 for those with flat faces.
 uniform float rim;

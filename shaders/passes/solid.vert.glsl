@@ -1,5 +1,5 @@
-// Small solids, many in one draw: joints, bones, axes. Each instance has its own 3 × 4 matrix whose
-// columns are orthogonal, and its color.
+// Draws many small solids in one draw call: joints, bones and axes. Each instance has its own color
+// and its own 3 × 4 matrix, whose columns are orthogonal.
 in vec3 position;
 in vec3 normal;
 in vec4 instanceRow0;
@@ -19,7 +19,8 @@ void main() {
     dot(instanceRow0, local), dot(instanceRow1, local), dot(instanceRow2, local)
   );
   mat3 sceneFromSolid = transpose(mat3(instanceRow0.xyz, instanceRow1.xyz, instanceRow2.xyz));
-  // With orthogonal columns the inverse transpose is the matrix over its columns' squared lengths.
+  // Because the columns are orthogonal, the inverse transpose is the matrix with each column
+  // divided by its squared length.
   vec3 squared = vec3(
     dot(sceneFromSolid[0], sceneFromSolid[0]),
     dot(sceneFromSolid[1], sceneFromSolid[1]),

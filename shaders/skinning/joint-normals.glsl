@@ -1,6 +1,6 @@
-// Linear blend as CSE169 asks for it (project 2): the normal is turned by each joint on its own,
+// This is linear blend as CSE169 (project 2) asks for it: each joint turns the normal on its own,
 // n' = sum of w (W B^-1)^-T n. The palette has three rows of W B^-1, then three of the inverse
-// transpose. Mirrors src/skinning/joint-normals.ts.
+// transpose. This mirrors src/skinning/joint-normals.ts.
 
 vec4 blended0;
 vec4 blended1;

@@ -1,5 +1,6 @@
-// Skeletal subspace deformation, p' = sum of w T B^-1 p (6.837 handout, part 4): the matrices are
-// blended first, left to right, then applied once. Mirrors src/skinning/linear-blend.ts.
+// This is skeletal subspace deformation, p' = sum of w T B^-1 p (6.837 handout, part 4): the
+// matrices are blended first, left to right, and then applied once. This mirrors
+// src/skinning/linear-blend.ts.
 
 vec4 blended0;
 vec4 blended1;

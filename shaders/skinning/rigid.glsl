@@ -1,5 +1,5 @@
-// Every vertex follows its heaviest joint alone, the first of equals (6.837 handout, part 4, the
-// figure of colliding parts). Mirrors src/skinning/rigid.ts.
+// Every vertex follows only its heaviest joint, or the first of several equal ones (6.837 handout,
+// part 4, the figure of colliding parts). This mirrors src/skinning/rigid.ts.
 
 uint heaviestEntry;
 float heaviestWeight;

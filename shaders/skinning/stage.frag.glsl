@@ -1,2 +1,2 @@
-// Nothing is rasterized; WebGL asks for a fragment shader all the same.
+// Nothing is rasterized, but WebGL requires a fragment shader.
 void main() {}

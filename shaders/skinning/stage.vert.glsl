@@ -1,4 +1,5 @@
-// Skinning as a stage of its own: posed positions and normals go to buffers that every pass draws.
+// Skinning is a stage of its own: it writes posed positions and normals to buffers that every pass
+// draws.
 #include "lib/palette.glsl"
 #include "lib/influences.glsl"
 #include "lib/affine.glsl"

@@ -18,7 +18,7 @@ export interface Mesh {
   readonly normals: Float32Array;
   /** (vertexCount × 2), or null if the file has none. */
   readonly uvs: Float32Array | null;
-  /** (triangleCount × 3) render vertices, counter-clockwise seen from outside. */
+  /** (triangleCount × 3) render vertices, counterclockwise seen from outside. */
   readonly indices: Uint32Array;
   readonly submeshes: readonly Submesh[];
 }

@@ -3,19 +3,22 @@ import { extents, isEmpty } from '../core/bounds.ts';
 import type { Character } from '../core/character.ts';
 import { type Transform, unmoved } from '../document/scene.ts';
 
-/** How a character stands in the scene. The scale is even in all directions. */
+/** How a character is placed in the scene. The scale is uniform. */
 export interface DisplayTransform {
   /** Column-major, float64. */
   readonly sceneFromCharacter: Float64Array;
   readonly scale: number;
 }
 
-/** Of what lies flat, the width counts, so that it does not fill the room. */
+/**
+ * Width and depth count by this factor, so that a character that lies flat does not fill the view.
+ */
 const flatness = 0.5;
 
 /**
- * By itself a character stands one unit tall whatever its file's units, feet on the floor y = 0, its
- * middle over the origin; there it is sized, turned and moved.
+ * Without a transform, a character is one unit tall whatever its file's units, with its feet on the
+ * floor y = 0 and its middle over the origin. The transform then scales, rotates and moves it from
+ * there.
  */
 export function displayTransform(
   { bounds }: Pick<Character, 'bounds'>,

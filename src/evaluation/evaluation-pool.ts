@@ -6,13 +6,16 @@ import type { DisplayTransform } from './display-transform.ts';
 import { Kernels } from './kernels.ts';
 import { StageCells } from './stage.ts';
 
-/** The values q that are shown, and an array to write them into where layers change them. */
+/** The values q that are shown, and an array to write them into if layers change them. */
 export interface ShownValues {
   readonly q: Float64Array;
   readonly layered: Float64Array | null;
 }
 
-/** What the evaluators of one character share: a value for each stage, and for each pose at one time. */
+/**
+ * The cells that the evaluators of one character share. Each stage has one value for each pose that
+ * is shown at the same time.
+ */
 class CharacterStages {
   readonly values = new StageCells<ShownValues>();
   readonly joints = new StageCells<Float64Array>();
@@ -22,7 +25,7 @@ class CharacterStages {
   readonly bounds = new StageCells<Bounds>();
   readonly display = new StageCells<DisplayTransform>();
 
-  /** How many values are held, over all stages. */
+  /** The number of values that are held, over all stages. */
   get size(): number {
     const stages = Object.values(this) as StageCells<unknown>[];
     return stages.reduce((sum, { size }) => sum + size, 0);
@@ -30,8 +33,8 @@ class CharacterStages {
 }
 
 /**
- * Lets evaluators compute once what is equal: copies in one pose, or one pose under two methods. A
- * value is gone when the last evaluator that holds it moves on or is disposed.
+ * Lets evaluators compute equal values only once, for copies in one pose or for one pose under two
+ * methods. A value is dropped when the last evaluator that holds it moves on or is disposed.
  */
 export class EvaluationPool {
   readonly kernels: Kernels;

@@ -7,50 +7,55 @@ import type { DisplayTransform } from './display-transform.ts';
 import type { SkinningMethod, VertexStreams } from '../skinning/method.ts';
 
 /**
- * Tell which stages changed: a stage whose inputs are what they were keeps its revision, and its arrays,
- * and so have evaluators of one character whose inputs are equal the same revision. None is met twice for
- * anything else.
+ * Revisions tell which stages changed. A stage whose inputs did not change keeps its revision and
+ * its arrays, and evaluators of one character whose inputs are equal have the same revision. No
+ * revision is ever used again for other inputs.
  */
 export interface Revisions {
-  /** Of `pose` and `characterFromJoint`. */
+  /** The revision of `pose` and `characterFromJoint`. */
   readonly pose: number;
-  /** Of `rest`. */
+  /** The revision of `rest`. */
   readonly rest: number;
-  /** Of `palette`. */
+  /** The revision of `palette`. */
   readonly palette: number;
-  /** Of `vertices` and `bounds`. */
+  /** The revision of `vertices` and `bounds`. */
   readonly vertices: number;
-  /** Of `display`. */
+  /** The revision of `display`. */
   readonly display: number;
 }
 
 /**
- * A character of the scene at a moment, as numbers: the only place where it becomes some. Stages are
- * computed when they are first read. The arrays are written again at the next moment; what is kept
- * beyond it is a copy (`snapshot`).
+ * A character of the scene at one moment, as numbers. This is the only place where a character
+ * becomes numbers. Stages are computed when they are first read. The arrays are overwritten at the
+ * next moment; `snapshot` makes a copy to keep.
  */
 export interface Evaluation {
   readonly state: Actor;
-  /** What is shown: the edited pose under what the pose layers make of it. */
+  /** The pose that is shown: the edited pose as the pose layers change it. */
   readonly pose: Pose;
-  /** (jointCount × 16) column-major, float64: a joint's frame → character space. */
+  /** (jointCount × 16) column-major, float64: from each joint's frame to character space. */
   readonly characterFromJoint: Float64Array;
-  /** The mesh under its rest layers. */
+  /** The mesh after its rest layers. */
   readonly rest: Mesh;
   readonly skin: Skin;
-  /** What deforms it: linear blend stands in for a method whose code is on the way. */
+  /**
+   * The method that deforms the mesh. Linear blend replaces a method whose code is still loading.
+   */
   readonly method: SkinningMethod;
-  /** What is on the way, for people; empty where all is as the scene has it. */
+  /** What is still loading, as labels for the user; empty if everything is as the scene says. */
   readonly pending: readonly string[];
-  /** (entryCount × vec4sPerEntry × 4) what the method's kernel reads. */
+  /** (entryCount × vec4sPerEntry × 4) the input of the method's kernel. */
   readonly palette: Float32Array;
-  /** Where it stands in the scene. */
+  /** The placement of the character in the scene. */
   readonly display: DisplayTransform;
   readonly revisions: Revisions;
-  /** Posed positions and normals, on the CPU; character space. */
+  /** Posed positions and normals, computed on the CPU, in character space. */
   vertices(): VertexStreams;
-  /** Of posed vertices and joints, and of boxes where there is no mesh; character space. */
+  /**
+   * The box of posed vertices and joints, and of the display boxes if there is no mesh, in
+   * character space.
+   */
   bounds(): Bounds;
-  /** The pose as it is shown, to be kept. */
+  /** Returns a copy of the pose that is shown, which the caller may keep. */
   snapshot(): Pose;
 }

@@ -10,14 +10,14 @@ import { EvaluationPool } from './evaluation-pool.ts';
 import { Evaluator } from './evaluator.ts';
 import { Kernels } from './kernels.ts';
 
-/** What of every actor is other than the scene has it: for views beside the usual one. */
+/** What differs from the scene for every actor, for views beside the usual one. */
 export interface Overrides {
   readonly deformation?: Deformation;
 }
 
 /**
- * The scene as it is shown at the session's time: one evaluator a character, which view, picking,
- * panels, pictures and exports share. To read follows the scene and the time.
+ * The scene as it is shown at the session's time. It has one evaluator per character, which view,
+ * picking, panels, pictures and exports share. Reading subscribes to the scene and the time.
  */
 export class Evaluations {
   private readonly store: Store;
@@ -32,8 +32,8 @@ export class Evaluations {
   }
 
   /**
-   * Resolves when nothing is pending, for the actors and for these kernels. Rejects if one of these kernels
-   * or of those that the actors need can't be loaded.
+   * Resolves when nothing is pending for the actors and for these kernels. It rejects if one of
+   * these kernels, or of those that the actors need, can't be loaded.
    */
   async settled(beside: readonly KernelId[] = []): Promise<void> {
     const { kernels } = this.pool;
@@ -42,17 +42,17 @@ export class Evaluations {
     await kernels.settled();
   }
 
-  /** Loads kernels before they are needed; linear blend will stand in for one that can't be loaded. */
+  /** Loads kernels before they are needed. Linear blend replaces one that can't be loaded. */
   async prepare(ids: readonly KernelId[]): Promise<void> {
     await Promise.allSettled(ids.map((id) => this.pool.kernels.load(id)));
   }
 
-  /** Of every actor. */
+  /** The evaluations of all actors. */
   all(overrides?: Overrides): readonly Evaluation[] {
     return this.store.scene.value.actors.map((actor) => this.of(actor, overrides));
   }
 
-  /** Lets go of the evaluators of actors and overrides that are no longer shown. */
+  /** Disposes of the evaluators of actors and overrides that are no longer shown. */
   keepOnly(shown: readonly Evaluation[]): void {
     for (const [key, evaluator] of this.evaluators) {
       const isIn = this.store.scene.value.actors.some(({ id }) => id === evaluator.state.id);
@@ -63,13 +63,13 @@ export class Evaluations {
     }
   }
 
-  /** Of the selected character, if there is one. */
+  /** The evaluation of the selected character, if there is one. */
   selected(): Evaluation | undefined {
     const actor = selectedActor(this.store, this.session);
     return actor && this.of(actor);
   }
 
-  /** Of an actor of the scene. */
+  /** The evaluation of an actor of the scene. */
   of(actor: Actor, { deformation }: Overrides = {}): Evaluation {
     const shown = deformation ? { ...actor, ...deformation } : actor;
     const key = deformation ? `${actor.id} ${kernelOf(shown).id}` : String(actor.id);

@@ -17,8 +17,8 @@ import { posedBounds } from './posed-bounds.ts';
 import { Stage } from './stage.ts';
 
 /**
- * Evaluates one character at one moment after another; belongs to whoever looks, who disposes of it. What
- * other evaluators of its pool have computed from equal inputs it takes from them.
+ * Evaluates one character at one moment after another. Whoever creates it disposes of it. It reuses
+ * what other evaluators of its pool have computed from equal inputs.
  */
 export class Evaluator implements Evaluation {
   private readonly kernels: Kernels;
@@ -79,12 +79,12 @@ export class Evaluator implements Evaluation {
     );
   }
 
-  /** Whether a state can be evaluated here: it is of the same character. */
+  /** Whether a state can be evaluated here, which needs the same character. */
   fits({ id, character }: Actor): boolean {
     return id === this.now.id && character === this.now.character;
   }
 
-  /** @param time seconds of the bound clip */
+  /** @param time in seconds of the bound clip */
   evaluate(state: Actor, time: number): Evaluation {
     this.now = state;
     this.time = time;
@@ -151,7 +151,7 @@ export class Evaluator implements Evaluation {
     return { q: q.slice(), morphWeights: morphWeights.slice() };
   }
 
-  /** Lets go of all that it holds in its pool. */
+  /** Releases everything that it holds in its pool. */
   dispose(): void {
     const { valueStage, jointStage, restStage, paletteStage } = this;
     const { vertexStage, boundsStage, displayStage } = this;
@@ -159,12 +159,15 @@ export class Evaluator implements Evaluation {
     for (const stage of [vertexStage, boundsStage, displayStage]) stage.release();
   }
 
-  /** Whether no time passes for it. */
+  /** Whether the actor has no clip, so that time does not change it. */
   private get isStill(): boolean {
     return this.now.clip === null;
   }
 
-  /** The state's own values where no layer is active; else an array that is written again. */
+  /**
+   * Returns the state's own values if no layer is active, or else an array that is overwritten next
+   * time.
+   */
   private applyLayers(former: Float64Array | null): ShownValues {
     const { q } = this.now;
     const context = { clip: boundClip(this.now) ?? null, time: this.time };

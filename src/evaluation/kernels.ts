@@ -4,13 +4,16 @@ import type { KernelId, SkinningMethod } from '../skinning/method.ts';
 import { kernelById } from '../skinning/registry.ts';
 
 export interface KernelsOptions {
-  /** What else a kernel needs before it is used: the shader that computes the same, say. */
+  /**
+   * Prepares what else a kernel needs before it is used, for example the shader that computes the
+   * same.
+   */
   readonly prepare?: (kernel: SkinningMethod) => Promise<unknown>;
-  /** Told once of a kernel that can't be loaded. */
+  /** This is called once for each kernel that can't be loaded. */
   readonly onFailed?: (error: unknown) => void;
 }
 
-/** The kernels that are there. One that is not begins to load when it is first asked for. */
+/** The kernels that are loaded. Any other begins to load when it is first requested. */
 export class Kernels {
   private readonly ready = signal<ReadonlyMap<KernelId, SkinningMethod>>(
     new Map([[linearBlend.id, linearBlend]]),
@@ -23,24 +26,30 @@ export class Kernels {
     this.options = options;
   }
 
-  /** The kernel, if it is there. To ask follows: whoever asked in an effect is told when it comes. */
+  /**
+   * Returns the kernel if it is loaded. Reading subscribes: an effect that asked runs again when
+   * the kernel arrives.
+   */
   of(id: KernelId): SkinningMethod | undefined {
     const kernel = this.ready.value.get(id);
-    if (!kernel) this.load(id).catch(() => undefined); // which onFailed was told
+    if (!kernel) this.load(id).catch(() => undefined); // onFailed reports the failure
     return kernel;
   }
 
-  /** Whether the kernel will come: it is not there yet, and nothing has kept it from coming. */
+  /** Whether the kernel is still loading: it has not arrived, and loading has not failed. */
   isPending(id: KernelId): boolean {
     return !this.of(id) && !this.failed.has(id);
   }
 
-  /** Resolves when the kernel is there; rejects if it can't be loaded, without trying again. */
+  /**
+   * Resolves when the kernel is loaded. It rejects if the kernel can't be loaded, without trying
+   * again.
+   */
   async load(id: KernelId): Promise<void> {
     if (this.ready.peek().has(id)) return;
     let load = this.loads.get(id);
     if (!load) {
-      // One that failed stays here, so that it is not tried at each picture again.
+      // A load that failed stays here, so that it is not tried again for every picture.
       this.loads.set(id, (load = this.fetch(id)));
       load.catch((error: unknown) => {
         this.failed.add(id);
@@ -50,7 +59,7 @@ export class Kernels {
     await load;
   }
 
-  /** Resolves when every kernel that was asked for is there or can't be loaded. */
+  /** Resolves when every kernel that was requested is loaded or has failed. */
   async settled(): Promise<void> {
     await Promise.allSettled(this.loads.values());
   }

@@ -3,13 +3,13 @@ import type { Character } from '../core/character.ts';
 import { type Transform, unmoved } from '../document/scene.ts';
 import { displayTransform } from './display-transform.ts';
 
-/** Between neighbors, scene units, in which a character is one tall. */
+/** The distance between neighbors in scene units, in which a character is one unit tall. */
 const gap = 0.2;
 
 /**
- * Places for characters in a row, at the right of all that stands already.
+ * Returns places for characters in a row, to the right of everything that is in the scene.
  *
- * @param taken the box about what stands, scene space
+ * @param taken the box around what is in the scene, in scene space
  */
 export function placeInRow(taken: Bounds, characters: readonly Character[]): Transform[] {
   let edge = isEmpty(taken) ? null : taken.max[0]!;
@@ -20,12 +20,12 @@ export function placeInRow(taken: Bounds, characters: readonly Character[]): Tra
   });
 }
 
-/** With its left side at x. */
+/** Places the character so that its left side is at x. */
 function placeAt(x: number, character: Character): Transform {
   return { ...unmoved, position: [x + widthOf(character) / 2, 0, 0] };
 }
 
-/** At the file's pose, scene units. */
+/** The width in the file's pose, in scene units. */
 function widthOf(character: Character): number {
   if (isEmpty(character.bounds)) return 0;
   return extents(character.bounds)[0] * displayTransform(character).scale;

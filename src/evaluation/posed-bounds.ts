@@ -3,7 +3,8 @@ import type { Character } from '../core/character.ts';
 import { boxCorners } from '../core/display-boxes.ts';
 
 /**
- * The box of a posed character, vertices and joints, and boxes where there is no mesh; character space.
+ * Returns the box around a posed character's vertices and joints, and around its display boxes if
+ * there is no mesh, in character space.
  *
  * @param positions (vertexCount × 3) posed
  * @param characterFromJoint (jointCount × 16)

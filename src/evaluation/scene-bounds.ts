@@ -2,7 +2,7 @@ import { type mat4, vec3 } from 'gl-matrix';
 import { type Bounds, emptyBounds, includePositions, isEmpty } from '../core/bounds.ts';
 import type { Evaluation } from './evaluation.ts';
 
-/** The box about characters as they stand now, scene space. */
+/** Returns the box around characters as they are placed now, in scene space. */
 export function sceneBounds(evaluations: readonly Evaluation[]): Bounds {
   const all = emptyBounds();
   for (const evaluation of evaluations) {

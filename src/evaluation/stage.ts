@@ -1,29 +1,34 @@
-/** Revisions grow over all stages of all evaluators. */
+/** The latest revision, which grows over all stages of all evaluators. */
 let latest = 0;
 
-/** A value with what it is a function of; whoever has the same inputs holds the same cell. */
+/** A value with the inputs that determine it. Stages with the same inputs hold the same cell. */
 interface Cell<T> {
   inputs: readonly unknown[];
   revision: number;
-  /** Stages that hold it. */
+  /** The number of stages that hold the cell. */
   users: number;
-  /** Computed from the inputs; while it is stale, what was computed before, to be written again. */
+  /**
+   * This is computed from the inputs. While it is stale, it is an earlier value, to be overwritten.
+   */
   value: T | undefined;
   isStale: boolean;
 }
 
-/** The values of one kind of stage that the evaluators of one character hold between them. */
+/** The values of one kind of stage that the evaluators of one character share. */
 export class StageCells<T> {
   private readonly cells = new Set<Cell<T>>();
-  /** Let go of last: whoever parts from a shared cell writes its arrays, so that none are made. */
+  /**
+   * The cell that was released last. A stage that leaves a shared cell writes into its arrays, so
+   * that no new ones are allocated.
+   */
   private spare: Cell<T> | undefined;
 
-  /** How many different values are held. */
+  /** The number of different values that are held. */
   get size(): number {
     return this.cells.size;
   }
 
-  /** The cell of these inputs, in exchange for the one that was held before. */
+  /** Returns the cell for these inputs, in exchange for the one that was held before. */
   exchange(held: Cell<T> | undefined, inputs: readonly unknown[]): Cell<T> {
     for (const cell of this.cells) {
       if (!sameInputs(cell.inputs, inputs)) continue;
@@ -46,7 +51,7 @@ export class StageCells<T> {
   }
 }
 
-/** A value that is computed when it is read and its inputs are not what they were. */
+/** A value that is computed when it is read, if its inputs have changed. */
 export class Stage<T> {
   private readonly cells: StageCells<T>;
   private readonly inputsNow: () => readonly unknown[];
@@ -54,10 +59,10 @@ export class Stage<T> {
   private cell: Cell<T> | undefined;
 
   /**
-   * @param cells shared with whoever computes the same from equal inputs
-   * @param inputsNow what the value is a function of: arrays of float64 are compared by their bits, all
-   *   else by identity
-   * @param compute gets an earlier value that nobody reads any more, to write into it, if there is one
+   * @param cells shared with every stage that computes the same from equal inputs
+   * @param inputsNow returns what determines the value: arrays of float64 are compared by their
+   *   bits, everything else by identity
+   * @param compute gets an earlier value that is no longer read, if there is one, to write into it
    */
   constructor(
     cells: StageCells<T>,
@@ -69,7 +74,9 @@ export class Stage<T> {
     this.compute = compute;
   }
 
-  /** Stands for the inputs: equal ones have the same. To ask computes nothing. */
+  /**
+   * A number that identifies the inputs: equal inputs have the same. Reading it computes nothing.
+   */
   get revision(): number {
     return this.current().revision;
   }
@@ -83,7 +90,7 @@ export class Stage<T> {
     return cell.value;
   }
 
-  /** Lets go of the value; to read it again holds it again. */
+  /** Releases the value; reading it acquires it again. */
   release(): void {
     if (this.cell) this.cells.release(this.cell);
     this.cell = undefined;
@@ -102,7 +109,7 @@ function emptyCell<T>(): Cell<T> {
   return { inputs: [], revision: 0, users: 0, value: undefined, isStale: true };
 }
 
-/** Gives a cell that nobody else holds to one user, with other inputs. */
+/** Assigns other inputs to a cell that nobody else holds, with one user. */
 function renew<T>(cell: Cell<T>, inputs: readonly unknown[]): Cell<T> {
   return Object.assign(cell, { inputs, revision: ++latest, users: 1, isStale: true });
 }

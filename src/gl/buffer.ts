@@ -2,7 +2,7 @@ import { type Gpu, GpuLimitError } from './gpu.ts';
 
 type BufferTarget = 'vertex' | 'index' | 'uniform';
 
-/** Bytes on the GPU; owned by whoever made it, who disposes of it. */
+/** Bytes on the GPU. Whoever creates the buffer owns it and disposes of it. */
 export class Buffer {
   readonly handle: WebGLBuffer;
   readonly byteLength: number;
@@ -10,7 +10,7 @@ export class Buffer {
   private readonly target: number;
   private readonly untrack: () => void;
 
-  /** @param content the bytes, or how many of them to reserve */
+  /** @param content the bytes, or the number of bytes to reserve */
   constructor(gpu: Gpu, target: BufferTarget, content: ArrayBufferView | number) {
     const { gl } = gpu;
     this.gl = gl;
@@ -22,7 +22,7 @@ export class Buffer {
     this.handle = gl.createBuffer();
     this.untrack = gpu.track('buffer');
     this.byteLength = typeof content === 'number' ? content : content.byteLength;
-    // An index buffer bound while a vertex array is would become part of that array.
+    // An index buffer that is bound while a vertex array is bound would become part of that array.
     gl.bindVertexArray(null);
     gl.bindBuffer(this.target, this.handle);
     if (typeof content === 'number') gl.bufferData(this.target, content, gl.DYNAMIC_COPY);
@@ -34,7 +34,7 @@ export class Buffer {
     }
   }
 
-  /** Overwrites the buffer from a byte on; what lies before and beyond stays. */
+  /** Overwrites the buffer from a byte offset on; the bytes before and after stay. */
   write(bytes: ArrayBufferView, offset = 0): void {
     this.gl.bindVertexArray(null);
     this.gl.bindBuffer(this.target, this.handle);
@@ -42,7 +42,7 @@ export class Buffer {
     this.gl.bindBuffer(this.target, null);
   }
 
-  /** Copies the buffer's start back; waits for the GPU. */
+  /** Copies the start of the buffer back to the CPU, which waits for the GPU. */
   read(into: ArrayBufferView): void {
     this.gl.bindBuffer(this.gl.COPY_READ_BUFFER, this.handle);
     this.gl.getBufferSubData(this.gl.COPY_READ_BUFFER, 0, into);

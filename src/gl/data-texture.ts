@@ -5,8 +5,8 @@ const texelSizes = { 'data-rgba32f': 4, 'data-rg32f': 2 } as const;
 const width = 1024;
 
 /**
- * An array of numbers in a texture, addressed linearly and wrapped into rows of 1,024 texels, which
- * shaders read with `texelFetch(t, ivec2(i & 1023, i >> 10), 0)`.
+ * An array of numbers in a texture. It is addressed linearly and wrapped into rows of 1,024 texels;
+ * shaders read it with `texelFetch(t, ivec2(i & 1023, i >> 10), 0)`.
  */
 export class DataTexture {
   readonly texture: Texture;
@@ -20,7 +20,10 @@ export class DataTexture {
     this.staging = new Float32Array(rows * width * this.texelSize);
   }
 
-  /** Writes from a texel on: within a row those texels alone are sent, past its end whole rows. */
+  /**
+   * Writes values from a texel on. Within one row only those texels are uploaded; beyond it, whole
+   * rows.
+   */
   write(values: ArrayLike<number>, firstTexel = 0): void {
     const { staging, texelSize } = this;
     const count = values.length / texelSize;

@@ -30,7 +30,7 @@ export class DepthTarget {
     gl.bindTexture(kind, null);
   }
 
-  /** Draws go here, into an empty map. */
+  /** Clears the map and makes it the target of draw calls. */
   begin(): void {
     const { gl, size } = this;
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.framebuffer);

@@ -1,7 +1,7 @@
 import type { Buffer } from './buffer.ts';
 import type { Gpu } from './gpu.ts';
 
-/** Runs a vertex stage for its outputs alone, one buffer an output; nothing is rasterized. */
+/** Runs a vertex stage only for its outputs, with one buffer per output; nothing is rasterized. */
 export class Feedback {
   private readonly gl: WebGL2RenderingContext;
   private readonly handle: WebGLTransformFeedback;

@@ -9,8 +9,8 @@ export type ObjectKind =
   | 'vertex-array';
 
 /**
- * A WebGL2 context with its limits and the count of its live objects. After a lost context all of
- * it is made anew from data on the CPU: no object here knows how to restore itself.
+ * A WebGL2 context with its limits and the count of its live objects. After the context is lost,
+ * everything is created again from data on the CPU; no object here can restore itself.
  */
 export class Gpu {
   readonly gl: WebGL2RenderingContext;
@@ -26,7 +26,10 @@ export class Gpu {
     this.maxSamples = gl.getParameter(gl.MAX_SAMPLES) as number;
   }
 
-  /** Counts a new object; the returned function uncounts it, once. */
+  /**
+   * Counts a new object. The returned function removes it from the count; calling it again does
+   * nothing.
+   */
   track(kind: ObjectKind): () => void {
     this.counts.set(kind, this.count(kind) + 1);
     let live = true;
@@ -45,5 +48,8 @@ export class Gpu {
   }
 }
 
-/** The GPU refused something for want of memory or size; a message for the user, not a bug. */
+/**
+ * The GPU refused something for lack of memory or because of its size limits. The message is for
+ * the user; this is not a bug.
+ */
 export class GpuLimitError extends Error {}

@@ -1,12 +1,12 @@
 import { type Gpu, GpuLimitError } from './gpu.ts';
 
-/** A picture for surfaces: sRGB, filtered, with smaller copies, repeated beyond its edges. */
+/** A picture for surfaces in sRGB, which is filtered, has mipmaps and repeats beyond its edges. */
 export class ImageTexture {
   private readonly gl: WebGL2RenderingContext;
   private readonly handle: WebGLTexture;
   private readonly untrack: () => void;
 
-  /** @param image its first row is at the bottom, v = 0 */
+  /** @param image has its first row at the bottom, v = 0 */
   constructor(gpu: Gpu, image: ImageBitmap | ImageData) {
     const { gl } = gpu;
     const { width, height } = image;

@@ -1,4 +1,4 @@
-/** Holds objects that must be disposed of together, so that none is forgotten half-way. */
+/** Holds objects that must be disposed of together, so that none is forgotten if a step fails. */
 export class Owner {
   private readonly owned: { dispose(): void }[] = [];
 
@@ -7,7 +7,7 @@ export class Owner {
     return object;
   }
 
-  /** Disposes of all, the newest first. */
+  /** Disposes of all objects, the newest first. */
   dispose(): void {
     for (const object of this.owned.splice(0).reverse()) object.dispose();
   }

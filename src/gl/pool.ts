@@ -4,14 +4,14 @@ interface Shared<K, T> {
   users: number;
 }
 
-/** One user's hold on a shared object. */
+/** One user's share of an object. */
 export interface Lease<T> {
   readonly value: T;
-  /** The last user's release disposes of the object. */
+  /** Ends the share. The last user's release disposes of the object. */
   release(): void;
 }
 
-/** Objects by what they are made of, so that what is made of the same is shared. */
+/** Objects keyed by what they are made from, so that users of the same source share one object. */
 export class Pool<K extends object, T extends { dispose(): void }> {
   private readonly shared = new Map<K, Shared<K, T>>();
 
@@ -19,7 +19,7 @@ export class Pool<K extends object, T extends { dispose(): void }> {
     return this.shared.has(key);
   }
 
-  /** @param create makes it where nobody holds it; what it throws is the caller's */
+  /** @param create makes the object if nobody holds it; its exceptions go to the caller */
   lease(key: K, create: () => T): Lease<T> {
     let found = this.shared.get(key);
     if (!found) this.shared.set(key, (found = { key, value: create(), users: 0 }));
@@ -39,11 +39,11 @@ export class Pool<K extends object, T extends { dispose(): void }> {
   }
 
   /**
-   * Makes one object into another in place, under the leases that are out: where a single user holds
-   * it, and nobody what it becomes.
+   * Turns one object into another in place, under its existing leases. This needs that only one
+   * user holds the object and that nobody holds the one that it becomes.
    *
-   * @param change changes the object, or returns false where it can't
-   * @returns whether it was changed
+   * @param change changes the object, or returns false if it can't
+   * @returns whether the object was changed
    */
   convert(from: K, to: K, change: (value: T) => boolean): boolean {
     const held = this.shared.get(from);

@@ -1,11 +1,11 @@
 import type { Gpu } from './gpu.ts';
 
 export interface ProgramSources {
-  /** For messages. */
+  /** The name for error messages. */
   readonly name: string;
   readonly vertex: string;
   readonly fragment: string;
-  /** Outputs of the vertex stage that transform feedback writes, each to a buffer of its own. */
+  /** The outputs of the vertex stage that transform feedback writes, each to its own buffer. */
   readonly feedback?: readonly string[];
 }
 
@@ -15,11 +15,11 @@ export type UniformValue = number | boolean | ArrayLike<number>;
 interface Uniform {
   readonly location: WebGLUniformLocation;
   readonly type: number;
-  /** Written at every use, so that none is allocated. */
+  /** An array that is overwritten at every use, so that no use allocates one. */
   readonly staging: Float32Array;
 }
 
-/** A linked program; uniforms are set by name, attributes found by name. */
+/** A linked program. Uniforms are set and attributes are found by name. */
 export class Program {
   readonly name: string;
   private readonly gl: WebGL2RenderingContext;
@@ -55,12 +55,12 @@ export class Program {
     this.gl.useProgram(this.handle);
   }
 
-  /** The attribute's location, or -1 where the program does not read it. */
+  /** The attribute's location, or -1 if the program does not read it. */
   attribute(name: string): number {
     return this.attributes.get(name) ?? -1;
   }
 
-  /** Sets uniforms of this program, which must be in use; unknown names are passed over. */
+  /** Sets uniforms of this program, which must be in use. Unknown names are ignored. */
   set(values: Readonly<Record<string, UniformValue>>): void {
     for (const name in values) {
       const uniform = this.uniforms.get(name);
@@ -127,7 +127,7 @@ export class Program {
   }
 }
 
-/** How many numbers a uniform of a type holds. */
+/** The number of components of a uniform type. */
 function floatsOf(gl: WebGL2RenderingContext, type: number): number {
   switch (type) {
     case gl.FLOAT_VEC2:

@@ -1,8 +1,8 @@
 import { type Gpu, GpuLimitError } from './gpu.ts';
 
 /**
- * A picture of our own: color and depth with 4 samples a pixel, resolved to one, which is shown and
- * read back. What is captured is thus exactly what was seen.
+ * An offscreen picture with color and depth at 4 samples a pixel. It is resolved to one sample,
+ * which is both shown and read back, so a capture is exactly what was seen.
  */
 export class RenderTarget {
   readonly width: number;
@@ -31,7 +31,7 @@ export class RenderTarget {
     }
   }
 
-  /** Draws go here until `resolve`. */
+  /** Makes this the target of draw calls until `resolve`. */
   begin(): void {
     this.gl.bindFramebuffer(this.gl.FRAMEBUFFER, this.sampled);
     this.gl.viewport(0, 0, this.width, this.height);
@@ -46,7 +46,9 @@ export class RenderTarget {
     this.copy(this.resolved, null);
   }
 
-  /** Puts another's resolved picture into this one's, its lower left corner at x, y. */
+  /**
+   * Copies another target's resolved picture into this one's, with its lower left corner at x, y.
+   */
   paste(part: RenderTarget, x: number, y: number): void {
     const { gl } = this;
     const { width, height } = part;
@@ -61,7 +63,7 @@ export class RenderTarget {
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
   }
 
-  /** (width × height × 4) bytes RGBA, the bottom row first. */
+  /** Returns (width × height × 4) bytes of RGBA, the bottom row first. */
   readPixels(): Uint8Array {
     const { gl, width, height } = this;
     const pixels = new Uint8Array(width * height * 4);

@@ -1,4 +1,4 @@
-/** GLSL by path below shaders/: "lib/studio.glsl". */
+/** GLSL sources by their paths below shaders/, for example "lib/studio.glsl". */
 export type ShaderFiles = Readonly<Record<string, string>>;
 
 export type Defines = Readonly<Record<string, number>>;
@@ -12,10 +12,10 @@ const header = [
 ];
 
 /**
- * The whole source of a stage: version, precision and defines in front, `#include "path"` resolved,
- * each file once.
+ * Returns the whole source of a stage. Version, precision and defines come first, and each
+ * `#include "path"` is resolved, each file once.
  *
- * @param names what stands for a word in include paths: {METHOD: 'rigid'} for "skinning/METHOD.glsl"
+ * @param names replaces words in include paths: {METHOD: 'rigid'} for "skinning/METHOD.glsl"
  */
 export function resolveShader(
   files: ShaderFiles,

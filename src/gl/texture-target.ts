@@ -1,7 +1,7 @@
 import type { Gpu } from './gpu.ts';
 import { Texture } from './texture.ts';
 
-/** A color texture that can be drawn into: shadows and their blur. */
+/** A color texture that can be drawn into; shadows and their blur use it. */
 export class TextureTarget {
   readonly texture: Texture;
   private readonly gl: WebGL2RenderingContext;

@@ -1,6 +1,8 @@
 import { type Gpu, GpuLimitError } from './gpu.ts';
 
-/** `data` formats hold exact numbers and are read by texel; `color` ones are filtered. */
+/**
+ * The `data` formats hold exact numbers and are read by texel; the `color` formats are filtered.
+ */
 export type TextureFormat = 'data-rgba32f' | 'data-rg32f' | 'color-rgba8';
 
 export interface TexelRectangle {
@@ -10,7 +12,7 @@ export interface TexelRectangle {
   readonly height: number;
 }
 
-/** A two-dimensional texture; owned by whoever made it. */
+/** A two-dimensional texture. Whoever creates it owns it. */
 export class Texture {
   readonly handle: WebGLTexture;
   readonly width: number;
@@ -41,7 +43,7 @@ export class Texture {
     gl.bindTexture(gl.TEXTURE_2D, null);
   }
 
-  /** Writes a rectangle of texels, in rows. */
+  /** Writes a rectangle of texels, row by row. */
   write(pixels: Float32Array, { x, y, width, height }: TexelRectangle): void {
     const { gl } = this;
     const { layout, type } = this.constants;

@@ -4,23 +4,26 @@ import type { Program } from './program.ts';
 
 export interface Attribute {
   readonly buffer: Buffer;
-  /** Components of one vertex, 1 to 4. */
+  /** The number of components per vertex, 1 to 4. */
   readonly size: 1 | 2 | 3 | 4;
   readonly type?: 'float' | 'uint16' | 'uint32';
-  /** Bytes from one vertex to the next, and to the first; packed where absent. */
+  /**
+   * `stride` is the number of bytes from one vertex to the next and `offset` the number before the
+   * first. Attributes are packed if both are absent.
+   */
   readonly stride?: number;
   readonly offset?: number;
-  /** Advances once an instance, not once a vertex. */
+  /** If true, the attribute advances once per instance, not once per vertex. */
   readonly perInstance?: boolean;
 }
 
-/** Which buffers feed which attributes of one program, and the indices that draw them. */
+/** Connects buffers to the attributes of one program, together with the indices for drawing. */
 export class VertexArray {
   private readonly gl: WebGL2RenderingContext;
   private readonly handle: WebGLVertexArrayObject;
   private readonly untrack: () => void;
 
-  /** Attributes that the program does not read are passed over. */
+  /** Attributes that the program does not read are ignored. */
   constructor(
     gpu: Gpu,
     program: Program,

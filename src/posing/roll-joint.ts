@@ -11,7 +11,7 @@ const parallel = 1e-9;
 
 /**
  * Returns the values that roll a joint by `angle` about the line from its pivot to the far end of
- * its bone, which stays in place. A positive angle is counter-clockwise seen from the far end. The
+ * its bone, which stays in place. A positive angle is counterclockwise seen from the far end. The
  * roll ends at the joint's limits. A joint that can't roll without moving its far end does not
  * move.
  *

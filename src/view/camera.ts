@@ -2,19 +2,25 @@ import { mat4, vec3 } from 'gl-matrix';
 import { type Bounds, isEmpty } from '../core/bounds.ts';
 import type { ViewAxes } from '../posing/mouse-turns.ts';
 
-/** An orbit camera in scene space: it looks at `target` from `distance` away. Angles in radians. */
+/**
+ * An orbit camera in scene space, which looks at `target` from `distance` away. Angles are in
+ * radians.
+ */
 export interface Camera {
   readonly target: readonly [number, number, number];
   readonly distance: number;
-  /** Around +y; 0 looks from +z, positive from the character's left (+x). */
+  /**
+   * The angle around +y. At 0 the camera looks from +z; positive values are on the character's left
+   * (+x).
+   */
   readonly azimuth: number;
-  /** Above the horizon. */
+  /** The angle above the horizon. */
   readonly elevation: number;
-  /** Vertical field of view. */
+  /** The vertical field of view. */
   readonly fieldOfView: number;
 }
 
-/** How far a camera looks up or down; it never turns over. */
+/** The largest angle at which a camera looks up or down; it never turns over. */
 export const highest = (89 * Math.PI) / 180;
 const [nearest, farthest] = [0.02, 40];
 
@@ -28,7 +34,7 @@ export function eyeOf(camera: Camera): vec3 {
   ];
 }
 
-/** Scene space to clip space; float64. */
+/** Transforms scene space to clip space, in float64. */
 export function clipFromScene(camera: Camera, aspect: number): mat4 {
   const viewFromScene: mat4 = new Float64Array(16);
   mat4.lookAt(viewFromScene, eyeOf(camera), camera.target, [0, 1, 0]);
@@ -38,7 +44,7 @@ export function clipFromScene(camera: Camera, aspect: number): mat4 {
   return mat4.multiply(new Float64Array(16), clipFromView, viewFromScene);
 }
 
-/** Unit vectors of the scene: to the picture's right, its top, and into it. */
+/** Returns unit vectors of the scene that point to the picture's right, to its top and into it. */
 export function axesOf({ azimuth, elevation }: Camera): ViewAxes {
   const [sin, cos] = [Math.sin(azimuth), Math.cos(azimuth)];
   const [rise, level] = [Math.sin(elevation), Math.cos(elevation)];
@@ -58,13 +64,13 @@ export function orbit(camera: Camera, azimuthChange: number, elevationChange: nu
   };
 }
 
-/** Nearer (factor below 1) or farther. */
+/** Moves the camera nearer (factor below 1) or farther. */
 export function zoom(camera: Camera, factor: number): Camera {
   const distance = Math.min(farthest, Math.max(nearest, camera.distance * factor));
   return { ...camera, distance };
 }
 
-/** Moves the target in the picture's plane by fractions of the picture's height, right and up. */
+/** Moves the target in the picture's plane, right and up, by fractions of the picture's height. */
 export function pan(camera: Camera, right: number, up: number): Camera {
   const { azimuth, elevation, distance, fieldOfView } = camera;
   const scale = 2 * distance * Math.tan(fieldOfView / 2);
@@ -79,10 +85,10 @@ export function pan(camera: Camera, right: number, up: number): Camera {
   };
 }
 
-/** Room around what is framed, as a part of the picture. */
+/** The room around what is framed, as a factor of its size. */
 const margin = 1.1;
 
-/** The same direction of view, with a box (scene space) filling the picture but for a margin. */
+/** Keeps the direction of view and fits a box (in scene space) into the picture, with a margin. */
 export function frameBox(camera: Camera, box: Bounds, aspect: number): Camera {
   if (isEmpty(box)) return camera;
   const target = [0, 1, 2].map((axis) => (box.min[axis]! + box.max[axis]!) / 2);
@@ -99,7 +105,8 @@ export function frameBox(camera: Camera, box: Bounds, aspect: number): Camera {
   for (let corner = 0; corner < 8; corner++) {
     const at: vec3 = [0, 1, 2].map((i) => (corner & (1 << i) ? box.max : box.min)[i]!);
     const [x, y, z] = vec3.transformMat4(new Float64Array(3), at, viewFromScene);
-    // The view looks along -z from a distance of 1: z + 1 is how far a corner comes forward.
+    // The view looks along -z from a distance of 1, so z + 1 is how far a corner is in front of the
+    // target.
     distance = Math.max(distance, Math.abs(x!) / right + z! + 1, Math.abs(y!) / up + z! + 1);
   }
   return zoom({ ...framed, distance }, 1);

@@ -1,21 +1,27 @@
 import type { Mesh } from '../core/mesh.ts';
 import type { Skin } from '../core/skin.ts';
 
-/** Neighbors: `from`, and all up to but without `to`. */
+/** A range of neighbors from `from` up to but not including `to`. */
 export interface Run {
   readonly from: number;
   readonly to: number;
 }
 
-/** More calls cost more than the bytes that they save: then one run spans all that changed. */
+/**
+ * More calls than this cost more than the bytes that they save, so one run then spans everything
+ * that changed.
+ */
 const mostRuns = 64;
 
-/** The influences that differ between two skins whose rows are of the same lengths. */
+/** Returns the influences that differ between two skins whose rows have the same lengths. */
 export function changedInfluences(before: Skin, after: Skin): readonly Run[] {
   return changedRuns(after.weights.length, (i) => differAt(before, after, i));
 }
 
-/** The render vertices whose influences differ between two skins whose rows are of the same lengths. */
+/**
+ * Returns the render vertices whose influences differ between two skins whose rows have the same
+ * lengths.
+ */
 export function changedVertices(mesh: Mesh, before: Skin, after: Skin): readonly Run[] {
   return changedRuns(mesh.vertexCount, (vertex) => {
     const point = mesh.pointOf[vertex]!;

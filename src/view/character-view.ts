@@ -11,14 +11,14 @@ import { type LayoutChoice, SkinnedMesh } from './skinned-mesh.ts';
 import { type OnImage, SurfaceTextures } from './surface-textures.ts';
 import { type Surface, surfacesOf } from './surfaces.ts';
 
-/** A character of the document with its objects on the GPU, brought up to date on demand. */
+/** A character of the document with its objects on the GPU, which are updated on demand. */
 export class CharacterView {
   private skin: Skin;
   readonly skinned: SkinnedMesh;
   readonly surfaces: readonly Surface[];
   readonly textures: SurfaceTextures;
   readonly evaluation: Evaluation;
-  /** Milliseconds that the last change of pose took on the CPU. */
+  /** The milliseconds that the last change of pose took on the CPU. */
   poseMilliseconds = 0;
   private shownDevice: SkinDevice | null = null;
   private shownRest = 0;
@@ -52,12 +52,17 @@ export class CharacterView {
     return this.evaluation.characterFromJoint;
   }
 
-  /** Changes with posed vertices, joints and the place, so that what derives from them can tell. */
+  /**
+   * This changes with the posed vertices, the joints and the placement, so that whatever derives
+   * from them can be updated.
+   */
   get revision(): string {
     return `${this.shownVertices}.${this.evaluation.revisions.display}`;
   }
 
-  /** Fills the posed buffers where what is evaluated or the device changed; else does nothing. */
+  /**
+   * Fills the posed buffers if the evaluation or the device changed, and otherwise does nothing.
+   */
   update(device: SkinDevice): void {
     const { evaluation } = this;
     const { rest, vertices } = evaluation.revisions;
@@ -76,7 +81,7 @@ export class CharacterView {
     this.poseMilliseconds = performance.now() - begin;
   }
 
-  /** Draws what throws shadows, with a program that is in use: all but what can't be seen. */
+  /** Draws what casts shadows, which is everything visible, with a program that is in use. */
   drawCaster(program: Program): void {
     program.set({ sceneFromCharacter: this.display.sceneFromCharacter });
     for (const { submesh, alpha } of this.surfaces) {

@@ -6,16 +6,22 @@ import type { Programs } from './programs.ts';
 import type { Subject } from './subject.ts';
 
 const size = 256;
-/** Standard deviations of the blur, scene units: where feet touch, and of the body above. */
+/**
+ * The standard deviations of the two blurs in scene units: where feet touch the floor, and of the
+ * body above.
+ */
 const contactBlur = 0.01;
 const broadBlur = 0.07;
 
 /**
- * What the floor sees of the characters from below: red where they all but touch it, green for the
- * body above, both blurred.
+ * The characters as the floor sees them from below: red where they nearly touch it, green for the
+ * body above. Both are blurred.
  */
 export class ContactShadow {
-  /** Center x, z and half the side of the floor's square that the texture covers, scene space. */
+  /**
+   * The center's x and z and half the side of the floor's square that the texture covers, in scene
+   * space.
+   */
   square: readonly [number, number, number] = [0, 0, 1];
   private readonly gl: WebGL2RenderingContext;
   private readonly programs: Programs;

@@ -21,5 +21,7 @@ async function decode({ name, bytes }: CharacterImage): Promise<Picture | string
   }
 }
 
-/** Those of the page: as much as sixteen pictures of 1,024 × 1,024 pixels. */
+/**
+ * The decoded images of the page, limited to the bytes of sixteen pictures of 1,024 × 1,024 pixels.
+ */
 export const decodedImages = new DecodedImages(decode, 64 * 1024 * 1024);

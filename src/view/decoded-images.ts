@@ -1,21 +1,22 @@
 import type { CharacterImage } from '../core/character.ts';
 
-/** An image as the GPU takes it, its first row at the bottom. */
+/** An image in the form that the GPU takes, with its first row at the bottom. */
 export type Picture = ImageBitmap | ImageData;
 
-/** Decodes an image, or tells why it can't be shown. */
+/** Decodes an image, or returns the reason why it can't be shown. */
 type Decode = (image: CharacterImage) => Promise<Picture | string>;
 
 const bytesPerPixel = 4;
 
 /**
- * Pictures that were decoded, for views that are built anew. The history may hold many characters: past
- * a limit of bytes, the pictures that were asked for longest ago are let go and are decoded again at need.
+ * Keeps decoded pictures for views that are created again. The history may hold many characters, so
+ * beyond a limit of bytes, the least recently used pictures are dropped and decoded again when
+ * needed.
  */
 export class DecodedImages {
   private readonly decode: Decode;
   private readonly byteLimit: number;
-  /** The one that was asked for longest ago comes first. */
+  /** The least recently used picture comes first. */
   private readonly kept = new Map<CharacterImage, Picture>();
   private readonly pending = new Map<CharacterImage, Promise<Picture | string>>();
   private keptBytes = 0;
@@ -25,7 +26,7 @@ export class DecodedImages {
     this.byteLimit = byteLimit;
   }
 
-  /** The picture, if it is kept. */
+  /** Returns the picture if it is kept. */
   find(image: CharacterImage): Picture | undefined {
     const picture = this.kept.get(image);
     if (picture) {
@@ -35,7 +36,10 @@ export class DecodedImages {
     return picture;
   }
 
-  /** The picture, or why it can't be shown; whoever asks at one time shares the work. */
+  /**
+   * Returns the picture, or the reason why it can't be shown. Requests at the same time share the
+   * work.
+   */
   async load(image: CharacterImage): Promise<Picture | string> {
     const known = this.find(image) ?? this.pending.get(image);
     if (known) return known;

@@ -2,28 +2,28 @@ import { vec3 } from 'gl-matrix';
 import { axesOf, type Camera, eyeOf, highest } from './camera.ts';
 
 /**
- * A camera that stands where its eye is and looks around, scene space, radians. It is drawn as the
- * orbit camera that sees the same (`orbitFrom`), so that nothing else needs to know of it.
+ * A camera that stands at its eye and looks around, in scene space and radians. It is drawn as the
+ * orbit camera with the same view (`orbitFrom`), so nothing else needs to know about it.
  */
 export interface FirstPerson {
   readonly eye: readonly [number, number, number];
-  /** Around +y, counter-clockwise from above; 0 looks along -z. */
+  /** The angle around +y, counterclockwise from above; at 0 the camera looks along -z. */
   readonly yaw: number;
-  /** Above the horizon. */
+  /** The angle above the horizon. */
   readonly pitch: number;
   readonly fieldOfView: number;
-  /** How far ahead the orbit camera's target is: that of the camera it came from. */
+  /** The distance to the orbit camera's target ahead, which is that of the camera it came from. */
   readonly distance: number;
 }
 
-/** What the orbit camera sees, from its eye. */
+/** Returns the first-person camera with the orbit camera's eye and view. */
 export function firstPersonFrom(camera: Camera): FirstPerson {
   const [x, y, z] = eyeOf(camera) as [number, number, number];
   const { azimuth, elevation, fieldOfView, distance } = camera;
   return { eye: [x, y, z], yaw: azimuth, pitch: -elevation, fieldOfView, distance };
 }
 
-/** The orbit camera that sees the same, its target ahead at the former distance. */
+/** Returns the orbit camera with the same view, its target ahead at the former distance. */
 export function orbitFrom({ eye, yaw, pitch, fieldOfView, distance }: FirstPerson): Camera {
   const camera = { distance, azimuth: yaw, elevation: -pitch, fieldOfView };
   const { look } = axesOf({ ...camera, target: eye });
@@ -33,7 +33,7 @@ export function orbitFrom({ eye, yaw, pitch, fieldOfView, distance }: FirstPerso
   };
 }
 
-/** Moves the eye: ahead along the line of sight, sideways, and straight up. Scene units. */
+/** Moves the eye ahead along the line of sight, sideways, and straight up, in scene units. */
 export function walk(view: FirstPerson, ahead: number, right: number, up: number): FirstPerson {
   const axes = axesOf(orbitFrom(view));
   const eye = vec3.scaleAndAdd(new Float64Array(3), view.eye, axes.look, ahead);
@@ -41,7 +41,7 @@ export function walk(view: FirstPerson, ahead: number, right: number, up: number
   return { ...view, eye: [eye[0], eye[1] + up, eye[2]] };
 }
 
-/** Turns the head to the left and up; never over the pole. */
+/** Turns the head to the left and up, but never past the pole. */
 export function lookAround(view: FirstPerson, left: number, up: number): FirstPerson {
   const pitch = Math.min(highest, Math.max(-highest, view.pitch + up));
   return { ...view, yaw: view.yaw + left, pitch };

@@ -5,13 +5,13 @@ import type { RenderView, Viewport } from './render-view.ts';
 import type { Theme } from './theme.ts';
 import type { ViewOptions } from './view-options.ts';
 
-/** All that passes read to draw one picture. */
+/** Everything that passes read to draw one picture. */
 export interface Frame {
   readonly characters: readonly CharacterView[];
   readonly options: ViewOptions;
   readonly theme: Theme;
   readonly viewport: Viewport;
-  /** Uniforms that passes share: camera, backdrop and, once prepared, lights and shadows. */
+  /** The uniforms that passes share: camera, backdrop and, once prepared, lights and shadows. */
   readonly uniforms: Readonly<Record<string, UniformValue>>;
 }
 

@@ -6,7 +6,10 @@ import { Pool } from '../gl/pool.ts';
 import type { InfluenceBuffers } from './influence-buffers.ts';
 import type { MeshBuffers } from './mesh-buffers.ts';
 
-/** What actors of one character share on a context: all but their posed vertices. */
+/**
+ * The objects that actors of one character share in a context, which is everything except their
+ * posed vertices.
+ */
 export class GpuPools {
   readonly meshes = new Pool<Mesh, MeshBuffers>();
   readonly influences = new Pool<Skin, InfluenceBuffers>();

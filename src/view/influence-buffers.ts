@@ -14,21 +14,21 @@ import {
   packTextureInfluences,
 } from './influence-layout.ts';
 
-/** The influences of a skin on the GPU, every one of them, in one of two layouts. */
+/** All influences of a skin on the GPU, in one of two layouts. */
 export interface InfluenceBuffers {
-  /** 0 for the texture. */
+  /** The number of attribute pairs, or 0 if the influences are in the texture. */
   readonly pairs: number;
   readonly attributes: Readonly<Record<string, Attribute>>;
   readonly texture: DataTexture | null;
   /**
-   * Puts another skin in the place of the one that it holds, by the bytes of what differs; false where
-   * rows are of other lengths, and everything must be made anew.
+   * Replaces the skin that it holds with another by uploading the bytes that differ. It returns
+   * false if rows have other lengths, so that everything must be created again.
    */
   patch(held: Skin, skin: Skin): boolean;
   dispose(): void;
 }
 
-/** What one of the layouts makes. */
+/** What each of the layouts creates. */
 type Layout = Omit<InfluenceBuffers, 'patch' | 'dispose'> & {
   readonly write: (held: Skin, skin: Skin) => void;
 };
@@ -40,7 +40,7 @@ export function createInfluenceBuffers(
   forceTexture = false,
 ): InfluenceBuffers {
   const pairs = Math.max(1, Math.ceil(largestInfluenceCount(skin) / lanes));
-  // Disposes of what was made, also where a later part can't be made.
+  // The owner disposes of what was created, also if a later part can't be created.
   const owner = new Owner();
   try {
     const { write, ...made } =

@@ -2,9 +2,9 @@ import type { Mesh } from '../core/mesh.ts';
 import type { Skin } from '../core/skin.ts';
 import type { Run } from './changed-runs.ts';
 
-/** Influences that fit in one pair of attributes: vec4 entries, vec4 weights. */
+/** The number of influences in one pair of attributes: vec4 entries, vec4 weights. */
 export const lanes = 4;
-/** WebGL2 promises 16 attributes: 4 pairs leave room for position and normal. */
+/** WebGL2 guarantees 16 attributes, so 4 pairs leave room for position and normal. */
 export const maximumPairs = 4;
 
 export interface AttributeInfluences {
@@ -14,7 +14,7 @@ export interface AttributeInfluences {
   readonly weights: Float32Array;
 }
 
-/** The influences of a run of n render vertices in fixed lanes, in the file's order. */
+/** Packs the influences of a run of n render vertices into fixed lanes, in the file's order. */
 export function packAttributeInfluences(
   mesh: Mesh,
   skin: Skin,
@@ -34,13 +34,13 @@ export function packAttributeInfluences(
 }
 
 export interface TextureInfluences {
-  /** (vertexCount × 2) first texel of each render vertex, and one past its last. */
+  /** (vertexCount × 2) the first texel of each render vertex, and one past its last. */
   readonly ranges: Uint32Array;
   /** (influenceCount × 2) entry and weight of each texel. */
   readonly texels: Float32Array;
 }
 
-/** The influences of every render vertex as runs of texels; no limit to their number. */
+/** Packs the influences of every render vertex into runs of texels, whose number is not limited. */
 export function packTextureInfluences(mesh: Mesh, skin: Skin): TextureInfluences {
   const ranges = new Uint32Array(mesh.vertexCount * 2);
   for (let vertex = 0; vertex < mesh.vertexCount; vertex++) {
@@ -51,7 +51,7 @@ export function packTextureInfluences(mesh: Mesh, skin: Skin): TextureInfluences
   return { ranges, texels: packTexels(skin, { from: 0, to: skin.weights.length }) };
 }
 
-/** (n × 2) entry and weight of a run of n influences. */
+/** Returns (n × 2) the entry and weight of each influence in a run of n. */
 export function packTexels({ entries, weights }: Skin, { from, to }: Run): Float32Array {
   const texels = new Float32Array((to - from) * 2);
   for (let i = from; i < to; i++) {

@@ -4,10 +4,10 @@ import type { Program } from '../gl/program.ts';
 import { type Attribute, VertexArray } from '../gl/vertex-array.ts';
 import type { SolidShape } from './solid-shapes.ts';
 
-/** Floats of an instance: a 3 × 4 matrix by rows, then a color. */
+/** The number of floats in an instance: a 3 × 4 matrix by rows, then a color. */
 export const instanceSize = 15;
 
-/** One shape drawn many times in one call, each instance with its matrix and color. */
+/** One shape that is drawn many times in one call. Each instance has its own matrix and color. */
 export class InstancedSolid {
   private readonly gpu: Gpu;
   private readonly program: Program;
@@ -29,10 +29,10 @@ export class InstancedSolid {
   }
 
   /**
-   * Puts other instances in the place of those that are drawn; does nothing while the key is the same.
+   * Replaces the instances that are drawn; does nothing while the key is the same.
    *
-   * @param key stands for all that the instances are a function of
-   * @param create gives runs of instances (count × instanceSize), one after the other
+   * @param key identifies everything that determines the instances
+   * @param create returns runs of instances (count × instanceSize), one after the other
    */
   update(key: string, create: () => readonly Float32Array[]): void {
     if (key === this.key) return;

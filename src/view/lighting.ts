@@ -14,7 +14,7 @@ const keyShadowSize = 1024;
 const keyShadowUnit = 2;
 const contactShadowUnit = 3;
 
-/** The studio's lights and the shadows they throw, drawn anew only when a pose changed. */
+/** The studio's lights and the shadows that they cast, which are redrawn only if a pose changed. */
 export class Lighting {
   private readonly gl: WebGL2RenderingContext;
   private readonly programs: Programs;
@@ -30,7 +30,7 @@ export class Lighting {
     this.contactShadow = new ContactShadow(gpu, programs);
   }
 
-  /** Draws the shadows of a frame, binds them, and tells the uniforms that every pass may read. */
+  /** Draws and binds the shadows of a frame, and returns the uniforms that every pass may read. */
   prepare(frame: Frame): Readonly<Record<string, UniformValue>> {
     const { showSkin, lights } = frame.options;
     const [key, fill, rim] = lights.map(lightUniforms) as [
@@ -75,7 +75,8 @@ export class Lighting {
     const program = this.programs.pass('key-shadow');
     program.use();
     program.set({ clipFromScene: this.clipFromScene });
-    // Slope and step push the caster back, so that it does not shade itself.
+    // The offset moves the caster away from the light, by its slope and a constant step, so that it
+    // does not shadow itself.
     gl.enable(gl.POLYGON_OFFSET_FILL);
     gl.polygonOffset(2, 2);
     for (const caster of casters) caster.drawCaster(program);
@@ -83,7 +84,7 @@ export class Lighting {
   }
 }
 
-/** Looks along the key light at the subject, without perspective. */
+/** Returns a projection without perspective that looks along the key light at the subject. */
 function keyClipFromScene({ center, radius }: Subject, keyDirection: vec3): mat4 {
   const eye = vec3.scaleAndAdd(new Float64Array(3), center, keyDirection, 4 * radius);
   const view = mat4.lookAt(new Float64Array(16), eye, center, [0, 1, 0]);
@@ -92,9 +93,9 @@ function keyClipFromScene({ center, radius }: Subject, keyDirection: vec3): mat4
 }
 
 interface LightUniforms {
-  /** To the light, unit, scene space. */
+  /** The unit vector to the light, in scene space. */
   readonly direction: [number, number, number];
-  /** Linear, times the intensity. */
+  /** The linear color, multiplied by the intensity. */
   readonly color: readonly number[];
 }
 

@@ -4,7 +4,7 @@ import type { Gpu } from '../gl/gpu.ts';
 import { Owner } from '../gl/owner.ts';
 import type { VertexStreams } from '../skinning/method.ts';
 
-/** Vertices at rest, as the skin stage reads them. */
+/** The vertices at rest, as the skinning stage reads them. */
 export class RestBuffers {
   readonly positions: Buffer;
   readonly normals: Buffer;
@@ -30,7 +30,7 @@ export class RestBuffers {
   }
 }
 
-/** A mesh as its files have it: nothing of it changes. */
+/** A mesh as its files define it, which never changes. */
 export class MeshBuffers {
   readonly rest: RestBuffers;
   readonly indices: Buffer;

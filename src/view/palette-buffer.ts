@@ -4,7 +4,7 @@ import type { Gpu } from '../gl/gpu.ts';
 import type { Program } from '../gl/program.ts';
 
 const bytesPerRow = 16;
-/** Every WebGL2 device has blocks of 16 KiB. */
+/** Every WebGL2 device supports blocks of 16 KiB. */
 const smallBlockRows = (16 * 1024) / bytesPerRow;
 const largeBlockRows = (64 * 1024) / bytesPerRow;
 
@@ -12,11 +12,12 @@ const blockBinding = 0;
 const textureUnit = 0;
 
 /**
- * The palette on the GPU: a uniform array where its rows fit in a block, else a texture. The buffer
- * is as large as the block that the shader declares; only the rows in use are uploaded.
+ * The palette on the GPU. It is a uniform array if its rows fit in a block, and otherwise a
+ * texture. The buffer is as large as the block that the shader declares; only the rows in use are
+ * uploaded.
  */
 export class PaletteBuffer {
-  /** Rows of the uniform array, or 0 for the texture. */
+  /** The number of rows in the uniform array, or 0 for the texture. */
   readonly blockRows: number;
   private readonly gl: WebGL2RenderingContext;
   private readonly block: Buffer | null;
@@ -38,7 +39,7 @@ export class PaletteBuffer {
     this.texture?.write(palette);
   }
 
-  /** For a program in use. */
+  /** Binds the palette for a program, which must be in use. */
   bind(program: Program): void {
     if (this.block) {
       program.bindBlock('Palette', blockBinding);

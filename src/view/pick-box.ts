@@ -2,15 +2,16 @@ import { mat4, vec3 } from 'gl-matrix';
 import type { Ray } from '../core/ray.ts';
 import type { PickTarget } from './picking.ts';
 
-/** A joint whose box was met, and how far along the ray. */
+/** A joint whose box the ray hits, and the distance along the ray. */
 export interface BoxHit {
   readonly joint: number;
-  /** In the character's units. */
+  /** The distance in the character's units. */
   readonly distance: number;
 }
 
 /**
- * The joint whose box the ray enters first; null where it meets none.
+ * Returns the joint whose box the ray enters first, or null if it hits none.
+ *
  * @param ray in the character's space
  */
 export function pickBox(
@@ -24,7 +25,7 @@ export function pickBox(
     const posed = characterFromJoint.subarray(joint * 16, joint * 16 + 16);
     const jointFromWorld = mat4.invert(new Float64Array(16), posed);
     if (!jointFromWorld) continue;
-    // The direction is not made unit again, so that distances stay those of the character.
+    // The direction is not normalized again, so that distances stay in the character's units.
     const from = vec3.transformMat4(new Float64Array(3), origin, jointFromWorld);
     const tip = vec3.add(new Float64Array(3), origin, direction);
     const along = vec3.subtract(tip, vec3.transformMat4(tip, tip, jointFromWorld), from);
@@ -34,7 +35,10 @@ export function pickBox(
   return nearest;
 }
 
-/** How far along the ray it enters the box, or Infinity (Kay and Kajiya 1986, slabs). */
+/**
+ * Returns the distance along the ray at which it enters the box, or Infinity (Kay and Kajiya 1986,
+ * slabs).
+ */
 function boxEntry(origin: vec3, direction: vec3, box: Float32Array): number {
   let [enter, leave] = [0, Infinity];
   for (let axis = 0; axis < 3; axis++) {

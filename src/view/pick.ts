@@ -11,37 +11,40 @@ import { characterRay, pickJoint, rayThrough, sizeOfPixel } from './picking.ts';
 import { posedTriangles } from './posed-triangles.ts';
 import type { Viewer } from './viewer.ts';
 
-/** A place in the view, and how near to it is near enough. */
+/** A place in the view, with the distance that still counts as a hit. */
 export interface PickPlace {
   /** From -1 (left) to 1. */
   readonly x: number;
   /** From -1 (bottom) to 1. */
   readonly y: number;
-  /** CSS pixels of a view `viewHeight` tall. */
+  /** The tolerance in CSS pixels of a view that is `viewHeight` tall. */
   readonly tolerance: number;
   readonly viewHeight: number;
 }
 
-/** What is under a place of the view. */
+/** What lies at a place of the view. */
 export interface BoneTarget {
   readonly actorId: ActorId;
   readonly joint: number;
-  /** Of the bones that start at the joint, the one that was met, or is nearest to it; or none. */
+  /**
+   * The bone that was hit, or else the nearest of those that start at the joint; null if there is
+   * none.
+   */
   readonly bone: Bone | null;
-  /** The place itself, character space. */
+  /** The place itself, in character space. */
   readonly grabbed: readonly [number, number, number];
-  /** From the eye, in the character's units. */
+  /** The distance from the eye, in the character's units. */
   readonly distance: number;
 }
 
-/** Where it is picked: what the interface and the tools have at hand. */
+/** What picking needs, which the interface and the tools provide. */
 interface Looking {
   readonly evaluations: Evaluations;
   readonly session: Session;
   readonly viewer: Viewer;
 }
 
-/** The ray of sight through a place of the view, in the selected character's space. */
+/** Returns the view ray through a place of the view, in the selected character's space. */
 export function characterRayAt({ evaluations, viewer }: Looking, { x, y }: PickPlace): Ray {
   const ray = rayThrough(viewer.camera.value, viewer.aspect, x, y);
   const shown = evaluations.selected();
@@ -49,8 +52,9 @@ export function characterRayAt({ evaluations, viewer }: Looking, { x, y }: PickP
 }
 
 /**
- * The joint at a place of the view, of the nearest actor there: of its bones or boxes where they are
- * shown, and where the skin hides them, the one that owns the skin there.
+ * Returns the joint at a place of the view, for the nearest actor there. It is found by the bones
+ * or boxes where they are shown; where the skin hides them, it is the joint that owns the skin
+ * there.
  */
 export function boneAt(look: Looking, place: PickPlace): BoneTarget | null {
   let nearest: Hit | null = null;
@@ -61,13 +65,15 @@ export function boneAt(look: Looking, place: PickPlace): BoneTarget | null {
   return nearest?.target ?? null;
 }
 
-/** As `boneAt`, of the selected actor alone, and only where no other hides it. */
+/** Works like `boneAt`, but only for the selected actor, and only where no other actor hides it. */
 export function selectedBoneAt(look: Looking, place: PickPlace): BoneTarget | null {
   const target = boneAt(look, place);
   return target?.actorId === look.session.selectedActorId.value ? target : null;
 }
 
-/** What of an actor a place meets; skin that no joint owns is met too, and hides what is behind. */
+/**
+ * What a place hits of an actor. Skin that no joint owns is hit too, and hides what is behind it.
+ */
 interface Hit {
   readonly sceneDistance: number;
   readonly target: BoneTarget | null;
@@ -101,7 +107,10 @@ function hitOf(shown: Evaluation, look: Looking, place: PickPlace): Hit | null {
   return hit && at(hit.joint, hit.distance, hit.bone);
 }
 
-/** @param met the bone that was met; without one it is the nearest of those that start at the joint */
+/**
+ * @param met the bone that was hit; without one, the nearest of the bones that start at the joint
+ *   is used
+ */
 function atJoint(
   { state: { id, character }, characterFromJoint }: Evaluation,
   joint: number,

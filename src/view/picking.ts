@@ -6,15 +6,17 @@ import { type Camera, clipFromScene, eyeOf } from './camera.ts';
 import type { DisplayTransform } from '../evaluation/display-transform.ts';
 import { boneReach, jointRadius } from './solid-sizes.ts';
 
-/** What is needed of a posed character to pick its joints. */
+/** The parts of a posed character that are needed to pick its joints. */
 export interface PickTarget {
   readonly character: Character;
   readonly display: DisplayTransform;
-  /** (jointCount × 16) as posed. */
+  /** (jointCount × 16) in the current pose. */
   readonly characterFromJoint: Float64Array;
 }
 
-/** The ray of sight through a point of the picture, x and y from -1 (left, bottom) to 1. */
+/**
+ * Returns the view ray through a point of the picture, with x and y from -1 (left, bottom) to 1.
+ */
 export function rayThrough(camera: Camera, aspect: number, x: number, y: number): Ray {
   const origin = eyeOf(camera);
   const sceneFromClip = mat4.invert(new Float64Array(16), clipFromScene(camera, aspect));
@@ -24,26 +26,31 @@ export function rayThrough(camera: Camera, aspect: number, x: number, y: number)
   return { origin, direction: vec3.normalize(direction, direction) };
 }
 
-/** A ray of the scene in the character's space, where its joints, vertices and pose stand. */
+/**
+ * Transforms a ray of the scene to the character's space, which its joints, vertices and pose use.
+ */
 export function characterRay({ sceneFromCharacter }: DisplayTransform, ray: Ray): Ray {
   return rayInFrame(ray, sceneFromCharacter);
 }
 
-/** The part of its distance that a pixel of a view `viewHeight` tall covers. */
+/**
+ * Returns the size that a pixel of a view `viewHeight` tall covers, as a fraction of its distance.
+ */
 export function sizeOfPixel(camera: Camera, viewHeight: number): number {
   return (2 * Math.tan(camera.fieldOfView / 2)) / viewHeight;
 }
 
 /**
- * The joint whose sphere, or whose bone, the ray of the scene meets first; null where it meets none.
+ * Returns the joint whose sphere or bone the ray of the scene hits first, or null if it hits none.
  *
- * @param tolerance radii are at least this part of the distance, so that thin and far bones can be hit
+ * @param tolerance the smallest radius as a fraction of the distance, so that thin and far bones
+ *   can be hit
  */
 export function pickJoint(target: PickTarget, ray: Ray, tolerance: number): BoneHit | null {
   return pick(target, ray, tolerance, jointRadius);
 }
 
-/** As `pickJoint`, with bones alone: what can be turned by its far end. */
+/** Works like `pickJoint`, but only for bones, which can be turned by their far ends. */
 export function pickBone(target: PickTarget, ray: Ray, tolerance: number): BoneHit | null {
   return pick(target, ray, tolerance, 0);
 }

@@ -7,11 +7,11 @@ export type PictureFormat = 'png' | 'jpeg';
 export interface Picture {
   readonly width: number;
   readonly height: number;
-  /** (width × height × 4) bytes RGBA, alpha not multiplied in, the top row first. */
+  /** (width × height × 4) bytes of RGBA, with alpha not multiplied in, the top row first. */
   readonly pixels: Uint8ClampedArray<ArrayBuffer>;
 }
 
-/** Exactly what the view shows; or the same view at another size, or without its studio. */
+/** Captures exactly what the view shows, or the same view at another size or without its studio. */
 export function capturePicture(
   viewer: Viewer,
   size: CaptureSize = viewer.size.value,
@@ -23,7 +23,8 @@ export function capturePicture(
 }
 
 /**
- * GL gives the bottom row first, and colors blended with nothing: they are divided by their alpha.
+ * GL returns the bottom row first, and colors that are multiplied by their alpha; they are divided
+ * by it.
  */
 function pictureFromGl(bottomUp: Uint8Array, width: number, height: number): Picture {
   const pixels = new Uint8ClampedArray(width * height * 4);
@@ -42,7 +43,7 @@ function pictureFromGl(bottomUp: Uint8Array, width: number, height: number): Pic
   return { width, height, pixels };
 }
 
-/** A file's bytes; PNG keeps every pixel. */
+/** Returns the bytes of a file. PNG keeps every pixel. */
 export async function encodePicture(picture: Picture, format: PictureFormat): Promise<Blob> {
   const canvas = document.createElement('canvas');
   canvas.width = picture.width;

@@ -2,7 +2,10 @@ import type { Evaluation } from '../evaluation/evaluation.ts';
 import { TriangleTree } from '../posing/triangle-tree.ts';
 import type { VertexStreams } from '../skinning/method.ts';
 
-/** The posed triangles of a character, in a tree that is fitted anew when somebody asks in another pose. */
+/**
+ * Returns the posed triangles of a character in a tree, which is refitted when it is requested in
+ * another pose.
+ */
 export function posedTriangles(evaluation: Evaluation): TriangleTree {
   const posed = evaluation.vertices();
   const { vertices: revision } = evaluation.revisions;
@@ -16,5 +19,8 @@ export function posedTriangles(evaluation: Evaluation): TriangleTree {
   return fitted.tree;
 }
 
-/** By the arrays that evaluations of one pose share, with the revision of what they held. */
+/**
+ * The trees, keyed by the arrays that evaluations of one pose share, with the revision of their
+ * content.
+ */
 const trees = new WeakMap<VertexStreams, { readonly tree: TriangleTree; revision: number }>();

@@ -4,16 +4,16 @@ import { resolveShader } from '../gl/shader-library.ts';
 import type { SkinningMethod } from '../skinning/method.ts';
 import { shaderFiles } from './shader-files.ts';
 
-/** How the skin stage is compiled; 0 stands for the texture in either. */
+/** How the skinning stage is compiled. For either number, 0 means the texture. */
 export interface StageVariant {
   readonly method: SkinningMethod;
-  /** Attribute pairs of four influences each, or 0. */
+  /** The number of attribute pairs of four influences each, or 0. */
   readonly influencePairs: number;
-  /** Rows of the uniform array, or 0. */
+  /** The number of rows in the uniform array, or 0. */
   readonly paletteRows: number;
 }
 
-/** The programs of a context, linked at first use and kept. */
+/** The programs of a context, which are linked at first use and kept. */
 export class Programs {
   private readonly gpu: Gpu;
   private readonly linked = new Map<string, Program>();
@@ -22,7 +22,7 @@ export class Programs {
     this.gpu = gpu;
   }
 
-  /** The program of shaders/passes/NAME.vert.glsl and NAME.frag.glsl. */
+  /** Returns the program of shaders/passes/NAME.vert.glsl and NAME.frag.glsl. */
   pass(name: string): Program {
     return this.find(name, () => ({
       vertex: resolveShader(shaderFiles, `passes/${name}.vert.glsl`),

@@ -1,7 +1,7 @@
 import type { Overrides } from '../evaluation/evaluations.ts';
 import type { Camera } from './camera.ts';
 
-/** A rectangle of a picture; pixels from its lower left corner, whole numbers. */
+/** A rectangle of a picture, in whole pixels from its lower left corner. */
 export interface Viewport {
   readonly x: number;
   readonly y: number;
@@ -13,14 +13,17 @@ export interface Viewport {
 export interface RenderView {
   readonly camera: Camera;
   readonly viewport: Viewport;
-  /** What is other than the scene has it. */
+  /** What differs from the scene in this view. */
   readonly overrides: Overrides;
 }
 
-/** What a view shows, before it has its place in a picture. */
+/** The content of a view, before it has a place in a picture. */
 export type ViewContent = Omit<RenderView, 'viewport'>;
 
-/** Views side by side, from the left, all of the height; the last takes the pixels that are left over. */
+/**
+ * Places views side by side from the left, each at full height. The last one gets the pixels that
+ * are left over.
+ */
 export function sideBySide(
   contents: readonly ViewContent[],
   width: number,

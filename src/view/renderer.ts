@@ -13,21 +13,30 @@ import { Programs } from './programs.ts';
 import type { LayoutChoice } from './skinned-mesh.ts';
 import type { OnImage } from './surface-textures.ts';
 
-/** Everything that lives on one WebGL2 context; after a lost context a new one takes its place. */
+/**
+ * Everything that lives on one WebGL2 context. After the context is lost, a new renderer replaces
+ * it.
+ */
 export class Renderer {
   readonly gpu: Gpu;
-  /** What is drawn, in order; each is made at its first picture. */
+  /** The passes in the order of drawing; each is created for its first picture. */
   passes: readonly Pass[] = [];
   private readonly programs: Programs;
   private readonly pools = new GpuPools();
-  /** One for each frame of a picture, so that halves with different poses keep their shadows. */
+  /**
+   * There is one for each frame of a picture, so that halves with different poses keep their
+   * shadows.
+   */
   private readonly lightings: Lighting[] = [];
   private readonly instances = new Map<Pass, PassInstance>();
   private readonly layout: LayoutChoice;
   private readonly onImage: OnImage;
   private views: ReadonlyMap<Evaluation, CharacterView> = new Map();
   private target: RenderTarget | null = null;
-  /** Why the GPU does not take a character, by its skin: not tried again for every picture. */
+  /**
+   * The reasons why the GPU can't draw characters, by their skins, so that it does not try again
+   * for every picture.
+   */
   private readonly refusals = new WeakMap<Skin, string>();
 
   constructor(gl: WebGL2RenderingContext, layout: LayoutChoice, onImage: OnImage) {
@@ -38,7 +47,7 @@ export class Renderer {
     gl.enable(gl.DEPTH_TEST);
   }
 
-  /** Brings the objects on the GPU in line with what is to be shown, and their poses up to date. */
+  /** Updates the objects on the GPU to match what is to be shown, including the poses. */
   sync(shown: readonly Evaluation[], device: SkinDevice): void {
     const views = new Map<Evaluation, CharacterView>();
     for (const evaluation of shown) {
@@ -50,22 +59,22 @@ export class Renderer {
     for (const view of views.values()) view.update(device);
   }
 
-  /** Those that the GPU takes, as last synced. */
+  /** Returns the views of the characters that the GPU can draw, as of the last `sync`. */
   viewsOf(evaluations: readonly Evaluation[]): readonly CharacterView[] {
     return evaluations.flatMap((evaluation) => this.views.get(evaluation) ?? []);
   }
 
-  /** Settles once the pictures of all surfaces are decoded, as last synced. */
+  /** Settles when the pictures of all surfaces are decoded, as of the last `sync`. */
   texturesLoaded(): Promise<unknown> {
     return Promise.all([...this.views.values()].map(({ textures }) => textures.loaded));
   }
 
-  /** Why the character can't be drawn, or null. */
+  /** The reason why the character can't be drawn, or null. */
   refusalOf(state: Actor): string | null {
     return this.refusals.get(skinInUse(state)) ?? null;
   }
 
-  /** Draws frames, each in its own part of a picture, ready to be shown or read. */
+  /** Draws frames, each in its own part of a picture, which can then be shown or read. */
   draw(frames: readonly Frame[], width: number, height: number): RenderTarget {
     if (this.target?.width !== width || this.target.height !== height) {
       this.target?.dispose();
@@ -76,7 +85,9 @@ export class Renderer {
     return this.target;
   }
 
-  /** Draws frames at any size; (width × height × 4) bytes RGBA, the bottom row first. */
+  /**
+   * Draws frames at any size. It returns (width × height × 4) bytes of RGBA, the bottom row first.
+   */
   capture(frames: readonly Frame[], width: number, height: number): Uint8Array {
     const target = new RenderTarget(this.gpu, width, height);
     try {
@@ -121,8 +132,8 @@ export class Renderer {
   }
 
   /**
-   * Each of several frames is drawn by itself and then put in its place: so it is the picture that it
-   * would be alone, whatever rounding an offset would bring.
+   * Each of several frames is drawn separately and then copied to its place. It is thus the same
+   * picture as it would be alone, regardless of the rounding that an offset would cause.
    */
   private drawInto(target: RenderTarget, frames: readonly Frame[]): void {
     const [only] = frames;

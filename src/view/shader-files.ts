@@ -2,17 +2,19 @@ import type { ShaderFiles } from '../gl/shader-library.ts';
 
 const files: Record<string, string> = {};
 
-/** The shaders that are loaded, by path below shaders/. */
+/** The shaders that are loaded, by their paths below shaders/. */
 export const shaderFiles: ShaderFiles = files;
 
-/** @param found by path from the importing file, which ends in shaders/ and the path below it */
+/**
+ * @param found by the path from the importing file, which ends in shaders/ and the path below it
+ */
 export function addShaderFiles(found: Readonly<Record<string, string>>): void {
   for (const [path, source] of Object.entries(found)) {
     files[path.slice(path.lastIndexOf('shaders/') + 'shaders/'.length)] = source;
   }
 }
 
-// Those of the first picture; the passes that come after it bring their own.
+// These are the shaders of the first picture; the passes that are loaded after it bring their own.
 addShaderFiles(
   import.meta.glob<string>(
     [

@@ -18,16 +18,16 @@ const influenceUnit = 1;
 const bytesPerTriple = 12;
 const bytesPerIndex = 4;
 
-/** Forces the texture variants, so that tests can compare them with the usual ones. */
+/** Forces the texture layouts, so that tests can compare them with the usual ones. */
 export interface LayoutChoice {
   readonly influenceTexture?: boolean;
   readonly paletteTexture?: boolean;
 }
 
 /**
- * An actor's mesh on the GPU: what its character has is shared with its copies, the buffers that hold
- * its posed vertices are its own. Skinning is a stage: a transform feedback program, or the CPU, fills
- * those buffers once for a changed pose; every pass draws them.
+ * An actor's mesh on the GPU. It shares its character's data with copies of the character, but has
+ * its own buffers of posed vertices. Skinning is a separate stage: a transform feedback program, or
+ * the CPU, fills those buffers once for each changed pose, and every pass draws them.
  */
 export class SkinnedMesh {
   readonly mesh: Mesh;
@@ -41,7 +41,7 @@ export class SkinnedMesh {
   private readonly feedback: Feedback;
   private readonly arrays = new Map<Program, VertexArray>();
   private readonly layout: LayoutChoice;
-  /** Vertices at rest that are not the mesh's own; none while they are. */
+  /** The vertices at rest if they differ from the mesh's own; null while they do not. */
   private shaped: RestBuffers | null = null;
   private skin: Skin;
   private influences: Lease<InfluenceBuffers>;
@@ -79,7 +79,7 @@ export class SkinnedMesh {
     }
   }
 
-  /** Puts other weights in the place of those in use: the rows that differ, where that is enough. */
+  /** Replaces the weights in use; if possible, only the rows that differ are uploaded. */
   useSkin(skin: Skin): void {
     const held = this.skin;
     this.skin = skin;
@@ -91,7 +91,7 @@ export class SkinnedMesh {
     this.forgetArrays();
   }
 
-  /** Puts other vertices at rest in the place of those in use. */
+  /** Replaces the vertices at rest. */
   writeRest(rest: Mesh): void {
     if (rest.positions === this.mesh.positions) {
       if (!this.shaped) return;
@@ -122,13 +122,13 @@ export class SkinnedMesh {
     this.feedback.run(this.mesh.vertexCount);
   }
 
-  /** Fills the posed buffers with vertices that the CPU skinned. */
+  /** Fills the posed buffers with vertices that were skinned on the CPU. */
   upload({ positions, normals }: VertexStreams): void {
     this.posedPositions.write(positions);
     this.posedNormals.write(normals);
   }
 
-  /** Reads back the very buffers that are drawn. */
+  /** Reads back the same buffers that are drawn. */
   readBack(): VertexStreams {
     const positions = new Float32Array(this.mesh.vertexCount * 3);
     const normals = new Float32Array(this.mesh.vertexCount * 3);
@@ -160,7 +160,7 @@ export class SkinnedMesh {
     );
   }
 
-  /** They are connected to buffers that are no longer those in use. */
+  /** Disposes of the vertex arrays, because they refer to buffers that are no longer in use. */
   private forgetArrays(): void {
     for (const array of this.arrays.values()) array.dispose();
     this.arrays.clear();

@@ -7,7 +7,7 @@ const later = import.meta.glob<string>(
   { query: '?raw', import: 'default' },
 );
 
-/** Brings the chunk of GLSL with which a kernel runs on the GPU. */
+/** Loads the GLSL chunk with which a kernel runs on the GPU. */
 export async function loadSkinningShader({ chunk }: SkinningMethod): Promise<void> {
   const path = `../../shaders/skinning/${chunk}.glsl`;
   const load = later[path];

@@ -7,26 +7,29 @@ import { instanceSize } from './instanced-solid.ts';
 import { boneRadius, boneReach, jointRadius } from './solid-sizes.ts';
 import { palette } from './theme.ts';
 
-/** Scene units. */
+/** Lengths are in scene units. */
 const originAxisLength = 0.3;
 const jointAxisLength = 0.07;
-const axisThickness = 0.06; // of the length
+const axisThickness = 0.06; // as a fraction of the length
 
 type Color = readonly number[];
 
-/** Joints that stand out, or null. */
+/** The joints that are highlighted, or null. */
 export interface JointMarks {
   readonly selected: number | null;
   readonly hovered: number | null;
 }
 
-/** Those of a view: selected and hovered joints are of the selected actor. */
+/** Returns the marks of a view. Selected and hovered joints belong to the selected actor. */
 export function marksOf({ state }: CharacterView, options: ViewOptions): JointMarks {
   if (state.id !== options.selectedActorId) return { selected: null, hovered: null };
   return { selected: options.selectedJoint, hovered: options.hoveredJoint };
 }
 
-/** Stands for where the joints of views are and which of them stand out: while it is the same, so are instances. */
+/**
+ * Returns a key for the poses and places of views and for their highlighted joints. While it is the
+ * same, so are the instances.
+ */
 export function keyOf(views: readonly CharacterView[], options?: ViewOptions): string {
   const keys = views.map((view) => {
     const { pose, display } = view.evaluation.revisions;
@@ -43,7 +46,7 @@ function colorOf(joint: number, { selected, hovered }: JointMarks, plain: Color)
   return joint === hovered ? palette.hovered : plain;
 }
 
-/** A sphere at every joint. */
+/** Creates a sphere at every joint. */
 export function jointInstances(view: CharacterView, marks: JointMarks): Float32Array {
   const { jointCount } = view.state.character.skeleton;
   const instances = new Float32Array(jointCount * instanceSize);
@@ -62,17 +65,17 @@ export function jointInstances(view: CharacterView, marks: JointMarks): Float32A
   return instances;
 }
 
-/** A cylinder along every bone, in the frame of the joint that turns it. */
+/** Creates a cylinder along every bone, in the frame of the joint that turns it. */
 export function boneInstances(view: CharacterView, marks: JointMarks): Float32Array {
   return instancesAlong(view, view.state.character.bones, marks, boneRadius, palette.bone);
 }
 
-/** A line along every bone. */
+/** Creates a line along every bone. */
 export function boneLineInstances(view: CharacterView, marks: JointMarks): Float32Array {
   return instancesAlong(view, view.state.character.bones, marks, boneRadius, palette.boneLine);
 }
 
-/** The cylinder, as thick as it is for picking, about the bone that is lit. */
+/** Creates the cylinder around the highlighted bone, with the radius that picking uses. */
 export function litBoneInstance(view: CharacterView, bone: Bone): Float32Array {
   return instancesAlong(view, [bone], noMarks, boneReach, palette.litBone);
 }
@@ -92,7 +95,7 @@ function instancesAlong(
   return instances;
 }
 
-/** The handout's t, n and b of every bone, a quarter of its length, at its origin. */
+/** Creates the handout's t, n and b of every bone at its origin, a quarter of its length. */
 export function boneAxisInstances(view: CharacterView): Float32Array {
   const { bones } = view.state.character;
   const instances = new Float32Array(bones.length * 3 * instanceSize);
@@ -108,7 +111,10 @@ export function boneAxisInstances(view: CharacterView): Float32Array {
   return instances;
 }
 
-/** The box of every joint that has one: from its lower to its upper corner, in the joint's frame. */
+/**
+ * Creates the box of every joint that has one, from its lower to its upper corner in the joint's
+ * frame.
+ */
 export function boxInstances(view: CharacterView, marks: JointMarks): Float32Array {
   const { displayBoxes, jointCount } = view.state.character.skeleton;
   if (!displayBoxes) return new Float32Array(0);
@@ -131,7 +137,7 @@ export function boxInstances(view: CharacterView, marks: JointMarks): Float32Arr
   return instances;
 }
 
-/** Axes at the origin of the file's space, and small ones at every joint that is to show them. */
+/** Creates axes at the origin of the file's space and, if requested, small ones at every joint. */
 export function axisInstances(view: CharacterView, withJoints: boolean): Float32Array {
   const jointCount = withJoints ? view.state.character.skeleton.jointCount : 0;
   const instances = new Float32Array((jointCount + 1) * 3 * instanceSize);
@@ -146,11 +152,11 @@ export function axisInstances(view: CharacterView, withJoints: boolean): Float32
   return instances;
 }
 
-/** Takes the unit cylinder to one from the origin to `vector`; its frame turns by no NaN. */
+/** Maps the unit cylinder to one from the origin to `vector`, with a frame that contains no NaN. */
 function frameAlong(vector: readonly number[], radius: number): mat4 {
   const length = Math.hypot(...vector);
   const [x, y, z] = vector.map((component) => component / length) as [number, number, number];
-  // Of the coordinate axes, the one that the direction is farthest from.
+  // This is the coordinate axis that is farthest from the direction.
   const size = [Math.abs(x), Math.abs(y), Math.abs(z)];
   const least = size.indexOf(Math.min(...size));
   const [ex, ey, ez] = [0, 1, 2].map((i) => (i === least ? 1 : 0)) as [number, number, number];

@@ -1,4 +1,4 @@
-/** Triangles with a normal at each vertex, around the origin. */
+/** Triangles around the origin, with a normal at each vertex. */
 export interface SolidShape {
   /** (vertexCount × 3) */
   readonly positions: Float32Array;
@@ -8,7 +8,10 @@ export interface SolidShape {
   readonly indices: Uint16Array;
 }
 
-/** A line along +y from 0 to 1, for the line shader: each vertex has the line's other end as its normal. */
+/**
+ * Returns a line along +y from 0 to 1 for the line shader, which needs the line's other end as each
+ * vertex's normal.
+ */
 export function segment(): SolidShape {
   return lines([
     [
@@ -18,7 +21,10 @@ export function segment(): SolidShape {
   ]);
 }
 
-/** The handout's n × n grid of lines, x and y from 0 to 1; the line shader wraps it to a cylinder. */
+/**
+ * Returns the handout's n × n grid of lines, with x and y from 0 to 1. The line shader wraps it to
+ * a cylinder.
+ */
 export function lineGrid(n: number): SolidShape {
   const ends: Line[] = [];
   for (let row = 0; row <= n; row++) {
@@ -34,7 +40,7 @@ export function lineGrid(n: number): SolidShape {
 type Place = readonly [number, number, number];
 type Line = readonly [Place, Place];
 
-/** Two triangles a line. */
+/** Creates two triangles per line. */
 function lines(ends: readonly Line[]): SolidShape {
   const corners = [0, 1, 2, 0, 2, 3];
   return {
@@ -44,7 +50,7 @@ function lines(ends: readonly Line[]): SolidShape {
   };
 }
 
-/** The handout's drawSphere(…, 12, 12): a unit sphere of 12 slices and 12 stacks. */
+/** Like the handout's drawSphere(…, 12, 12), returns a unit sphere of 12 slices and 12 stacks. */
 export function sphere(slices = 12, stacks = 12): SolidShape {
   const positions: number[] = [];
   for (let stack = 0; stack <= stacks; stack++) {
@@ -60,7 +66,10 @@ export function sphere(slices = 12, stacks = 12): SolidShape {
   return { positions: packed, normals: packed, indices };
 }
 
-/** The handout's drawCylinder(6, …): six sides of radius 1 along +y from 0 to 1, with ends. */
+/**
+ * Like the handout's drawCylinder(6, …), returns six sides of radius 1 along +y from 0 to 1, with
+ * ends.
+ */
 export function cylinder(sides = 6): SolidShape {
   const positions: number[] = [];
   const normals: number[] = [];
@@ -72,7 +81,8 @@ export function cylinder(sides = 6): SolidShape {
       normals.push(...normalOf(x, z));
     }
   };
-  // Rings from the top: its lid, the sides' upper and lower edge, the bottom's lid.
+  // The rings from the top are the upper lid, the upper and lower edge of the sides, and the lower
+  // lid.
   ring(1, () => [0, 1, 0]);
   ring(1, (x, z) => [x, 0, z]);
   ring(0, (x, z) => [x, 0, z]);
@@ -90,7 +100,7 @@ export function cylinder(sides = 6): SolidShape {
   };
 }
 
-/** A cube from -1 to 1, each face with its own four vertices. */
+/** Returns a cube from -1 to 1, in which each face has its own four vertices. */
 export function cube(): SolidShape {
   const positions: number[] = [];
   const normals: number[] = [];
@@ -98,7 +108,7 @@ export function cube(): SolidShape {
   for (let axis = 0; axis < 3; axis++) {
     for (const side of [-1, 1]) {
       const first = positions.length / 3;
-      // Around the face, counter-clockwise seen from outside.
+      // The corners go around the face, counterclockwise seen from outside.
       for (const [u, v] of [
         [-1, -1],
         [1, -1],
@@ -119,7 +129,10 @@ export function cube(): SolidShape {
   };
 }
 
-/** Triangles between rings of `columns` + 1 vertices, `rows` + 1 rings from top to bottom. */
+/**
+ * Returns the triangles between rings of `columns` + 1 vertices, with `rows` + 1 rings from top to
+ * bottom.
+ */
 function gridTriangles(columns: number, rows: number): Uint16Array {
   const indices: number[] = [];
   for (let row = 0; row < rows; row++) {

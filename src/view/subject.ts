@@ -2,13 +2,18 @@ import { vec3 } from 'gl-matrix';
 import { diagonal, emptyBounds, includePositions, isEmpty } from '../core/bounds.ts';
 import type { CharacterView } from './character-view.ts';
 
-/** A sphere about the characters as they stand now, for lights and shadows; scene space. */
+/**
+ * A sphere around the characters as they are placed now, for lights and shadows, in scene space.
+ */
 export interface Subject {
   readonly center: vec3;
   readonly radius: number;
 }
 
-/** From the posed joints and the size at rest: near enough, and quick enough for every pose. */
+/**
+ * Uses the posed joints and the size at rest, which is accurate enough, and fast enough for every
+ * pose.
+ */
 export function subjectOf(views: readonly CharacterView[]): Subject {
   const joints = emptyBounds();
   let size = 0;

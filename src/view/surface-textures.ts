@@ -6,19 +6,19 @@ import type { GpuPools } from './gpu-pools.ts';
 import { decodedImages } from './decode-image.ts';
 import type { Picture } from './decoded-images.ts';
 
-/** Tells that a picture came, or why it can't be shown. */
+/** Reports that a picture is loaded, or why it can't be shown. */
 export type OnImage = (image: CharacterImage, fault: string | null) => void;
 
 /**
- * The textures of a character's materials, shared with its copies; each is there once its picture is
- * decoded, at once where a copy shows it already or the picture is kept.
+ * The textures of a character's materials, which it shares with its copies. Each is available when
+ * its picture is decoded, or immediately if a copy shows it already or the decoded picture is kept.
  */
 export class SurfaceTextures {
   private readonly gpu: Gpu;
   private readonly pool: GpuPools['images'];
   private readonly onImage: OnImage;
   private readonly textures = new Map<string, Lease<ImageTexture>>();
-  /** Settles once all pictures are decoded, and in textures where they can be. */
+  /** Settles when all pictures are decoded and, where possible, are in textures. */
   readonly loaded: Promise<unknown>;
   private disposed = false;
 
@@ -30,7 +30,7 @@ export class SurfaceTextures {
     this.loaded = Promise.all(loads.map((load) => load.catch(reportError)));
   }
 
-  /** @param name as the character's images have it */
+  /** @param name the name in the character's images */
   find(name: string | undefined): ImageTexture | undefined {
     return name === undefined ? undefined : this.textures.get(name)?.value;
   }
@@ -40,7 +40,7 @@ export class SurfaceTextures {
     for (const texture of this.textures.values()) texture.release();
   }
 
-  /** At once where that can be; else gives the promise of it. */
+  /** Shows the image immediately if possible, and otherwise returns a promise. */
   private show(image: CharacterImage): Promise<void> | null {
     const picture = decodedImages.find(image);
     if (this.pool.has(image)) this.add(image, never);
@@ -56,7 +56,7 @@ export class SurfaceTextures {
     else if (this.create(image, picture)) this.onImage(image, null);
   }
 
-  /** Whether the GPU takes it. */
+  /** Returns whether the GPU accepts the texture. */
   private create(image: CharacterImage, picture: Picture): boolean {
     try {
       this.add(image, () => new ImageTexture(this.gpu, picture));

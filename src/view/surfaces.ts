@@ -3,30 +3,30 @@ import type { Color } from '../core/character-parts.ts';
 import type { Submesh } from '../core/mesh.ts';
 import { linearChannel } from './theme.ts';
 
-/** A run of triangles and how its material shades it; colors in linear light. */
+/** A run of triangles and how its material shades it, with colors in linear light. */
 export interface Surface {
   readonly submesh: Submesh;
-  /** The matte color; null where the file has none. */
+  /** The matte color, or null if the file has none. */
   readonly albedo: readonly number[] | null;
   readonly alpha: number;
-  /** Whether the inner side shows too. */
+  /** Whether the inner side is visible too. */
   readonly twoSided: boolean;
-  /** Of the highlight. */
+  /** The color of the highlight. */
   readonly specular: readonly number[];
-  /** Exponent of the highlight. */
+  /** The exponent of the highlight. */
   readonly shininess: number;
-  /** As the character's images have it. */
+  /** The texture's name in the character's images. */
   readonly texture: string | undefined;
 }
 
-/** With this of its color a surface that faces the key light shows about the color itself. */
+/** With this factor, a surface that faces the key light shows approximately its own color. */
 const keyExposure = 0.6;
 const black: Color = [0, 0, 0];
 
 /**
- * The surfaces of a mesh, in the order of the file. The matte color is what the material says that it
- * shows in full light, at most 1: the studio's lights do the rest. Without an exponent there is no
- * highlight, which else would cover everything.
+ * Returns the surfaces of a mesh in the order of the file. The matte color is what the material
+ * shows in full light, at most 1, because the studio's lights do the rest. Without an exponent
+ * there is no highlight, because it would cover everything.
  */
 export function surfacesOf({ mesh, materials, images }: Character): readonly Surface[] {
   return mesh.submeshes.map((submesh) => {

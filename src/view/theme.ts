@@ -1,6 +1,6 @@
 export type ThemeName = 'light' | 'dark';
 
-/** Colors of the scene in linear light. */
+/** The colors of the scene, in linear light. */
 export interface Theme {
   readonly backdropTop: readonly number[];
   readonly backdropBottom: readonly number[];
@@ -9,12 +9,12 @@ export interface Theme {
   readonly shadowStrength: number;
 }
 
-/** From the display's #rrggbb to linear light. */
+/** Converts the display's #rrggbb to linear light. */
 export function linear(hex: string): number[] {
   return [1, 3, 5].map((at) => linearChannel(parseInt(hex.slice(at, at + 2), 16) / 255));
 }
 
-/** A channel from the display's encoding (sRGB, 0 to 1) to linear light. */
+/** Converts a channel from the display's encoding (sRGB, 0 to 1) to linear light. */
 export function linearChannel(encoded: number): number {
   return encoded <= 0.04045 ? encoded / 12.92 : ((encoded + 0.055) / 1.055) ** 2.4;
 }

@@ -5,7 +5,7 @@ import { largestBindError } from '../skinning/bind-error.ts';
 import type { VertexStreams } from '../skinning/method.ts';
 import type { Viewer } from './viewer.ts';
 
-/** Compares the buffers that are drawn, skinned by the GPU, with the CPU's vertices. */
+/** Compares the buffers that are drawn, which the GPU skinned, with the vertices from the CPU. */
 export function verifyShown(actor: Actor | undefined, viewer: Viewer): Verification | null {
   if (!actor || !viewer.available.value || viewer.refusalOf(actor) !== null) return null;
   return verifySkin(actor, viewer.skin(actor, 'gpu'), viewer.skin(actor, 'cpu'));
@@ -40,7 +40,7 @@ function largestDifference(a: Float32Array, b: Float32Array): { size: number; in
   let index = 0;
   for (let i = 0; i < a.length; i++) {
     const difference = Math.abs(a[i]! - b[i]!);
-    if (difference <= size) continue; // NaN is no less: it is the largest there can be
+    if (difference <= size) continue; // NaN is not smaller; it counts as the largest difference
     size = Number.isNaN(difference) ? Infinity : difference;
     index = i;
     if (size === Infinity) break;

@@ -2,7 +2,7 @@ import type { Bone } from '../core/bones.ts';
 import type { ActorId } from '../document/scene.ts';
 import type { Light, Session, SkeletonStyle } from '../document/session.ts';
 
-/** What is shown of the scene, beside the document. */
+/** What is shown of the scene, in addition to the document. */
 export interface ViewOptions {
   readonly showSkin: boolean;
   readonly showSkeleton: boolean;
@@ -10,20 +10,20 @@ export interface ViewOptions {
   readonly showTextures: boolean;
   readonly showAxes: boolean;
   readonly translucent: boolean;
-  /** Floor and backdrop; without them the picture is transparent around the characters. */
+  /** Shows floor and backdrop; without them the picture is transparent around the characters. */
   readonly showStudio: boolean;
   readonly faceted: boolean;
   readonly selectedActorId: ActorId | null;
-  /** Of the selected actor, or null. */
+  /** The selected joint of the selected actor, or null. */
   readonly selectedJoint: number | null;
   readonly hoveredJoint: number | null;
-  /** Of the selected character, or null: one of its own bones. */
+  /** The hovered bone, one of the selected character's own, or null. */
   readonly hoveredBone: Bone | null;
-  /** Key, fill and rim. */
+  /** The key, fill and rim lights. */
   readonly lights: readonly Light[];
 }
 
-/** The options as the session has them, with the studio; reading follows the session. */
+/** Returns the session's options, with the studio shown. Reading subscribes to the session. */
 export function viewOptionsOf(session: Session): ViewOptions {
   return {
     showStudio: true,

@@ -25,9 +25,9 @@ export interface CaptureSize {
 }
 
 /**
- * Shows the document on a canvas: the one way from state to pixels. A picture is drawn when
+ * Shows the document on a canvas. It is the only path from state to pixels. A picture is drawn when
  * something it depends on changed, and never otherwise. Without a WebGL context, at first or for a
- * while, everything else goes on.
+ * while, everything else continues to work.
  */
 export class Viewer {
   readonly camera = signal<Camera>({
@@ -38,19 +38,25 @@ export class Viewer {
     fieldOfView: 0.5,
   });
   readonly theme = signal<ThemeName>('light');
-  /** What is drawn, in order; a page may start with few. */
+  /** The passes in the order of drawing; a page may start with few. */
   readonly passes = signal<readonly Pass[]>(firstPasses);
-  /** Of the picture, in its own pixels. */
+  /** The size of the picture in its own pixels. */
   readonly size = signal<CaptureSize>({ width: 1, height: 1 });
-  /** How long the last change of pose took on the CPU. */
+  /** The time that the last change of pose took on the CPU, in milliseconds. */
   readonly poseMilliseconds = signal(0);
-  /** Whether there is a context to draw with: never without WebGL2, not while it is lost. */
+  /**
+   * Whether there is a context to draw with. This is never so without WebGL2, and not while the
+   * context is lost.
+   */
   readonly available = signal(false);
-  /** Whether there ever was a context: tells a lost one from none. */
+  /** Whether there ever was a context, which distinguishes a lost one from none. */
   hadContext = false;
-  /** Why the selected character can't be drawn, or null. */
+  /** The reason why the selected character can't be drawn, or null. */
   readonly refusal = signal<string | null>(null);
-  /** By their ids, so that passes that come and show nothing yet bring no new picture. */
+  /**
+   * The ids of the visible passes, so that passes that are added but show nothing cause no new
+   * picture.
+   */
   private readonly shownPasses = computed(() => {
     const options = viewOptionsOf(this.session);
     return this.passes.value.flatMap((pass) => (pass.isShown(options) ? pass.id : [])).join();
@@ -62,10 +68,10 @@ export class Viewer {
   private readonly onFrame: () => void;
   private renderer: Renderer | null = null;
   private frameRequest = 0;
-  /** The camera as it was fitted to a box, to fit it again when the view's size changes. */
+  /** The camera that was fitted to a box, to fit it again when the view's size changes. */
   private framed: { readonly camera: Camera; readonly box: Bounds } | null = null;
 
-  /** @param onFrame called after each picture that was shown */
+  /** @param onFrame is called after each picture that was shown */
   constructor(
     canvas: HTMLCanvasElement,
     store: Store,
@@ -87,7 +93,10 @@ export class Viewer {
     });
   }
 
-  /** What is shown: the scene as it is and, where it is compared, the same by another method beside it. */
+  /**
+   * The contents of the view: the scene and, if it is compared, the same scene by another method
+   * beside it.
+   */
   get contents(): readonly ViewContent[] {
     const camera = this.camera.value;
     const compared = this.session.comparedKernel.value;
@@ -96,7 +105,7 @@ export class Viewer {
     return [own, { camera, overrides: { deformation: deformationOf(compared) } }];
   }
 
-  /** Of one view of those that stand side by side. */
+  /** The aspect ratio of one of the views that are side by side. */
   get aspect(): number {
     return this.size.value.width / this.contents.length / this.size.value.height;
   }
@@ -107,23 +116,23 @@ export class Viewer {
     this.canvas.width = width;
     this.canvas.height = height;
     this.size.value = { width, height };
-    // What was in the picture stays in it, unless somebody has moved the camera since.
+    // What was in the picture stays in it, unless the user has moved the camera since.
     if (this.framed?.camera === this.camera.value) this.frame(this.framed.box);
-    // The canvas is empty now; waiting for the next frame would show it so.
+    // Resizing empties the canvas, and it would stay empty until the next frame.
     this.show();
   }
 
-  /** Turns the camera's distance and target so that all characters are in the picture. */
+  /** Changes the camera's distance and target so that all characters are in the picture. */
   frameAll(): void {
     this.frame(sceneBounds(this.evaluations.all()));
   }
 
   /**
-   * The pixels of the view at a size, with or without its studio; a caller asks first whether the view is
-   * `available`.
+   * Returns the pixels of the view at a size, with or without its studio. The caller must first
+   * check that the view is `available`.
    *
-   * @param contents side by side; as shown where absent
-   * @returns (width × height × 4) bytes RGBA as GL gives them, the bottom row first
+   * @param contents shown side by side; the viewer's own if absent
+   * @returns (width × height × 4) bytes of RGBA as GL gives them, the bottom row first
    */
   readPixels(
     { width, height }: CaptureSize,
@@ -134,33 +143,36 @@ export class Viewer {
     return this.present().capture(frames, width, height);
   }
 
-  /** (pointCount × 3) posed positions of an actor, file order and units. */
+  /** Returns (pointCount × 3) posed positions of an actor, in the file's order and units. */
   vertices(actor: Actor, device: SkinDevice): Float32Array {
     const { positions } = this.skin(actor, device);
     return positions.slice(0, actor.character.mesh.pointCount * 3);
   }
 
-  /** Why an actor can't be drawn, or null; known once it was tried. */
+  /** The reason why an actor can't be drawn, or null; it is known after the first attempt. */
   refusalOf(actor: Actor): string | null {
     return this.renderer?.refusalOf(actor) ?? null;
   }
 
-  /** All posed render vertices: the very buffers that are drawn, skinned by the GPU, or the CPU's. */
+  /**
+   * Returns all posed render vertices, either from the same buffers that are drawn, skinned by the
+   * GPU, or from the CPU.
+   */
   skin(state: Actor, device: SkinDevice): VertexStreams {
     if (device === 'gpu') return this.readBack(state);
     const { positions, normals } = this.evaluations.of(state).vertices();
     return { positions: positions.slice(), normals: normals.slice() };
   }
 
-  /** Settles once the pictures of all surfaces are decoded and in the view. */
+  /** Settles when the pictures of all surfaces are decoded and in the view. */
   async texturesShown(): Promise<void> {
-    // What was changed just now has its views only when it is drawn.
+    // The views of a recent change are created only when it is drawn.
     if (this.frameRequest !== 0) this.show();
     await this.renderer?.texturesLoaded();
     await new Promise((resolve) => requestAnimationFrame(resolve));
   }
 
-  /** Counts of live GL objects by kind. */
+  /** The counts of live GL objects by kind. */
   get liveObjects(): Readonly<Record<string, number>> {
     return this.renderer?.gpu.liveObjects ?? {};
   }
@@ -181,7 +193,7 @@ export class Viewer {
       this.available.value = true;
     };
     this.canvas.addEventListener('webglcontextlost', (event) => {
-      event.preventDefault(); // or it would never be restored
+      event.preventDefault(); // otherwise it would never be restored
       this.renderer = null;
       this.available.value = false;
     });
@@ -210,7 +222,7 @@ export class Viewer {
     renderer.sync(this.evaluations.all(), 'gpu');
     const [view] = renderer.viewsOf([evaluation]);
     assert(view !== undefined, 'a character that the GPU takes');
-    // What was shown from the CPU comes back with the next picture.
+    // If the view showed vertices from the CPU, the next picture shows them again.
     this.requestFrame();
     return view.skinned.readBack();
   }
@@ -253,7 +265,7 @@ export class Viewer {
     );
   }
 
-  /** All signals that the picture depends on. */
+  /** Reads all signals that the picture depends on. */
   private readState() {
     const { session } = this;
     return {

@@ -29,7 +29,7 @@ export function translation([x, y, z]: Vector): Matrix {
 }
 
 /**
- * Rodrigues' formula: rotates by `angle` about a unit axis, counter-clockwise seen from its tip.
+ * Rodrigues' formula: rotates by `angle` about a unit axis, counterclockwise seen from its tip.
  */
 export function rotationAbout([x, y, z]: Vector, angle: number): Matrix {
   const k: Matrix = [

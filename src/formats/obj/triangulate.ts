@@ -90,7 +90,7 @@ function fan(cornerCount: number): number[] {
   return triangles;
 }
 
-/** xy pairs, counter-clockwise when seen against the normal. */
+/** xy pairs, counterclockwise when seen against the normal. */
 function projectToPlane(positions: ArrayLike<number>, corners: readonly number[]): number[] {
   const normal = newellNormal(positions, corners);
   const size = normal.map(Math.abs);

@@ -4,8 +4,8 @@ import { axisInstances, boneAxisInstances, keyOf } from '../solid-instances.ts';
 import { cylinder } from '../solid-shapes.ts';
 
 /**
- * Axes of the file's space and, with the skeleton, of every joint: X red, Y green, Z blue; where bones are
- * lines, the frame t, n, b of each bone in these colors.
+ * Draws the axes of the file's space and, with the skeleton, of every joint: X red, Y green, Z
+ * blue. If bones are lines, it draws the frame t, n, b of each bone in these colors instead.
  */
 export const axesPass: Pass = {
   id: 'axes',
@@ -28,7 +28,7 @@ export const axesPass: Pass = {
         program.use();
         program.set(frame.uniforms);
         program.set({ opacity: 1, rim: 1 });
-        // Over everything: axes are for reading, not for looks.
+        // Axes are drawn over everything, because they are for reading and not for looks.
         gl.clear(gl.DEPTH_BUFFER_BIT);
         axes.draw();
       },

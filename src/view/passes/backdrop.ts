@@ -1,6 +1,6 @@
 import type { Pass } from '../pass.ts';
 
-/** The studio's gradient, where the floor does not hide it. */
+/** Draws the studio's gradient where the floor does not hide it. */
 export const backdropPass: Pass = {
   id: 'backdrop',
   isShown: ({ showStudio }) => showStudio,

@@ -5,16 +5,16 @@ import { boneLineInstances, keyOf, litBoneInstance, marksOf } from '../solid-ins
 import { lineGrid, segment } from '../solid-shapes.ts';
 import type { ViewOptions } from '../view-options.ts';
 
-/** Of the grid that is wrapped to a cylinder. */
+/** The number of cells on each side of the grid that is wrapped to a cylinder. */
 const gridSize = 8;
-/** Of what an opaque skin hides, and a translucent one. */
+/** The opacity of what an opaque skin hides, and of what a translucent one does. */
 const [hiddenOpacity, innerOpacity] = [0.35, 0.8];
-/** Pixels. */
+/** The line widths in pixels. */
 const [boneWidth, gridWidth] = [2.5, 1.25];
 
 /**
- * CS354's bones: a line each, all in one draw, and a wireframe cylinder about the bone under the pointer.
- * What is hidden shows through.
+ * Draws CS354's bones with one line each, all in one draw call, and a wireframe cylinder around the
+ * bone under the pointer. What is hidden shows through.
  */
 export const boneLinesPass: Pass = {
   id: 'bone-lines',
@@ -49,7 +49,7 @@ export const boneLinesPass: Pass = {
       },
     };
 
-    /** Hovering is of the selected actor alone. */
+    /** Only bones of the selected actor can be hovered. */
     function updateLit({ characters, options: { hoveredBone, selectedActorId } }: Frame): void {
       const view = hoveredBone && characters.find(({ state }) => state.id === selectedActorId);
       const index = view ? view.state.character.bones.indexOf(hoveredBone) : -1;

@@ -2,7 +2,10 @@ import type { Pass } from '../pass.ts';
 
 const halfSize = 24;
 
-/** A floor of large soft checks that fades into the backdrop, with the characters' shadow on it. */
+/**
+ * Draws a floor of large soft checks that fades into the backdrop, with the characters' shadow on
+ * it.
+ */
 export const floorPass: Pass = {
   id: 'floor',
   isShown: ({ showStudio }) => showStudio,
@@ -22,7 +25,7 @@ export const floorPass: Pass = {
           shadowStrength: theme.shadowStrength,
         });
         gl.bindVertexArray(null);
-        gl.enable(gl.CULL_FACE); // from below there is no floor
+        gl.enable(gl.CULL_FACE); // the floor is invisible from below
         gl.drawArrays(gl.TRIANGLE_STRIP, 0, 4);
         gl.disable(gl.CULL_FACE);
       },

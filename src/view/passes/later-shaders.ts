@@ -1,6 +1,6 @@
 import { addShaderFiles } from '../shader-files.ts';
 
-/** Shaders of the passes that are not in the first picture. */
+/** These shaders belong to the passes that are not in the first picture. */
 addShaderFiles(
   import.meta.glob<string>('../../../shaders/passes/{line,solid}.*.glsl', {
     query: '?raw',

@@ -4,19 +4,20 @@ import type { Frame } from '../frame.ts';
 import type { Pass } from '../pass.ts';
 import { palette } from '../theme.ts';
 
-/** How much of what is behind a translucent skin it hides. */
+/** The opacity of a translucent skin over what is behind it. */
 const translucentOpacity = 0.42;
 
 const textureUnit = 4;
 const white = [1, 1, 1];
 const clay = { albedo: palette.clay, specular: [0, 0, 0] };
-/** What is less can't be seen, and hides nothing. */
+/** A surface with less opacity is invisible and must not hide anything. */
 const leastOpacity = 0.002;
 
 /**
- * The posed skin, smooth or faceted, with the colors and textures of its materials, or as clay. It is
- * blended in the order of the file, and what comes later wins where two are as near. A translucent one
- * is drawn to depth first, so that of all its layers only the nearest is blended over what is behind.
+ * Draws the posed skin, smooth or faceted, with the colors and textures of its materials, or as
+ * clay. Surfaces are blended in the order of the file; of two at the same depth, the later one
+ * wins. A translucent skin is drawn to depth first, so that only the nearest of its layers is
+ * blended over what is behind it.
  */
 export const meshPass: Pass = {
   id: 'mesh',
@@ -67,7 +68,7 @@ export const meshPass: Pass = {
           ...gloss,
           opacity: alpha * opacity,
         });
-        // Of what is seen through, the inner side comes before the outer one.
+        // The inner side of a translucent surface is drawn before the outer one.
         const culled = alpha < 1 ? [gl.FRONT, gl.BACK] : [twoSided ? gl.NONE : gl.BACK];
         for (const side of culled) {
           if (side !== gl.NONE) {

@@ -7,7 +7,7 @@ import { floorPass } from './floor.ts';
 import { meshPass } from './mesh.ts';
 import { hiddenSkeletonPass, skeletonPass } from './skeleton.ts';
 
-/** Every pass, in the order of drawing. */
+/** All passes, in the order of drawing. */
 export const passes: readonly Pass[] = [
   floorPass,
   backdropPass,

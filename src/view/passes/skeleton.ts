@@ -14,12 +14,15 @@ import {
 } from '../solid-instances.ts';
 import { cube, cylinder, sphere } from '../solid-shapes.ts';
 
-/** How much of a bone shows through an opaque skin. */
+/** The opacity of a bone that shows through an opaque skin. */
 const throughSkin = 0.55;
-/** Boxes hold the skin, as of glass. */
+/** The opacity of boxes around the skin, which look like glass. */
 const glass = 0.3;
 
-/** Spheres at the joints, cylinders along the bones, boxes of the file: one instanced draw each. */
+/**
+ * Draws spheres at the joints, cylinders along the bones and the file's boxes, each kind in one
+ * instanced draw call.
+ */
 export const skeletonPass: Pass = {
   id: 'skeleton',
   isShown: ({ showSkeleton }) => showSkeleton,
@@ -35,7 +38,10 @@ export const skeletonPass: Pass = {
   },
 };
 
-/** With a skin: its skeleton once more, faintly, where it hides it; and boxes about it. */
+/**
+ * If there is a skin, draws the skeleton again, faintly, where the skin hides it, and boxes around
+ * the skin.
+ */
 export const hiddenSkeletonPass: Pass = {
   id: 'hidden-skeleton',
   isShown: ({ showSkeleton, showSkin }) => showSkeleton && showSkin,
@@ -62,7 +68,7 @@ export const hiddenSkeletonPass: Pass = {
   },
 };
 
-/** All solids that stand for joints and bones. */
+/** All solids that represent joints and bones. */
 class SkeletonSolids {
   private readonly programs: Programs;
   private readonly joints: InstancedSolid;
@@ -89,7 +95,7 @@ class SkeletonSolids {
   drawBoxes(frame: Frame, opacity: number): void {
     const views = frame.characters.filter((view) => showsBoxes(view, frame));
     update(this.boxes, views, frame, boxInstances);
-    // Faces are flat: a rim would make the whole of a slanting one dark.
+    // Faces are flat, so a rim would make all of a slanted one dark.
     this.useProgram(frame, { opacity, rim: 0 });
     this.boxes.draw();
   }
@@ -108,7 +114,7 @@ class SkeletonSolids {
   }
 }
 
-/** A character without boxes shows sticks in their place. */
+/** A character without boxes shows sticks instead. */
 function showsSticks(view: CharacterView, { options }: Frame): boolean {
   if (options.skeletonStyle === 'lines') return false;
   return options.skeletonStyle !== 'boxes' || !view.state.character.skeleton.displayBoxes;
