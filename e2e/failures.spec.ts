@@ -1,6 +1,6 @@
 import { expect, test as base, type Page } from '@playwright/test';
 import { convertTargets, labelOf } from '../src/formats/registry.ts';
-import { choose, openApp } from './support/app.ts';
+import { choose, controlRow, openApp } from './support/app.ts';
 import { madeCharacter } from './support/made-character.ts';
 
 // A failure outside of Sinew ends in a message, and nothing is thrown. The browser logs what it
@@ -35,7 +35,8 @@ test('a missing part, a picture that can’t be encoded and a folder that can’
 
   await test.step('a method does not come: what stands in for it is named, and others open', async () => {
     await page.route(/\/rigid-/, (route) => route.fulfill({ status: 404, body: 'gone' }));
-    await choose(page, 'Method', 'Rigid parts');
+    // `choose` would wait for the method.
+    await controlRow(page, 'Method').locator('select').selectOption('Rigid parts');
     await expect(notice(page)).toHaveText(/could not be loaded; reload the page/);
     await expect(page.locator('.status')).toContainText('Linear blend (SSD), in place of Rigid');
     await choose(page, 'Method', 'Linear blend (SSD)');
