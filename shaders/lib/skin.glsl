@@ -5,6 +5,10 @@
 in vec3 scenePosition;
 centroid in vec3 sceneNormal;
 
+// In linear light.
+uniform vec3 albedo;
+// Below 1, what is behind the surface shows through.
+uniform float opacity;
 // The color of the material's highlight, black if it has none, and its exponent.
 uniform vec3 specular;
 uniform float shininess;

@@ -2,10 +2,7 @@
 
 in vec2 texturePosition;
 
-// In linear light; the texture is multiplied in and repeats beyond its edges.
-uniform vec3 albedo;
-// Below 1, what is behind the surface shows through.
-uniform float opacity;
+// It is multiplied in, and repeats beyond its edges.
 uniform sampler2D colorTexture;
 
 out vec4 color;

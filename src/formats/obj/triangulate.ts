@@ -13,10 +13,10 @@ export function triangulate(
   corners: readonly number[],
   earClip?: (outline: readonly number[]) => number[],
 ): number[] {
-  if (corners.length === 3) return [0, 1, 2];
+  if (corners.length === 3) return fan(3);
   if (corners.length === 4) {
     const from = quadStart(positions, corners[0]!, corners[1]!, corners[2]!, corners[3]!);
-    return [0, 1, 2, 0, 2, 3].map((corner) => (from + corner) % 4);
+    return fan(4, from);
   }
   const outline = projectToPlane(positions, corners);
   if (!earClip || isConvex(outline)) return fan(corners.length);
@@ -84,9 +84,12 @@ function newellTerm(
   );
 }
 
-function fan(cornerCount: number): number[] {
+/** All triangles of a polygon that start at one of its corners. */
+function fan(cornerCount: number, from = 0): number[] {
   const triangles: number[] = [];
-  for (let i = 2; i < cornerCount; i++) triangles.push(0, i - 1, i);
+  for (let i = 2; i < cornerCount; i++) {
+    triangles.push(from, (from + i - 1) % cornerCount, (from + i) % cornerCount);
+  }
   return triangles;
 }
 

@@ -83,7 +83,7 @@ export class TupleStream {
       if (reader.token()) {
         const value = reader.number();
         if (Math.abs(value) <= largest) this.values.push(value);
-        else if (this.isOdd(reader)) {
+        else if (this.isOdd(value, reader)) {
           this.values.push(NaN);
           isOdd = true;
         } else {
@@ -104,8 +104,7 @@ export class TupleStream {
    * Whether the token says that it is not a number, or is a number past all that a float32 holds where
    * only corners need it.
    */
-  private isOdd(reader: LineReader): boolean {
-    const value = reader.number();
+  private isOdd(value: number, reader: LineReader): boolean {
     if (Number.isNaN(value)) return isNotANumber.test(reader.text());
     return this.kind.sparedBy === 'corners' && Math.abs(value) > largestFloat32;
   }
