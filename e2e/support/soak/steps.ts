@@ -243,11 +243,15 @@ async function loseContext(page: Page, dice: Dice): Promise<string> {
     const canvas = document.querySelector('canvas')!;
     const extension = canvas.getContext('webgl2')!.getExtension('WEBGL_lose_context')!;
     // Before the page has heard of the loss, the browser refuses to restore the context.
-    const lost = new Promise((resolve) => {
-      canvas.addEventListener('webglcontextlost', resolve, { once: true });
+    await new Promise<void>((resolve) => {
+      // It is removed by name, because the count of listeners does not see what `once` removes.
+      const heard = (): void => {
+        canvas.removeEventListener('webglcontextlost', heard);
+        resolve();
+      };
+      canvas.addEventListener('webglcontextlost', heard);
+      extension.loseContext();
     });
-    extension.loseContext();
-    await lost;
     return extension;
   });
   const done: string[] = [];
