@@ -78,6 +78,23 @@ test('"?" shows the keys and what the pointer does, and Escape closes the sheet'
   await expect(sheet).toBeHidden();
 });
 
+test('the sheet that is opened again before the next frame stays open', async () => {
+  const sheet = page().getByRole('dialog');
+  await press('?');
+  await expect(sheet).toBeVisible();
+  await page().evaluate(async () => {
+    document.querySelector<HTMLButtonElement>('dialog header button')?.click();
+    await Promise.resolve();
+    dispatchEvent(new KeyboardEvent('keydown', { key: '?', bubbles: true }));
+    const frame = () => new Promise(requestAnimationFrame);
+    await frame();
+    await frame();
+  });
+  await expect(sheet).toBeVisible();
+  await press('Escape');
+  await expect(sheet).toBeHidden();
+});
+
 test('single-letter keys can be turned off, for users of speech input', async () => {
   const sheet = page().getByRole('dialog');
   const letters = sheet.getByRole('checkbox', { name: 'Single letters act' });

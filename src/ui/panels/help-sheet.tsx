@@ -17,8 +17,12 @@ export function HelpSheet({ editor }: { readonly editor: PageState }) {
     { label: '', rows: pointerRows },
     ...contexts.map(({ id, label }) => ({ label, rows: keyRows(id) })).reverse(),
   ];
+  // The event comes with the next frame, when this sheet may be gone and another one open.
+  const close = () => {
+    if (dialog.current) helpOpen.value = false;
+  };
   return (
-    <dialog ref={dialog} aria-labelledby="help-title" onClose={() => (helpOpen.value = false)}>
+    <dialog ref={dialog} aria-labelledby="help-title" onClose={close}>
       {/* The button comes first, so that the focus and the scroll position start at the top. */}
       <header>
         <h2 id="help-title">Keys and pointer</h2>
