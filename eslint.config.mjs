@@ -5,6 +5,7 @@ export default tseslint.config(
     ignores: [
       '.cache/',
       'dist/',
+      'build/',
       'coverage/',
       'test-results/',
       'node_modules/',

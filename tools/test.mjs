@@ -9,7 +9,7 @@
 import { spawn } from 'node:child_process';
 import { existsSync, mkdirSync, rmSync } from 'node:fs';
 import path from 'node:path';
-import { cacheFolder, packageCommand, readJson, root } from './commands.mjs';
+import { cacheFolder, npmCommand, packageCommand, readJson, root } from './commands.mjs';
 import { install } from './install.mjs';
 
 /**
@@ -65,7 +65,7 @@ const checks = [
     name: 'browser',
     command: () => [process.execPath, path.join(root, 'tools/browser.mjs')],
   },
-  { group: 'build', name: 'build', command: () => packageCommand('vite', ['build']) },
+  { group: 'build', name: 'build', command: () => npmCommand(['run', '--silent', 'build']) },
 ];
 const groups = [...new Set(checks.map(({ group }) => group)), 'unit'];
 

@@ -35,6 +35,10 @@ function cliPage(): string[] {
     'Run a command as `npm run --silent sinew -- COMMAND`; `help` prints the list below. Problems are printed',
     "to stderr. The exit code is 0 on success, 1 for a file that can't be used, and 2 for wrong usage.",
     '',
+    'After `npm run build`, the same command runs the one file `build/sinew.mjs`, which starts several times',
+    'faster than the sources and can also be run alone: `node build/sinew.mjs COMMAND`. When the sources',
+    'change, the command runs them until the next build. `npm link` makes it available as `sinew`.',
+    '',
     ...commands.flatMap(commandSection),
   ];
 }

@@ -16,7 +16,7 @@ export interface Ending {
 /** Runs the command line as a user does, from `folder`, while npm runs in the project's folder. */
 export function runSinew(folder: string, ...words: readonly string[]): Promise<Ending> {
   return new Promise((settle, fail) => {
-    const child = spawn(process.execPath, ['--import', 'tsx', 'src/cli/main.ts', ...words], {
+    const child = spawn(process.execPath, ['tools/sinew.mjs', ...words], {
       cwd: root,
       env: { ...process.env, INIT_CWD: folder },
     });
