@@ -21,6 +21,8 @@ const mostEarlier = 12;
 /**
  * Opens characters and workspaces. It contains everything of the editor that the first picture
  * needs.
+ *
+ * @param onReading is called when the files of a bundled character have come and are being read
  */
 export function createOpening(
   store: Store,
@@ -28,6 +30,7 @@ export function createOpening(
   evaluations: Evaluations,
   viewer: Viewer,
   catalogue: Signal<readonly CatalogueEntry[]>,
+  onReading: () => void,
 ): Opening {
   const opener = new FileOpener(store, session, evaluations);
   const workspaceId = signal<WorkspaceId>(workspaces[0]!.id);
@@ -152,7 +155,9 @@ export function createOpening(
   ): Promise<OpenOutcome | undefined> {
     const files = await fetchBundled(entry, signal);
     const source = { kind: 'bundled', id: entry.id } as const;
-    const outcome = await opener.openBundled(files, signal, meter.report, { source, add });
+    const opened = opener.openBundled(files, signal, meter.report, { source, add });
+    onReading();
+    const outcome = await opened;
     if (outcome?.opened) showOpened(entry.label, word(add));
     return outcome;
   }

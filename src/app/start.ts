@@ -25,6 +25,9 @@ declare global {
   }
 }
 
+/** In milliseconds. A character from this machine or a near server comes in less time. */
+const longestWait = 200;
+
 /** Assembles the app; this is the only place that knows all of its parts. */
 export async function start(root: HTMLElement): Promise<void> {
   let settleReady = (): void => undefined;
@@ -33,7 +36,6 @@ export async function start(root: HTMLElement): Promise<void> {
   const parameters = new URLSearchParams(location.search);
   const isTest = parameters.has('test');
   if (isTest) document.documentElement.dataset['test'] = '';
-  // This request comes first, because creating a context keeps the page busy for a while.
   const listed = fetchCatalogue();
   const layout = createLayout(root);
   const session = new Session();
@@ -46,24 +48,30 @@ export async function start(root: HTMLElement): Promise<void> {
   const catalogue = signal<readonly CatalogueEntry[]>([]);
   let firstFrameShown = (): void => undefined;
   const firstFrame = new Promise<void>((resolve) => (firstFrameShown = resolve));
-  const textures = (parameters.get('textures') ?? '').split(',');
-  const skinLayout = {
-    paletteTexture: textures.includes('palette'),
-    influenceTexture: textures.includes('influences'),
-  };
-  const viewer = new Viewer(layout.canvas, store, session, evaluations, skinLayout, () => {
+  const viewer = new Viewer(layout.canvas, store, session, evaluations, () => {
     if (store.scene.value.actors.length === 0) return;
     if (performance.getEntriesByName('first-frame').length > 0) return;
     performance.mark('first-frame');
     firstFrameShown();
   });
-  const opening = createOpening(store, session, evaluations, viewer, catalogue);
+  let readingBegan = (): void => undefined;
+  const reading = new Promise<void>((resolve) => (readingBegan = resolve));
+  const opening = createOpening(store, session, evaluations, viewer, catalogue, readingBegan);
   layout.follow(viewer, isTest ? 1 : undefined);
   followTheme(opening.theme, viewer);
   listenToDrops(opening);
   listenToPaste(opening);
 
-  await openNamed(opening, catalogue, listed, parameters);
+  const opened = openNamed(opening, catalogue, listed, parameters);
+  // Creating a context keeps the page busy for a while. The character is requested first, and read
+  // in a worker meanwhile; where the network is slow, the context does not wait for it.
+  await Promise.race([opened, reading, new Promise((resolve) => setTimeout(resolve, longestWait))]);
+  const textures = (parameters.get('textures') ?? '').split(',');
+  viewer.connect({
+    paletteTexture: textures.includes('palette'),
+    influenceTexture: textures.includes('influences'),
+  });
+  await opened;
   // Without a character or a context there is no first picture to wait for; the rest of the page
   // works all the same.
   if (store.scene.value.actors.length === 0 || !viewer.available.value) firstFrameShown();

@@ -77,7 +77,6 @@ export class Viewer {
     store: Store,
     session: Session,
     evaluations: Evaluations,
-    layout: LayoutChoice,
     onFrame: () => void,
   ) {
     this.canvas = canvas;
@@ -85,12 +84,16 @@ export class Viewer {
     this.session = session;
     this.evaluations = evaluations;
     this.onFrame = onFrame;
-    const gl = canvas.getContext('webgl2', { antialias: false, alpha: false, depth: false });
-    if (gl) this.keepRenderer(gl, layout);
     effect(() => {
       this.readState();
       this.requestFrame();
     });
+  }
+
+  /** Creates the WebGL context, if the browser has one to give, and keeps a renderer for it. */
+  connect(layout: LayoutChoice): void {
+    const gl = this.canvas.getContext('webgl2', { antialias: false, alpha: false, depth: false });
+    if (gl) this.keepRenderer(gl, layout);
   }
 
   /**
