@@ -111,6 +111,19 @@ export function createEditor(opening: Opening): Editor {
       session.verification.value = verifyShown(selected(), viewer);
       if (!session.verification.value) notice.value = 'There is nothing on the GPU to verify';
     },
+
+    async checkMachine() {
+      const report = await opening.whileWorking(
+        'Checking this machine',
+        async (signal, onProgress) => {
+          const { checkMachine } = await loadPart(import('./check-machine.ts'));
+          return checkMachine(signal, onProgress);
+        },
+      );
+      if (!report) return;
+      download('sinew-machine.json', `${JSON.stringify(report, null, 2)}\n`, 'application/json');
+      notice.value = `Report saved: ${report.summary}`;
+    },
   };
   return editor;
 

@@ -59,7 +59,7 @@ export function createOpening(
     theme: signal<ThemeChoice>('system'),
 
     async openFiles(files, add = false) {
-      const outcome = await whileOpening('Reading', async (signal) => {
+      const outcome = await opening.whileWorking('Reading', async (signal) => {
         const [{ openOwnFiles }, entries] = await Promise.all([
           loadPart(import('./open-own-files.ts')),
           files,
@@ -103,7 +103,9 @@ export function createOpening(
         showOpened(entry.label, word(add));
         return;
       }
-      await whileOpening(`Loading ${entry.label}`, (signal) => loadBundled(entry, signal, add));
+      await opening.whileWorking(`Loading ${entry.label}`, (signal) =>
+        loadBundled(entry, signal, add),
+      );
     },
 
     openOwn(read, add = false) {
@@ -116,13 +118,27 @@ export function createOpening(
       }
     },
 
-    cancelOpening() {
+    async whileWorking(title, work) {
+      current.abort();
+      const { signal } = (current = new AbortController());
+      const working = meter.during(title, () => work(signal, meter.report));
+      latest = working.catch(() => undefined); // the failure is reported below
+      try {
+        return await working;
+      } catch (error) {
+        if (signal.aborted) return undefined;
+        notice.value = failureText(error);
+        return undefined;
+      }
+    },
+
+    cancelWork() {
       current.abort();
       meter.clear();
       notice.value = 'Canceled';
     },
 
-    async whenOpened() {
+    async whenDone() {
       let last;
       do await (last = latest);
       while (last !== latest);
@@ -160,27 +176,6 @@ export function createOpening(
     const outcome = await opened;
     if (outcome?.opened) showOpened(entry.label, word(add));
     return outcome;
-  }
-
-  /**
-   * Cancels the opening in progress and starts another. A failure is reported, and the page stays
-   * as it was.
-   */
-  async function whileOpening(
-    title: string,
-    work: (signal: AbortSignal) => Promise<OpenOutcome | undefined>,
-  ): Promise<OpenOutcome | undefined> {
-    current.abort();
-    const { signal } = (current = new AbortController());
-    const working = meter.during(title, () => work(signal));
-    latest = working.catch(() => undefined); // the failure is reported below
-    try {
-      return await working;
-    } catch (error) {
-      if (signal.aborted) return undefined;
-      notice.value = failureText(error);
-      return undefined;
-    }
   }
 
   function showOpened(name: string, what: string): void {

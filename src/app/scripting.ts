@@ -175,7 +175,7 @@ export function createScripting(editor: Editor, ready: Promise<void>): Scripting
   };
 
   async function settled(): Promise<void> {
-    await editor.whenOpened();
+    await editor.whenDone();
     await evaluations.settled();
     await viewer.texturesShown();
   }

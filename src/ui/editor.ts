@@ -7,7 +7,7 @@ import type { Transport } from '../document/transport.ts';
 import type { Evaluations } from '../evaluation/evaluations.ts';
 import type { ConvertTarget } from '../formats/registry.ts';
 import type { FileEntry } from '../formats/format.ts';
-import type { ReadCharacter } from '../formats/read-characters.ts';
+import type { ReadCharacter, ReadProgress } from '../formats/read-characters.ts';
 import type { PictureFormat } from '../view/picture.ts';
 import type { CaptureSize, Viewer } from '../view/viewer.ts';
 import type { Workspace, WorkspaceId } from './workspace.ts';
@@ -59,8 +59,6 @@ export interface Gallery {
   readonly own: ReadonlySignal<readonly ReadCharacter[]>;
   /** The id of the bundled character that is selected, or null. */
   readonly openedId: ReadonlySignal<string | null>;
-  /** Shown during work that takes longer than a moment. */
-  readonly progress: ReadonlySignal<Progress | null>;
   /**
    * Replaces a running opening at once, even while the new files are still being listed.
    *
@@ -69,9 +67,23 @@ export interface Gallery {
   openFiles(files: Listed<FileEntry>, add?: boolean): Promise<void>;
   openBundled(id: string, add?: boolean): Promise<void>;
   openOwn(character: ReadCharacter, add?: boolean): void;
-  cancelOpening(): void;
-  /** Resolves when nothing is being opened. */
-  whenOpened(): Promise<void>;
+}
+
+/** Work that can take longer than a moment, such as opening files. Only one runs at a time. */
+export interface Working {
+  /** Shown during work that takes longer than a moment. */
+  readonly progress: ReadonlySignal<Progress | null>;
+  /**
+   * Cancels the work in progress and starts another. Returns its result, or undefined if it was
+   * canceled or failed. A failure is reported, and the page stays as it was.
+   */
+  whileWorking<T>(
+    title: string,
+    work: (signal: AbortSignal, onProgress: ReadProgress) => Promise<T>,
+  ): Promise<T | undefined>;
+  cancelWork(): void;
+  /** Resolves when no work is in progress. */
+  whenDone(): Promise<void>;
 }
 
 /** The workspaces. */
@@ -124,10 +136,12 @@ export interface Actions {
   exportMesh(): Promise<void>;
   savePicture(options: PictureOptions): Promise<void>;
   verify(): Promise<void>;
+  /** Measures this machine with a bundled character and saves a report. */
+  checkMachine(): Promise<void>;
 }
 
 /** The parts that open characters: all that the page needs before its panels are loaded. */
-export type Opening = Looking & Gallery & Courses & Telling & Pick<PageState, 'theme'>;
+export type Opening = Looking & Gallery & Working & Courses & Telling & Pick<PageState, 'theme'>;
 
 /** All parts, assembled in src/app. Each panel declares only those that it needs. */
 export type Editor = Opening & PageState & Posing & Actions;

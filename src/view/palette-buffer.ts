@@ -8,6 +8,13 @@ const bytesPerRow = 16;
 const smallBlockRows = (16 * 1024) / bytesPerRow;
 const largeBlockRows = (64 * 1024) / bytesPerRow;
 
+/** The sizes in which this GPU takes a palette as a uniform array, in rows, the smallest first. */
+export function blockSizes({ maxUniformBlockSize }: Gpu): readonly number[] {
+  return [smallBlockRows, largeBlockRows].filter(
+    (rows) => rows * bytesPerRow <= maxUniformBlockSize,
+  );
+}
+
 const blockBinding = 0;
 const textureUnit = 0;
 
@@ -25,10 +32,8 @@ export class PaletteBuffer {
 
   constructor(gpu: Gpu, rowCount: number, forceTexture = false) {
     this.gl = gpu.gl;
-    const available = [smallBlockRows, largeBlockRows].filter(
-      (rows) => rows * bytesPerRow <= gpu.maxUniformBlockSize,
-    );
-    this.blockRows = forceTexture ? 0 : (available.find((rows) => rowCount <= rows) ?? 0);
+    const fitting = blockSizes(gpu).find((rows) => rowCount <= rows) ?? 0;
+    this.blockRows = forceTexture ? 0 : fitting;
     this.block =
       this.blockRows > 0 ? new Buffer(gpu, 'uniform', this.blockRows * bytesPerRow) : null;
     this.texture = this.block ? null : new DataTexture(gpu, 'data-rgba32f', rowCount);

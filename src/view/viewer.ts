@@ -169,10 +169,14 @@ export class Viewer {
 
   /** Settles when the pictures of all surfaces are decoded and in the view. */
   async texturesShown(): Promise<void> {
-    // The views of a recent change are created only when it is drawn.
-    if (this.frameRequest !== 0) this.show();
+    this.drawNow(); // the views of a recent change are created only when it is drawn
     await this.renderer?.texturesLoaded();
     await new Promise((resolve) => requestAnimationFrame(resolve));
+  }
+
+  /** Draws the picture of the next animation frame at once, if there would be one. */
+  drawNow(): void {
+    if (this.frameRequest !== 0) this.show();
   }
 
   /** The counts of live GL objects by kind. */

@@ -22,10 +22,10 @@ export const fileCommands = [
     run: (editor) => chooseFiles(editor, editor.fileExtensions, true),
   },
   {
-    id: 'cancel-opening',
-    label: 'Cancel what is being opened',
+    id: 'cancel-work',
+    label: 'Cancel the work in progress',
     short: 'Cancel',
-    run: (editor) => editor.cancelOpening(),
+    run: (editor) => editor.cancelWork(),
   },
   {
     id: 'open-pose',
@@ -56,5 +56,11 @@ export const fileCommands = [
     label: 'Verify the numbers of the GPU',
     short: 'Verify',
     run: (editor) => editor.verify(),
+  },
+  {
+    id: 'check-machine',
+    label: 'Check this machine and save a report',
+    short: 'Check this machine',
+    run: (editor) => editor.checkMachine(),
   },
 ] as const satisfies readonly Command[];

@@ -67,6 +67,7 @@ export function addSkinFolder(gui: GUI, editor: Editor): void {
     folder.add(bound, 'normalize').name('Normalize weights'),
   ];
   addCommandRow(folder, editor, 'verify');
+  addCommandRow(folder, editor, 'check-machine');
   const result = document.createElement('output');
   result.className = 'verification';
   folder.$children.append(result);

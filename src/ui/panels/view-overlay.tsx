@@ -55,7 +55,7 @@ function ProgressBox({ editor }: { readonly editor: Editor }) {
         {progress.label}
         <progress value={progress.fraction} max={1} />
       </label>
-      <CommandButton editor={editor} command="cancel-opening" />
+      <CommandButton editor={editor} command="cancel-work" />
     </div>
   );
 }
