@@ -115,16 +115,27 @@ const maximumPerFile = 100;
  * or the terminal.
  */
 export function printable(text: string, maximum = maximumFound): string {
-  const safe = text.replace(/[\p{Cc}\p{Cf}\p{Zl}\p{Zp}]/gu, '\uFFFD');
+  const safe = withoutControls(text);
   // Counts characters, so that none is cut in two; each has at most two code units.
   const characters = Array.from(safe.slice(0, (maximum + 1) * 2));
   return characters.length > maximum ? `${characters.slice(0, maximum).join('')}…` : safe;
 }
 
+/** The same for a path, which is cut at its front because the name of the file is at its end. */
+export function printablePath(path: string, maximum = maximumFound): string {
+  const safe = withoutControls(path);
+  const characters = Array.from(safe.slice(-(maximum + 1) * 2));
+  return characters.length > maximum ? `…${characters.slice(-maximum).join('')}` : safe;
+}
+
+function withoutControls(text: string): string {
+  return text.replace(/[\p{Cc}\p{Cf}\p{Zl}\p{Zp}]/gu, '\uFFFD');
+}
+
 /** `FILE:LINE:COL`; for JSON `FILE:LINE:COL (PATH)`; for a binary file `FILE @ byte N (0xN)`. */
 export function formatPlace(diagnostic: Diagnostic, maximum = 200): string {
   const { file, line, column, offset, path } = diagnostic;
-  const name = printable(file, maximum);
+  const name = printablePath(file, maximum);
   if (offset !== undefined) return `${name} @ byte ${offset} (0x${offset.toString(16)})`;
   const place = [name, line, column].filter((part) => part !== undefined).join(':');
   return path === undefined ? place : `${place} (${printable(path, 80)})`;

@@ -11,6 +11,12 @@ export const formatExtensions = {
 /** Extensions of the images that materials may name. */
 export const textureExtensions: readonly string[] = ['.bmp', '.png', '.jpg', '.jpeg', '.tga'];
 
+/** Extensions of images that are not read, so that a message can say which are. */
+export const foreignImageExtensions: readonly string[] = [
+  ...['.gif', '.webp', '.avif', '.heic', '.svg', '.tif', '.tiff', '.psd', '.dds', '.ktx2'],
+  ...['.exr', '.hdr', '.sph', '.spa'],
+];
+
 /** Extensions of files that add something to a character that is already open. */
 export const companionExtensions: readonly string[] = ['.morph', '.anim', '.rig'];
 

@@ -1,13 +1,15 @@
 import type { FileEntry } from './format.ts';
+import { startOfTokens } from './text/head-tokens.ts';
 
 export const headSize = 4096;
 
 /** A file whose bytes are already in memory. */
 export function memoryFile(path: string, bytes: Uint8Array): FileEntry {
+  const start = startOfTokens(bytes);
   return {
     path,
     size: bytes.length,
-    head: bytes.subarray(0, headSize),
+    head: bytes.subarray(start, start + headSize),
     bytes: () => Promise.resolve(bytes),
   };
 }

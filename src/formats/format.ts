@@ -10,7 +10,10 @@ export interface FileEntry {
   /** The path as given, possibly with folders, separated by `/`. */
   readonly path: string;
   readonly size: number;
-  /** The first 4 KiB, so that a format can recognize its files by content. */
+  /**
+   * The first 4 KiB, so that a format can recognize its files by content. If all bytes are in
+   * memory, they start after leading comments, which may be longer.
+   */
   readonly head: Uint8Array;
   /** The reason why it can't be read, if that is known before its bytes are requested. */
   readonly fault?: string;

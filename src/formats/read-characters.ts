@@ -3,7 +3,7 @@ import type { Character } from '../core/character.ts';
 import type { Diagnostic } from '../core/diagnostics.ts';
 import { loadPart } from '../core/failure.ts';
 import { defaultLimits, type Limits } from '../core/limits.ts';
-import { archiveExtension, characterExtensions, textureExtensions } from './extensions.ts';
+import { archiveExtension } from './extensions.ts';
 import { baseName, extensionOf } from './file-entry.ts';
 import type { FileEntry, FileGroup, FormatReader } from './format.ts';
 import { isJunk } from './junk.ts';
@@ -57,9 +57,8 @@ export async function readCharacters(
     }
   }
   const unused = files.filter((file) => !used.has(file));
-  const [images, others] = [unused.filter(isImage), unused.filter((file) => !isImage(file))];
-  if (images.length > 0) diagnostics.push(unnamedImages(images));
-  if (others.length > 0) diagnostics.push(unknownFiles(others));
+  if (characters.length > 1) diagnostics.push(...(await halves(characters)));
+  if (unused.length > 0) diagnostics.push(...(await unusedFiles(unused)));
   return { characters, diagnostics };
 }
 
@@ -67,6 +66,17 @@ export async function readCharacters(
 async function expand(files: readonly FileEntry[]) {
   const { expandArchives } = await loadPart(import('./zip/expand-archives.ts'));
   return expandArchives(files);
+}
+
+/** Most characters are whole, so the first picture does not wait for this code either. */
+async function halves(characters: readonly ReadCharacter[]) {
+  const { reportHalves } = await loadPart(import('./report-halves.ts'));
+  return reportHalves(characters);
+}
+
+async function unusedFiles(files: readonly FileEntry[]) {
+  const { reportUnused } = await loadPart(import('./unused-files.ts'));
+  return reportUnused(files);
 }
 
 interface ReadGroup {
@@ -137,37 +147,4 @@ function truncated({ path, size }: FileEntry, found: number): Diagnostic {
 
 function isArchive({ path }: FileEntry): boolean {
   return extensionOf(path) === archiveExtension;
-}
-
-function isImage({ path }: FileEntry): boolean {
-  return textureExtensions.includes(extensionOf(path));
-}
-
-/** The images can be read, but no character uses them. */
-function unnamedImages(images: readonly FileEntry[]): Diagnostic {
-  const names = images.map(({ path }) => baseName(path));
-  const others = names.length > 1 ? ` and ${names.length - 1} more` : '';
-  return {
-    severity: 'warning',
-    code: 'file/unknown',
-    file: `${names[0]!}${others}`,
-    expected: 'images that a material names',
-    found: names.length > 1 ? 'images that none names' : 'an image that none names',
-    effect: names.length > 1 ? 'they are not used' : 'the file is not used',
-  };
-}
-
-/** One warning for all of them, because a folder may hold hundreds. */
-function unknownFiles(files: readonly FileEntry[]): Diagnostic {
-  const names = files.map(({ path }) => baseName(path));
-  const others = names.length > 1 ? ` and ${names.length - 1} more` : '';
-  const extensions = new Set(files.map(({ path }) => extensionOf(path) || 'no ending'));
-  return {
-    severity: 'warning',
-    code: 'file/unknown',
-    file: `${names[0]!}${others}`,
-    expected: `files that Sinew reads (${characterExtensions.join(', ')})`,
-    found: [...extensions].join(', '),
-    effect: names.length > 1 ? 'they are not used' : 'the file is not used',
-  };
 }

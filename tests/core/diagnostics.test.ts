@@ -20,6 +20,13 @@ describe('formatDiagnostic', () => {
     expect(formatDiagnostic({ ...problem, ...place })).toBe(message);
   });
 
+  it('shortens a long path at its front, so that the name of the file remains', () => {
+    const file = `${'folder/'.repeat(100)}a.skel`;
+    const message = formatDiagnostic({ ...problem, file, line: 3 });
+    expect(message).toMatch(/^….{200}:3: expected x/);
+    expect(message).toContain('/folder/a.skel:3: expected');
+  });
+
   it('shortens the found text, and makes it, the file and the expected text printable', () => {
     const message = formatDiagnostic({
       ...problem,

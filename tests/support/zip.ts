@@ -18,6 +18,7 @@ const fields = {
   checksum: [16, 4],
   packedSize: [20, 4],
   size: [24, 4],
+  attributes: [38, 4],
   offset: [42, 4],
 } as const;
 

@@ -1,4 +1,4 @@
-import type { Diagnostic } from '../../core/diagnostics.ts';
+import { type Diagnostic, printablePath } from '../../core/diagnostics.ts';
 import { baseName } from '../file-entry.ts';
 
 /**
@@ -20,7 +20,7 @@ export function ambiguity(
       code: 'file/pairing',
       file: baseName(path),
       expected,
-      found: others.join(', '),
+      found: others.map((other) => printablePath(other)).join(', '),
       effect: `${effect}, the first by path`,
     },
   ];

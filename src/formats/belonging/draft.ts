@@ -1,4 +1,4 @@
-import { type Diagnostic, printable } from '../../core/diagnostics.ts';
+import { type Diagnostic, printablePath } from '../../core/diagnostics.ts';
 import { baseName, extensionOf, pathStem } from '../file-entry.ts';
 import type { FileEntry, FileGroup } from '../format.ts';
 import { foldersOf, nameKey, sharedTail } from './paths.ts';
@@ -99,7 +99,7 @@ function joined(files: readonly FileEntry[]): Diagnostic {
   const isOneFolder = new Set(files.map(({ path }) => foldersOf(path).join('/'))).size === 1;
   const shown = files
     .slice(0, mostShown)
-    .map(({ path }) => printable(isOneFolder ? baseName(path) : path));
+    .map(({ path }) => printablePath(isOneFolder ? baseName(path) : path));
   const more = files.length > mostShown ? ` and ${files.length - mostShown} more` : '';
   return {
     severity: 'warning',

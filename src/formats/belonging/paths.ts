@@ -1,9 +1,25 @@
 /**
- * The form in which names are compared: composed, because macOS gives decomposed names, and in
- * lower case.
+ * Characters of Shift-JIS that Windows and other systems convert to different characters of Unicode
+ * (JIS X 0208, and Microsoft's code page 932).
+ */
+const otherForms: Readonly<Record<string, string>> = {
+  '\u2014': '\u2015',
+  '\u2016': '\u2225',
+  '\u2212': '\uff0d',
+  '\u301c': '\uff5e',
+  '\u00a2': '\uffe0',
+  '\u00a3': '\uffe1',
+  '\u00ac': '\uffe2',
+};
+const hasOtherForm = new RegExp(`[${Object.keys(otherForms).join('')}]`, 'g');
+
+/**
+ * The form in which names are compared: composed, because macOS gives decomposed names, in lower
+ * case, and with the characters of Windows for what Shift-JIS has in two forms.
  */
 export function nameKey(name: string): string {
-  return name.normalize('NFC').toLowerCase();
+  const composed = name.normalize('NFC').toLowerCase();
+  return composed.replace(hasOtherForm, (character) => otherForms[character]!);
 }
 
 const driveOrScheme = /^(?:[a-z]:|[a-z][a-z\d+.-]*:(?=[\\/]))/i;

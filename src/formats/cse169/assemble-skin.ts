@@ -91,7 +91,10 @@ function weightsOf(
     log.error({
       code: 'skin/index',
       line: skinweights.lines[point]!,
-      expected: `joints from 0 to ${bindings.count - 1}, for which there are bindings`,
+      expected:
+        bindings.count > 0
+          ? `joints from 0 to ${bindings.count - 1}, for which there are bindings`
+          : 'no joint, for there are no bindings',
       found: `${joints[at]!}, vertex ${point}`,
       effect,
     });

@@ -4,6 +4,7 @@ import { defaultLimits, type Limits } from '../../core/limits.ts';
 import { checkFloat32 } from '../text/check-float32.ts';
 import { growFloat32, growUint16, growUint32 } from '../text/growable.ts';
 import type { LineReader } from '../text/line-reader.ts';
+import { PlainNumbers } from '../text/plain-numbers.ts';
 import { openText } from '../text/open-text.ts';
 
 const effect = 'the mesh is shown without its weights';
@@ -33,7 +34,9 @@ export function readAttach(
   const rows = new RowReader(reader, log);
   let columns = skeletonColumns;
   let blankLine: number | undefined;
-  while (reader.next() && rows.hasRoom()) {
+  for (;;) {
+    if (columns && blankLine === undefined) rows.readPlain(columns.count);
+    if (!reader.next() || !rows.hasRoom()) break;
     if (reader.isComment()) continue;
     const columnCount = reader.countTokens();
     if (columnCount === 0 && columns?.count !== 0) {
@@ -63,8 +66,10 @@ class RowReader {
   private readonly lines = growUint32();
   private readonly reader: LineReader;
   private readonly log: DiagnosticLog;
+  private readonly numbers: PlainNumbers;
 
   constructor(reader: LineReader, log: DiagnosticLog) {
+    this.numbers = new PlainNumbers(reader.bytes, reader.limits, false);
     this.reader = reader;
     this.log = log;
     this.start.push(0);
@@ -88,6 +93,46 @@ class RowReader {
   hasRoom(): boolean {
     const { pointCount } = this.reader.limits;
     return this.count < pointCount || this.exceeds(`at most ${pointCount} rows`);
+  }
+
+  /**
+   * Reads rows of exactly so many plain weights within all limits, which are nearly all rows of most
+   * files. Stops before the first other line, which is left to the careful reader.
+   */
+  readPlain(columnCount: number): void {
+    const { reader, numbers, lines } = this;
+    const { jointCount, pointCount } = reader.limits;
+    if (columnCount === 0 || columnCount >= jointCount) return;
+    const values = new Float64Array(columnCount);
+    let { nextStart: lineStart, nextLine: line } = reader;
+    while (lineStart < numbers.end && this.count < pointCount) {
+      numbers.at = lineStart;
+      if (numbers.numbers(values, columnCount) < columnCount) break;
+      if (!numbers.endLine(lineStart) || !this.addRow(values)) break;
+      lines.push(line++);
+      lineStart = numbers.at;
+    }
+    reader.nextStart = lineStart;
+    reader.nextLine = line;
+  }
+
+  /** Adds a row without its zeros; returns false, without effect, if a weight is too large. */
+  private addRow(row: Float64Array): boolean {
+    const largest = this.reader.limits.weight;
+    const joints = this.joints.reserve(row.length);
+    const weights = this.weights.reserve(row.length);
+    let next = this.weights.length;
+    for (let column = 0; column < row.length; column++) {
+      const weight = row[column]!;
+      if (weight === 0) continue;
+      if (!(weight <= largest && weight >= -largest)) return false;
+      joints[next] = column + 1;
+      weights[next++] = weight;
+    }
+    this.joints.length = next;
+    this.weights.length = next;
+    this.start.push(next);
+    return true;
   }
 
   /**

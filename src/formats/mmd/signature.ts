@@ -1,5 +1,6 @@
 import type { DiagnosticLog } from '../../core/diagnostics.ts';
 import type { BinaryReader } from '../binary/binary-reader.ts';
+import { isLfsPointer, lfsPointer } from '../text/lfs-pointer.ts';
 
 /** The beginnings of other files, and the message for each. */
 const others: readonly (readonly [pattern: RegExp, hint: string])[] = [
@@ -18,6 +19,10 @@ export function readSignature(
   log: DiagnosticLog,
   effect: string,
 ): boolean {
+  if (isLfsPointer(bytes)) {
+    log.error({ ...lfsPointer, effect });
+    return false;
+  }
   const record = reader.record(3, '"Pmd"');
   if (!record) return false;
   const found = characters(record.bytes(0, 3));

@@ -1,6 +1,7 @@
 import type { DiagnosticLog } from '../../core/diagnostics.ts';
 import type { LineReader } from '../text/line-reader.ts';
 import { readInteger } from '../text/read-number.ts';
+import { resolveIndex } from './resolve-index.ts';
 import type { ObjStreams, TupleStream } from './tuple-stream.ts';
 import { vertexLines } from './vertex-lines.ts';
 
@@ -33,28 +34,38 @@ export class CornerReader {
     this.log = log;
   }
 
-  /**
-   * Reads the current token. Returns false, with an error, if it is not a corner or if its vertex does
-   * not exist.
-   */
+  /** Reads the current token. Returns false if it is not a corner or if its vertex does not exist. */
   read(): boolean {
     const { numbers, streams } = this;
-    if (!this.split()) {
-      this.fail('face', 'a corner "v", "v/vt", "v//vn" or "v/vt/vn"', this.reader.text());
-      return false;
-    }
-    const index = numbers[0]!;
-    const { count } = streams.positions;
-    this.point = resolve(index, count);
-    if (this.point === -1) {
-      const range =
-        count > 0 ? `1 to ${count} or -${count} to -1` : 'a vertex, but none came before';
-      this.fail('index', range + this.laterPlace(index), `${index}`);
-      return false;
-    }
+    if (!this.split()) return false;
+    this.point = resolveIndex(numbers[0]!, streams.positions.count);
+    if (this.point === -1) return false;
     this.uv = this.optional(numbers[1]!, streams.uvs, 'texture coordinate');
     this.normal = this.optional(numbers[2]!, streams.normals, 'normal');
     return true;
+  }
+
+  /** Reports what is wrong with the current token, of which `read` returned false. */
+  reportFault(): void {
+    if (!this.split()) {
+      this.fail('face', 'a corner "v", "v/vt", "v//vn" or "v/vt/vn"', this.reader.text());
+      return;
+    }
+    const index = this.numbers[0]!;
+    const { count } = this.streams.positions;
+    const range = count > 0 ? `1 to ${count} or -${count} to -1` : 'a vertex, but none came before';
+    this.fail('index', range + this.laterPlace(index), `${index}`);
+  }
+
+  /**
+   * Whether the current token is only a slash, which belongs to the corner before it. It is counted
+   * as such.
+   */
+  isLoneSlash(): boolean {
+    const { bytes, tokenStart, tokenEnd } = this.reader;
+    const isSlash = tokenEnd - tokenStart === 1 && bytes[tokenStart] === slash;
+    if (isSlash) this.openCount++;
+    return isSlash;
   }
 
   /** Reports how many corners ended in a slash. */
@@ -111,7 +122,7 @@ export class CornerReader {
   private optional(index: number, stream: TupleStream, what: string): number {
     if (index === absent) return -1;
     const { count } = stream;
-    const resolved = resolve(index, count);
+    const resolved = resolveIndex(index, count);
     if (resolved !== -1 && !stream.isSound(resolved)) return -1; // already reported at its own line
     if (resolved === -1 && !this.missingReported.has(what)) {
       this.missingReported.add(what);
@@ -131,13 +142,4 @@ export class CornerReader {
     const effect = 'the mesh is not used';
     this.log.error({ code: `obj/${kind}`, ...this.reader.place, expected, found, effect });
   }
-}
-
-/**
- * Converts a one-based index, or a negative one that counts back from this line, to zero-based; -1
- * if it does not exist.
- */
-function resolve(index: number, count: number): number {
-  const resolved = index < 0 ? count + index : index - 1;
-  return index !== 0 && resolved >= 0 && resolved < count ? resolved : -1;
 }

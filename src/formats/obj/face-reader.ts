@@ -1,34 +1,27 @@
 import type { DiagnosticLog } from '../../core/diagnostics.ts';
-import { growInt32, growUint32 } from '../text/growable.ts';
 import type { LineReader } from '../text/line-reader.ts';
 import { CornerReader } from './corner-reader.ts';
-import { type FaceTriangles, triangulateFaces } from './triangulate-faces.ts';
+import type { FaceList } from './face-list.ts';
 import type { ObjStreams } from './tuple-stream.ts';
 
 const effect = 'the mesh is not used';
 
-/** Reads the `f` lines of an OBJ: `f a b c …`, three corners or more. */
+/** Reads `f` lines, `f a b c …` with three corners or more, and reports what is wrong with them. */
 export class FaceReader {
   private shortCount = 0;
-  private readonly points = growUint32();
-  private readonly uvs = growInt32();
-  private readonly normals = growInt32();
-  private readonly ends = growUint32();
   private readonly reader: LineReader;
   private readonly streams: ObjStreams;
+  private readonly faces: FaceList;
   private readonly log: DiagnosticLog;
   private readonly corners: CornerReader;
   private full = false;
 
-  constructor(reader: LineReader, streams: ObjStreams, log: DiagnosticLog) {
+  constructor(reader: LineReader, streams: ObjStreams, faces: FaceList, log: DiagnosticLog) {
     this.reader = reader;
     this.streams = streams;
+    this.faces = faces;
     this.log = log;
     this.corners = new CornerReader(reader, streams, log);
-  }
-
-  get faceCount(): number {
-    return this.ends.length;
   }
 
   /** Whether a face exceeded the limit, which has been reported. */
@@ -36,52 +29,44 @@ export class FaceReader {
     return this.full;
   }
 
-  /** Triangulates all faces. @param positions (pointCount × 3) */
-  finish(positions: Float32Array): Promise<FaceTriangles> {
-    const faces = {
-      points: this.points.finish(),
-      uvs: this.uvs.finish(),
-      normals: this.normals.finish(),
-      ends: this.ends.finish(),
-    };
-    return triangulateFaces(faces, positions);
-  }
-
   /** Reads the rest of the current line. */
   read(): void {
-    const { cornersPerFace, triangleCount } = this.reader.limits;
-    const { corners, points } = this;
-    const before = points.length;
+    const { reader, faces, corners } = this;
+    const { cornersPerFace, triangleCount } = reader.limits;
     let isSound = true;
     let count = 0;
-    while (this.reader.token()) {
+    while (reader.token()) {
+      if (count > 0 && corners.isLoneSlash()) continue;
       if (++count > cornersPerFace) continue; // only count further corners
       if (!corners.read()) {
-        this.goBack(before);
+        this.refuse(count);
         return;
       }
       // A vertex that is not numbers was already reported at its own line.
       isSound &&= this.streams.positions.isSound(corners.point);
-      points.push(corners.point);
-      this.uvs.push(corners.uv);
-      this.normals.push(corners.normal);
+      faces.addCorner(corners.point, corners.uv, corners.normal);
     }
     if (count < 3) this.shortCount++;
     else if (count > cornersPerFace) {
-      this.fail('limit', `a face of at most ${cornersPerFace} corners`, `${count}`);
-    } else if (points.length - 2 * (this.faceCount + 1) > triangleCount) {
+      this.fail(`a face of at most ${cornersPerFace} corners`, `${count}`);
+    } else if (isSound && !faces.closeFace()) {
       this.full = true;
-      this.fail('limit', `at most ${triangleCount} triangles`, 'more');
-    } else if (isSound) {
-      this.ends.push(points.length);
-      return;
+      this.fail(`at most ${triangleCount} triangles`, 'more');
     }
-    this.goBack(before);
+    faces.dropCorners();
   }
 
-  /** Forgets the corners from this one on. */
-  private goBack(cornerCount: number): void {
-    for (const values of [this.points, this.uvs, this.normals]) values.length = cornerCount;
+  /** A face of too few corners is left out, whatever they are; of others the wrong one is reported. */
+  private refuse(count: number): void {
+    const { reader, faces, corners } = this;
+    const { tokenStart, tokenEnd } = reader;
+    let all = count;
+    while (all < 3 && reader.token()) if (!corners.isLoneSlash()) all++;
+    reader.tokenStart = tokenStart;
+    reader.tokenEnd = tokenEnd;
+    if (all < 3) this.shortCount++;
+    else corners.reportFault();
+    faces.dropCorners();
   }
 
   /** Reports harmless oddities, each kind once with its count. */
@@ -100,7 +85,7 @@ export class FaceReader {
     this.corners.reportOddities();
   }
 
-  private fail(kind: 'face' | 'limit', expected: string, found: string): void {
-    this.log.error({ code: `obj/${kind}`, ...this.reader.place, expected, found, effect });
+  private fail(expected: string, found: string): void {
+    this.log.error({ code: 'obj/limit', ...this.reader.place, expected, found, effect });
   }
 }

@@ -3,8 +3,11 @@ import { DiagnosticLog, type Parsed } from '../../core/diagnostics.ts';
 import { defaultLimits, type Limits } from '../../core/limits.ts';
 import { openText } from '../text/open-text.ts';
 import { continued } from './continued.ts';
+import { FaceList } from './face-list.ts';
 import { FaceReader } from './face-reader.ts';
 import { IgnoredKeywords } from './ignored-keywords.ts';
+import { PlainLines } from './plain-lines.ts';
+import { triangulateFaces } from './triangulate-faces.ts';
 import { type ObjStreams, TupleStream } from './tuple-stream.ts';
 
 const effect = 'the mesh is not used';
@@ -45,12 +48,16 @@ export async function readObj(
       most: limits.triangleCount * 3,
     }),
   };
-  const faces = new FaceReader(reader, streams, log);
+  const faces = new FaceList(limits.triangleCount);
+  const faceReader = new FaceReader(reader, streams, faces, log);
+  const plainLines = new PlainLines(reader, streams, faces);
   const runs: { material: string; firstFace: number }[] = [];
   const ignored = new IgnoredKeywords(reader, log);
 
-  const parts = [streams.positions, streams.uvs, streams.normals, faces];
-  while (!parts.some(({ isFull }) => isFull) && reader.next()) {
+  const parts = [streams.positions, streams.uvs, streams.normals, faceReader];
+  while (!parts.some(({ isFull }) => isFull)) {
+    plainLines.read();
+    if (!reader.next()) break;
     if (!reader.token()) continue;
     const keyword = reader.text();
     switch (keyword) {
@@ -64,23 +71,27 @@ export async function readObj(
         streams.normals.read(reader, log);
         break;
       case 'f':
-        faces.read();
+        faceReader.read();
         break;
       case 'usemtl':
-        runs.push({ material: reader.rest(), firstFace: faces.faceCount });
+        runs.push({ material: reader.rest(), firstFace: faces.count });
         break;
       default:
         ignored.note(keyword);
     }
   }
   const positions = streams.positions.finish();
-  const { corners, firstTriangle, degenerateCount } = await faces.finish(positions);
+  const { corners, firstTriangles, degenerateCount } = await triangulateFaces(
+    faces.finish(),
+    positions,
+    runs.map(({ firstFace }) => firstFace),
+  );
   if (!log.failed) checkCounts(positions, corners.cornerPoints, log);
-  faces.reportOddities(degenerateCount);
+  faceReader.reportOddities(degenerateCount);
   streams.uvs.reportOddities(log);
   streams.normals.reportOddities(log);
   const submeshes = runs
-    .map(({ material, firstFace }) => ({ material, firstTriangle: firstTriangle[firstFace]! }))
+    .map(({ material }, index) => ({ material, firstTriangle: firstTriangles[index]! }))
     // Of consecutive ones without a triangle between them, the last one counts.
     .filter((run, index, all) => run.firstTriangle !== all[index + 1]?.firstTriangle);
   if (submeshes[0]?.firstTriangle !== 0) submeshes.unshift({ material: '', firstTriangle: 0 });

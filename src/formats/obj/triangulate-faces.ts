@@ -15,8 +15,8 @@ export interface FaceCorners {
 
 export interface FaceTriangles {
   readonly corners: Pick<MeshParts, 'cornerPoints' | 'cornerUvs' | 'cornerNormals'>;
-  /** (faceCount + 1) the number of triangles before each face. */
-  readonly firstTriangle: Uint32Array;
+  /** The number of triangles before each of the given faces. */
+  readonly firstTriangles: readonly number[];
   /** The number of triangles with fewer than three different points, which are left out. */
   readonly degenerateCount: number;
 }
@@ -26,13 +26,19 @@ export interface FaceTriangles {
  * loaded only when a face needs it; quads and convex faces do not.
  *
  * @param positions (pointCount × 3)
+ * @param runs faces for which the number of triangles before them is wanted, in order
  */
 export async function triangulateFaces(
   faces: FaceCorners,
   positions: Float32Array,
+  runs: readonly number[],
 ): Promise<FaceTriangles> {
   const { points, uvs, normals, ends } = faces;
   const faceCount = ends.length;
+  if (areTriangles(faces)) {
+    const corners = { cornerPoints: points, cornerUvs: uvs, cornerNormals: normals };
+    return { corners, firstTriangles: runs, degenerateCount: 0 };
+  }
   const startOf = (face: number): number => (face === 0 ? 0 : ends[face - 1]!);
   const polygonOf = (face: number): number[] =>
     Array.from(points.subarray(startOf(face), ends[face]));
@@ -44,32 +50,33 @@ export async function triangulateFaces(
   }
 
   const most = Math.max(0, points.length - 2 * faceCount) * 3;
-  const cornerPoints = new Uint32Array(most);
-  const cornerUvs = new Int32Array(most);
-  const cornerNormals = new Int32Array(most);
-  const firstTriangle = new Uint32Array(faceCount + 1);
+  // The corners of all triangles, as indices into those of the faces.
+  const order = new Uint32Array(most);
+  const firstTriangles: number[] = [];
   let filled = 0;
   let degenerateCount = 0;
   for (let face = 0; face < faceCount; face++) {
+    while (runs[firstTriangles.length] === face) firstTriangles.push(filled / 3);
     const start = startOf(face);
     const count = ends[face]! - start;
     if (count === 3) add(start, start + 1, start + 2);
     else if (count === 4) addQuad(start);
     else {
-      const order = triangulate(positions, polygonOf(face), earClip);
-      for (let i = 0; i < order.length; i += 3) {
-        add(start + order[i]!, start + order[i + 1]!, start + order[i + 2]!);
+      const triangles = triangulate(positions, polygonOf(face), earClip);
+      for (let i = 0; i < triangles.length; i += 3) {
+        add(start + triangles[i]!, start + triangles[i + 1]!, start + triangles[i + 2]!);
       }
     }
-    firstTriangle[face + 1] = filled / 3;
   }
+  while (firstTriangles.length < runs.length) firstTriangles.push(filled / 3);
+  const kept = order.subarray(0, filled);
   return {
     corners: {
-      cornerPoints: cornerPoints.slice(0, filled),
-      cornerUvs: cornerUvs.slice(0, filled),
-      cornerNormals: cornerNormals.slice(0, filled),
+      cornerPoints: Uint32Array.from(kept, (corner) => points[corner]!),
+      cornerUvs: Int32Array.from(kept, (corner) => uvs[corner]!),
+      cornerNormals: Int32Array.from(kept, (corner) => normals[corner]!),
     },
-    firstTriangle,
+    firstTriangles,
     degenerateCount,
   };
 
@@ -83,18 +90,25 @@ export async function triangulateFaces(
   }
 
   function add(a: number, b: number, c: number): void {
-    if (points[a] === points[b] || points[b] === points[c] || points[c] === points[a]) {
+    if (isDegenerate(points[a]!, points[b]!, points[c]!)) {
       degenerateCount++;
       return;
     }
-    put(a);
-    put(b);
-    put(c);
+    order[filled++] = a;
+    order[filled++] = b;
+    order[filled++] = c;
   }
+}
 
-  function put(corner: number): void {
-    cornerPoints[filled] = points[corner]!;
-    cornerUvs[filled] = uvs[corner]!;
-    cornerNormals[filled++] = normals[corner]!;
+/** Whether there is nothing to cut or to leave out, as in most large files. */
+function areTriangles({ points, ends }: FaceCorners): boolean {
+  if (points.length !== ends.length * 3) return false;
+  for (let i = 0; i < points.length; i += 3) {
+    if (isDegenerate(points[i]!, points[i + 1]!, points[i + 2]!)) return false;
   }
+  return true;
+}
+
+function isDegenerate(a: number, b: number, c: number): boolean {
+  return a === b || b === c || c === a;
 }

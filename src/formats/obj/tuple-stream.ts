@@ -27,16 +27,24 @@ export interface TupleKind {
 export class TupleStream {
   private readonly values = growFloat32();
   private readonly kind: TupleKind;
+  private readonly size: number;
+  private readonly fewest: number;
+  private readonly largest: number;
+  private tupleCount = 0;
+  private allSound = true;
   private full = false;
   private oddCount = 0;
   private firstOdd: { readonly line: number; readonly source: string } | undefined;
 
   constructor(kind: TupleKind) {
     this.kind = kind;
+    this.size = kind.names.length;
+    this.fewest = kind.fewest ?? kind.names.length;
+    this.largest = kind.largest ?? largestFloat32;
   }
 
   get count(): number {
-    return this.values.length / this.kind.names.length;
+    return this.tupleCount;
   }
 
   /** Whether a tuple exceeded the limit, which has been reported. */
@@ -50,10 +58,33 @@ export class TupleStream {
 
   /** Whether all values of a tuple are numbers. */
   isSound(tuple: number): boolean {
-    const { length } = this.kind.names;
-    for (let i = 0; i < length; i++) {
-      if (Number.isNaN(this.values.at(tuple * length + i))) return false;
+    for (let i = 0; i < this.size; i++) {
+      if (Number.isNaN(this.values.at(tuple * this.size + i))) return false;
     }
+    return true;
+  }
+
+  /** Whether all values of all tuples so far are numbers. */
+  get isAllSound(): boolean {
+    return this.allSound;
+  }
+
+  /**
+   * Adds a tuple of plain numbers, of which there may be more than it needs. Returns false, without
+   * effect, if there are too few, if one is too large, or if there is no room for another tuple.
+   */
+  add(numbers: Float64Array, count: number): boolean {
+    const { size, largest } = this;
+    if (count < this.fewest || this.tupleCount >= this.kind.most) return false;
+    const values = this.values.reserve(size);
+    const start = this.values.length;
+    for (let i = 0; i < size; i++) {
+      const value = i < count ? numbers[i]! : 0;
+      if (!(value <= largest && value >= -largest)) return false;
+      values[start + i] = value;
+    }
+    this.values.length = start + size;
+    this.tupleCount++;
     return true;
   }
 
@@ -71,24 +102,28 @@ export class TupleStream {
 
   /** Reads the rest of the current line; additional numbers (w, colors) are ignored. */
   read(reader: LineReader, log: DiagnosticLog): void {
-    const { names, fewest = names.length, most, largest = largestFloat32 } = this.kind;
+    const { names, most } = this.kind;
+    const { fewest, largest } = this;
     if (this.count >= most) {
       this.full = true;
       const expected = `at most ${most} ${this.kind.what}`;
       log.error({ code: 'obj/limit', ...reader.linePlace, expected, found: 'more', effect });
       return;
     }
+    this.tupleCount++;
     let isOdd = false;
     for (let index = 0; index < names.length; index++) {
       if (reader.token()) {
         const value = reader.number();
-        if (Math.abs(value) <= largest) this.values.push(value);
-        else if (this.isOdd(value, reader)) {
-          this.values.push(NaN);
-          isOdd = true;
-        } else {
-          const what = names[index]!;
-          this.values.push(checkFloat32(reader, { what, area: 'obj', effect, largest }, log));
+        if (Math.abs(value) <= largest) {
+          this.values.push(value);
+          continue;
+        }
+        this.values.push(NaN);
+        this.allSound = false;
+        if (this.isOdd(value, reader)) isOdd = true;
+        else {
+          checkFloat32(reader, { what: names[index]!, area: 'obj', effect, largest }, log);
         }
         continue;
       }
@@ -101,12 +136,12 @@ export class TupleStream {
   }
 
   /**
-   * Whether the token says that it is not a number, or is a number past all that a float32 holds where
-   * only corners need it.
+   * Whether the token says that it is not a number. Where only corners need it, anything else counts
+   * as that too: words, and numbers past all that a float32 holds.
    */
   private isOdd(value: number, reader: LineReader): boolean {
-    if (Number.isNaN(value)) return isNotANumber.test(reader.text());
-    return this.kind.sparedBy === 'corners' && Math.abs(value) > largestFloat32;
+    if (this.kind.sparedBy === 'corners') return true;
+    return Number.isNaN(value) && isNotANumber.test(reader.text());
   }
 
   /**

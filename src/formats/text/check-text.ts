@@ -1,6 +1,7 @@
 import type { DiagnosticCode, DiagnosticLog } from '../../core/diagnostics.ts';
 import { extensionOf } from '../file-entry.ts';
 import { decodeText } from './decode-text.ts';
+import { isLfsPointer, lfsPointer } from './lfs-pointer.ts';
 
 /**
  * Returns the bytes of a text file without its byte order mark. Returns nothing, with a diagnostic,
@@ -36,11 +37,8 @@ function faultOf(bytes: Uint8Array): Fault | undefined {
   }
   const nul = bytes.indexOf(0);
   if (nul >= 0) return { code: 'file/binary', found: `byte 0x00 @ byte ${nul}` };
+  if (isLfsPointer(bytes)) return lfsPointer;
   const start = decodeText(bytes.subarray(0, 64));
-  if (start.startsWith('version https://git-lfs.')) {
-    const expected = 'the file itself, which "git lfs pull" brings';
-    return { code: 'file/pointer', found: 'a pointer of Git LFS', expected };
-  }
   if (start.startsWith('{\\rtf')) {
     const expected = 'plain text; save it as such';
     return { code: 'file/rich-text', found: 'rich text (RTF) of a word processor', expected };

@@ -12,12 +12,28 @@ class Growable<T extends Numbers> {
   }
 
   push(value: number): void {
-    if (this.length === this.storage.length) {
-      const larger = this.create(this.storage.length * 2);
+    this.reserve(1)[this.length++] = value;
+  }
+
+  /**
+   * Returns the values with room for `count` more, to be written from `length` on; `length` is set
+   * by whoever writes them. This is faster than `push`, which serves all kinds of numbers.
+   */
+  reserve(count: number): T {
+    const needed = this.length + count;
+    if (needed > this.storage.length) {
+      const larger = this.create(Math.max(needed, this.storage.length * 2));
       larger.set(this.storage);
       this.storage = larger;
     }
-    this.storage[this.length++] = value;
+    return this.storage;
+  }
+
+  /** Adds a value until there are `length` of them. */
+  padTo(length: number, value: number): void {
+    if (this.length >= length) return;
+    this.reserve(length - this.length).fill(value, this.length, length);
+    this.length = length;
   }
 
   at(index: number): number {

@@ -20,8 +20,12 @@ export function reportEncoding(log: DiagnosticLog, place: Place, line: Uint8Arra
   return true;
 }
 
-/** Typographic spaces and dashes next to a number, outside comments. */
-const lookalike = /[\d.]([\u00a0\u2000-\u200b\u202f\u205f\u3000])|([\u2010-\u2015\u2212])[\d.]/;
+/**
+ * Typographic spaces next to a number or to the first word of a line, and dashes before a number,
+ * outside comments.
+ */
+const lookalike =
+  /(?:[\d.]|^[ \t]*[a-z]*)([\u00a0\u2000-\u200b\u202f\u205f\u3000])|([\u2010-\u2015\u2212\ufe63\uff0d])[\d.]/i;
 
 function reportLookalike(log: DiagnosticLog, place: Place, line: string): boolean {
   const match = lookalike.exec(line.replace(/#.*/, ''));
@@ -36,7 +40,7 @@ function reportLookalike(log: DiagnosticLog, place: Place, line: string): boolea
     column: new TextEncoder().encode(before).length + 1,
     expected: space === undefined ? 'a minus sign "-"' : 'a plain space',
     found: `U+${code}, which only looks like one`,
-    effect: 'numbers beside such characters can not be read; replace all of them',
+    effect: 'what is beside such characters can not be read; replace all of them',
   });
   return true;
 }

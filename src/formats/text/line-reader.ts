@@ -38,8 +38,9 @@ export class LineReader {
   private lineEnd = 0;
   /** Where the last of the lines that are joined starts. */
   private lastStart = 0;
-  private nextLine = 1;
-  private nextStart = 0;
+  /** The number and the start of the next line; whoever has read some lines sets both. */
+  nextLine = 1;
+  nextStart = 0;
   /** All bytes of the line, combined by bitwise or. */
   private bits = 0;
   private encodingReported = false;

@@ -89,4 +89,7 @@ const point = 0x2e;
 const zero = 0x30;
 const letterE = 0x65;
 const lowerCase = 0x20;
-const powersOfTen = Array.from({ length: 23 }, (_, power) => Number(`1e${power}`));
+/** The powers of ten that are exact doubles. */
+export const powersOfTen: readonly number[] = Array.from({ length: 23 }, (_, power) =>
+  Number(`1e${power}`),
+);

@@ -3,6 +3,8 @@ import { decodeNames, type RawName } from './entry-names.ts';
 /** A file of an archive, as the archive's directory lists it; nothing of it is checked. */
 export interface ZipEntry {
   readonly name: string;
+  /** Whether its attributes are those of a folder. */
+  readonly isFolder: boolean;
   readonly isEncrypted: boolean;
   readonly method: number;
   readonly checksum: number;
@@ -48,6 +50,7 @@ export function readDirectory(bytes: Uint8Array): readonly ZipEntry[] | string {
     const local = view.getUint32(at + 42, true) + shift;
     entries.push({
       ...entryHead(view, at + 8, name, extra),
+      isFolder: isFolder(view.getUint32(at + 38, true)),
       checksum: view.getUint32(at + 16, true),
       size: view.getUint32(at + 24, true),
       packed: packedBytes(bytes, view, local, view.getUint32(at + 20, true)),
@@ -55,6 +58,11 @@ export function readDirectory(bytes: Uint8Array): readonly ZipEntry[] | string {
     at = extraEnd + view.getUint16(at + 32, true);
   }
   return withNames(entries);
+}
+
+/** The attributes of DOS have a bit for folders; those of Unix, above them, have a kind of file. */
+function isFolder(attributes: number): boolean {
+  return (attributes & 0x10) !== 0 || ((attributes >>> 28) & 0xf) === 4;
 }
 
 export function withNames(entries: readonly RawEntry[]): ZipEntry[] {

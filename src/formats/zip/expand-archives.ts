@@ -3,10 +3,13 @@ import { archiveExtension, readableExtensions } from '../extensions.ts';
 import { baseName, extensionOf, memoryFile } from '../file-entry.ts';
 import type { FileEntry } from '../format.ts';
 import { isJunk } from '../junk.ts';
+import { isLfsPointer, lfsPointer } from '../text/lfs-pointer.ts';
 import { readDirectory, type ZipEntry } from './directory.ts';
 import { LeftOut } from './left-out.ts';
 import { recoverEntries } from './recover.ts';
 import { unpack } from './unpack.ts';
+
+const archiveUnused = 'the archive is not used';
 
 /** Limits on the unpacked size of an archive; a few kilobytes can claim to be terabytes. */
 export interface ArchiveLimits {
@@ -48,14 +51,19 @@ export async function expandArchives(
 }
 
 function expandArchive(bytes: Uint8Array, limits: ArchiveLimits, log: DiagnosticLog): FileEntry[] {
+  if (isLfsPointer(bytes)) {
+    log.error({ ...lfsPointer, effect: archiveUnused });
+    return [];
+  }
   const entries = entriesOf(bytes, log);
   if (entries.length > limits.entryCount) {
     const found = `more than ${limits.entryCount} files`;
     refuse('limit', 'an archive of usual size', found, log);
     return [];
   }
+  const isFolder = folderTest(entries);
   const files = lastOfEachName(
-    entries.filter(({ name }) => !name.endsWith('/') && !isJunk(name)),
+    entries.filter((entry) => !isFolder(entry) && !isJunk(entry.name)),
     log,
   );
   const leftOut = new LeftOut();
@@ -75,6 +83,13 @@ function expandArchive(bytes: Uint8Array, limits: ArchiveLimits, log: Diagnostic
   }
   leftOut.report(log);
   return unpacked;
+}
+
+/** Some programs write folders without a slash at the end, which are told by what is in them. */
+function folderTest(entries: readonly ZipEntry[]): (entry: ZipEntry) => boolean {
+  const parents = new Set(entries.map(({ name }) => name.slice(0, name.lastIndexOf('/'))));
+  return ({ name, isFolder, size }) =>
+    isFolder || name.endsWith('/') || (size === 0 && parents.has(name));
 }
 
 /** Reads the archive's directory or, if it is missing, the files' own headers, with a warning. */
@@ -100,7 +115,7 @@ function refuse(
   found: string,
   log: DiagnosticLog,
 ): void {
-  log.error({ code: `file/${kind}`, expected, found, effect: 'the archive is not used' });
+  log.error({ code: `file/${kind}`, expected, found, effect: archiveUnused });
 }
 
 /** The last file of a name counts, because programs that unpack overwrite the earlier ones. */

@@ -27,6 +27,7 @@ export function recoverEntries(bytes: Uint8Array): readonly ZipEntry[] {
     if (start > bytes.length) break;
     entries.push({
       ...entryHead(view, at + 6, bytes.subarray(at + 30, nameEnd), bytes.subarray(nameEnd, start)),
+      isFolder: false, // local headers have no attributes
       checksum: sizes ? view.getUint32(sizes.at, true) : 0,
       size: sizes ? view.getUint32(sizes.at + 8, true) : 0,
       packed: sizes && sizes.end <= bytes.length ? bytes.subarray(start, sizes.end) : undefined,

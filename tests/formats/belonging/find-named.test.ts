@@ -71,6 +71,8 @@ describe('the file that another one names', () => {
       ['x/t.bmp', `${'ガ'.normalize('NFD')}/t.bmp`],
       `${'ガ'.normalize('NFD')}/t.bmp`,
     ],
+    ['with another wave dash', '〜−顔.bmp', 'a.pmd', ['～－顔.bmp'], '～－顔.bmp'],
+    ['with its own wave dash first', '〜.bmp', 'a.pmd', ['～.bmp', '〜.bmp'], '〜.bmp'],
     ['with another ending', 'face.bmp', 'a.pmd', ['face.png', 'face2.png'], 'face.png ?'],
     ['that goes on', 'wasp.skin', 'a.rig', ['wasp_smooth.skin'], 'wasp_smooth.skin ?'],
     ['that goes on, of two none', 'wasp.skin', 'a.rig', ['wasp_1.skin', 'wasp_2.skin'], undefined],

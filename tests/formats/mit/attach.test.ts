@@ -1,6 +1,8 @@
+import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { readAttach } from '../../../src/formats/mit/attach.ts';
 import { shown } from '../../support/diagnose.ts';
+import { decimalText } from '../../support/decimals.ts';
 import { bytesOf } from '../../support/files.ts';
 
 function read(content: string) {
@@ -48,6 +50,29 @@ describe('readAttach', () => {
       value: undefined,
       messages: [`error: a.attach${message} [attach/${kind}]; ${effect}`],
     });
+  });
+
+  it('reads plain rows as the careful reader, to which comments leave them', () => {
+    const weight = fc.oneof(
+      { weight: 8, arbitrary: fc.constantFrom('0', '1', '0.25', '-0', '.5', '1e-3') },
+      { weight: 1, arbitrary: decimalText },
+      { weight: 1, arbitrary: fc.constantFrom('nan', '2e6', '0,5', '0'.repeat(65)) },
+    );
+    const row = fc.oneof(
+      { weight: 9, arbitrary: fc.array(weight, { minLength: 3, maxLength: 3 }) },
+      { weight: 1, arbitrary: fc.array(weight, { minLength: 1, maxLength: 4 }) },
+    );
+    const rows = fc.array(row, { minLength: 1, maxLength: 8 });
+    const lineEnds = fc.constantFrom('\n', ' \n', '\r\n');
+    fc.assert(
+      fc.property(rows, lineEnds, fc.boolean(), (some, lineEnd, isCut) => {
+        const lines = some.map((each) => each.join(' '));
+        const careful = read(lines.map((line) => `${line} #${lineEnd}`).join(''));
+        const all = lines.join(lineEnd);
+        expect(read(isCut ? all : all + lineEnd)).toEqual(careful);
+      }),
+      { numRuns: 1500 },
+    );
   });
 
   it('lists a hundred bad weights and counts the rest', () => {

@@ -81,8 +81,9 @@ describe('the format of 6.837', () => {
       { name: 'a', joints: 0 },
       { name: 'b', joints: 1, missing: ['.skin'] },
     ]);
-    expect(messages).toHaveLength(1);
-    expect(messages[0]).toContain('warning: readme.txt: expected files that Sinew reads (.skel, ');
+    expect(messages).toHaveLength(2);
+    expect(messages[0]).toContain('warning: a.obj: expected a .skel of MIT 6.837, found');
+    expect(messages[1]).toContain('warning: readme.txt: expected files that Sinew reads (.skel, ');
   });
 
   it('reads two characters at once', async () => {

@@ -13,7 +13,6 @@ describe('readObj refuses', () => {
     ['v 1 2', ':5: expected 3 numbers, found "2" [obj/field-count]'],
     ['v x 0 0', ':5:3: expected a number for x, found "x" [obj/number]'],
     ['v 0 0 1e39', ':5:7: expected z within ±1e18, found "1e39" [obj/range]'],
-    ['vt x', ':5:4: expected a number for u, found "x" [obj/number]'],
     ['vn 0 1', ':5: expected 3 numbers, found "2" [obj/field-count]'],
     ['f 0 1 2', `:5:3: ${range}, found "0" [obj/index]`],
     ['f 1 2 9', `:5:7: ${range}, found "9" [obj/index]`],

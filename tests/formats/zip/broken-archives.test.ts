@@ -46,6 +46,18 @@ describe('one bad file of an archive is left out and reported, and the others ar
     expect(messages[0]).toMatch(/^warning: .* "1 broken: a\.bmp"/);
   });
 
+  it.each([
+    ['with the mark of a folder on DOS', { attributes: 0x10 }, { 'tex.d': '' }],
+    ['with the mark of a folder on Unix', { attributes: 0x41ed0000 }, { 'tex.pmd': '' }],
+    ['that other files are in', {}, { 'tex.pmd': '', 'tex.pmd/c.skel': '0 0 0 -1\n' }],
+  ])('is not a folder without a slash, %s', async (_, fields, folder) => {
+    const zip = patched(zipOf({ ...folder, ...contents }), { method: 12, ...fields });
+    const { paths, messages } = await read(zip);
+    expect(paths.toSorted().slice(0, 2)).toEqual(['a.zip/a.obj', 'a.zip/b.skel']);
+    expect(paths).toHaveLength(Object.keys(folder).length + 1);
+    expect(messages).toEqual([]);
+  });
+
   it('is reported once for each reason, however many there are', async () => {
     const many = Object.fromEntries(Array.from({ length: 9 }, (_, i) => [`${i}.obj`, 'v']));
     const limits = { ...defaultArchiveLimits, totalSize: 2 };

@@ -51,6 +51,23 @@ describe('names of archives', () => {
     ['are of DOS', [raw(0x4d, 0x81, ...ascii('ller.obj')), raw(0x82, 0x2e)], ['Müller.obj', 'é.']],
     ['are of DOS, between letters', [raw(...ascii('L'), 0x82, ...ascii('gs'))], ['Légs']],
     ['are of Windows', [raw(0x4d, 0xfc, ...ascii('ller.obj'))], ['Müller.obj']],
+    [
+      'are of Windows, with two such letters in a row',
+      [raw(...ascii('cora'), 0xe7, 0xe3, ...ascii('o.bmp'))],
+      ['coração.bmp'],
+    ],
+    // ミク\顔.bmp
+    [
+      'are Japanese of Unix, where they have kana',
+      [raw(0xa5, 0xdf, 0xa5, 0xaf, 0x5c, 0xb4, 0xe9, ...ascii('.bmp')), raw(0xc8, 0xb1)],
+      ['ミク/顔.bmp', '髪'],
+    ],
+    // 模型\臉.bmp and 手, whose first byte is punctuation in Shift-JIS.
+    [
+      'are traditional Chinese',
+      [raw(0xbc, 0xd2, 0xab, 0xac, 0x5c, 0xc1, 0x79, ...ascii('.bmp')), raw(0xa4, 0xe2)],
+      ['模型/臉.bmp', '手'],
+    ],
     ['are of no code page', [raw(0xff, 0x80)], ['\u00a0Ç']],
   ])('%s', (_, names, decoded) => {
     expect(decodeNames(names)).toEqual(decoded);

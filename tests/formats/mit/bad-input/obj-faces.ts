@@ -83,6 +83,8 @@ export const objFaces: readonly BadInput[] = [
   leftOut('A38 two corners', 'f 1 2', few),
   leftOut('A38 one corner', 'f 1', few),
   leftOut('A38 no corner', 'f', few),
+  leftOut('A38 two corners of vertices that are not there', 'f 1 9', few),
+  leftOut('A38 one corner that is a word', 'f x', few),
   leftOut('A38 an outline of degenerate faces', 'f 1 2\nf 3', few.replace('1 of', '2 of')),
   {
     title: 'A39 triangles of two vertices',
@@ -107,6 +109,8 @@ export const objFaces: readonly BadInput[] = [
   noCorner('A41 four numbers', 'f 1/2/3/4 2 3', 3, '1/2/3/4'),
   leftOut('A41 slashes at the end', 'f 1/ 2// 3/', open, 2),
   leftOut('A41 slashes behind three numbers', 'vt 0 0\nvn 0 0 1\nf 1/1/1/ 2//1/ 3///', open, 2),
+  leftOut('A41 slashes between blanks', 'f 1 / 2 / 3 /', open, 2),
+  noCorner('A41 a slash before all corners', 'f / 1 2 3', 3, '/'),
   noCorner('A41 slashes alone', 'f // 2 3', 3, '//'),
   noCorner('A41 words', 'f a/b/c 2 3', 3, 'a/b/c'),
   noCorner('A41 fraction', 'f 1 2.5 3', 5, '2.5'),

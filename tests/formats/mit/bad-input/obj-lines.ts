@@ -101,6 +101,20 @@ export const objLines: readonly BadInput[] = [
     ],
     left: mesh,
   },
+  {
+    title: 'A31 words in texture coordinates and normals',
+    files: withObj(
+      `${square}vt undefined undefined\nvt 0,5 1\nvt 0 ${'1'.repeat(100)}\nvn null 0 1\n` +
+        'f 1/1/1 2/2 3/3\n',
+    ),
+    messages: [
+      'warning: a.obj:5: expected texture coordinates that are numbers, ' +
+        'found "3 that are not" [obj/number]',
+      'warning: a.obj:8: expected normals that are numbers, found "1 that are not" [obj/number]',
+    ],
+    left: mesh,
+    check: ({ mesh: { uvs } }) => expect([...(uvs ?? [])]).toEqual(new Array(8).fill(0)),
+  },
   refused(
     'A32 beyond float32',
     `v 0 1e39 0\n${square}${face}`,
