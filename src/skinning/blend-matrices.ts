@@ -1,8 +1,6 @@
 import type { Mesh } from '../core/mesh.ts';
 import type { Skin } from '../core/skin.ts';
 
-const { fround } = Math;
-
 /**
  * Kernels work through a mesh in blocks of this many vertices. A block's matrices stay in the
  * processor's nearest cache between the loops that make and apply them.
@@ -30,6 +28,7 @@ export function blendMatrices(
   end: number,
   matrices: Float32Array,
 ): void {
+  const { fround } = Math;
   for (let vertex = first, to = 0; vertex < end; vertex++, to += 12) {
     const point = pointOf[vertex]!;
     const last = start[point + 1]!;
