@@ -9,6 +9,14 @@ export interface VertexStreams {
   readonly normals: Float32Array;
 }
 
+/** Where a kernel writes posed vertices. */
+export interface PosedStreams {
+  /** (vertexCount × 3) */
+  readonly positions: Float32Array;
+  /** (vertexCount × 3), or null to leave normals out, which takes less time. */
+  readonly normals: Float32Array | null;
+}
+
 export type MethodId = 'linear-blend' | 'rigid';
 
 /** A computation: a method combined with a way of normals. */
@@ -33,7 +41,7 @@ export interface SkinningMethod<Id extends KernelId = KernelId> {
    * must equal.
    * @param out written for all render vertices
    */
-  deform(mesh: Mesh, skin: Skin, palette: Float32Array, out: VertexStreams): void;
+  deform(mesh: Mesh, skin: Skin, palette: Float32Array, out: PosedStreams): void;
   /** The name of the GLSL chunk in shaders/skinning that computes the same. */
   readonly chunk: string;
 }
