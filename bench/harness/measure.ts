@@ -42,26 +42,32 @@ export async function measure(contenders: readonly Contender[], rounds: number):
 const leastMilliseconds = 12;
 
 /** Makes a contender of a function of this process, which is run as often as a sample needs. */
-export function contenderOf(id: string, run: (index: number) => void): Contender {
+export function contenderOf(id: string, run: (index: number) => unknown): Contender {
   let count = 0;
   return {
     id,
-    sample() {
-      count ||= countFor(run);
+    async sample() {
+      count ||= await countFor(run);
       const cpu = process.cpuUsage();
-      const begin = performance.now();
-      for (let i = 0; i < count; i++) run(i);
-      const wall = (performance.now() - begin) / count;
+      const wall = (await timeOf(run, count)) / count;
       const { user, system } = process.cpuUsage(cpu);
       return { wall, cpu: (user + system) / 1000 / count };
     },
   };
 }
 
-function countFor(run: (index: number) => void): number {
+async function countFor(run: (index: number) => unknown): Promise<number> {
   for (let count = 1; ; count *= 2) {
-    const begin = performance.now();
-    for (let i = 0; i < count; i++) run(i);
-    if (performance.now() - begin >= leastMilliseconds) return count;
+    if ((await timeOf(run, count)) >= leastMilliseconds) return count;
   }
+}
+
+async function timeOf(run: (index: number) => unknown, count: number): Promise<number> {
+  const begin = performance.now();
+  for (let i = 0; i < count; i++) {
+    const result = run(i);
+    // Waiting for every result would add a turn of the event loop to each run.
+    if (result instanceof Promise) await result;
+  }
+  return performance.now() - begin;
 }
