@@ -6,6 +6,7 @@ import { mkdirSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { cacheFolder, root } from '../tools/commands.mjs';
 import { install } from '../tools/install.mjs';
+import { writeDocs } from '../tools/write-docs.ts';
 import { type GroupId, goals } from './goals.ts';
 import { groups } from './groups/registry.ts';
 import { whatGotWorse } from './harness/compare.ts';
@@ -54,7 +55,10 @@ async function main({ long, check, only, rounds, save, testSeconds }: BenchWords
   const folder = path.join(cacheFolder, 'bench');
   mkdirSync(folder, { recursive: true });
   writeFileSync(path.join(folder, 'last-run.json'), textOf(run));
-  if (save !== null) saveRow(save, run);
+  if (save !== null) {
+    saveRow(save, run);
+    await writeDocs();
+  }
   return worse;
 }
 

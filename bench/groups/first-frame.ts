@@ -99,9 +99,9 @@ async function visit(browser: Browser, address: string): Promise<Visit> {
 
 /** Runs in the page before its scripts. Both programs mark their first picture when it is drawn. */
 function timeFirstPixel(): void {
-  const { mark } = performance;
-  performance.mark = function (name, ...rest) {
-    const entry = mark.call(performance, name, ...rest);
+  const mark = performance.mark.bind(performance);
+  performance.mark = (name, options) => {
+    const entry = mark(name, options);
     const gl = document.querySelector('canvas')?.getContext('webgl2');
     if (name === 'first-frame' && gl) {
       gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));

@@ -1,7 +1,7 @@
 import { courseBody, courseFiles } from '../data/course-files.ts';
 import { type BenchOptions, type GroupResult, timesFaster, type Value } from '../harness/group.ts';
 import { type Contender, contenderOf, measure } from '../harness/measure.ts';
-import { loadPeer } from '../peers/peer.ts';
+import { loadPeer } from '../harness/load-peer.ts';
 import { checkPeerResult, checkReadFile } from '../readers/check.ts';
 import { readerKinds, type ReaderKind, sinewReaders } from '../readers/sinew.ts';
 

@@ -4,7 +4,7 @@ import { checkSkinned, transformsOf } from '../data/oracle.ts';
 import { type BenchOptions, type GroupResult, timesFaster } from '../harness/group.ts';
 import { type Contender, contenderOf, measure } from '../harness/measure.ts';
 import { nativeSkinning } from '../native/native.ts';
-import { loadPeer } from '../peers/peer.ts';
+import { loadPeer } from '../harness/load-peer.ts';
 import { type PosedBody, posedBody, type Skinning, strictSkinning } from '../skinning/sinew.ts';
 
 const vertexCount = 100_000;

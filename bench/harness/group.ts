@@ -1,5 +1,5 @@
 import type { Samples } from './measure.ts';
-import { pairedRatio, totalCpu } from './statistics.ts';
+import { pairedRatio } from './statistics.ts';
 
 export interface BenchOptions {
   readonly long: boolean;
@@ -11,7 +11,7 @@ export interface Value {
   readonly value: number;
   readonly lower?: number;
   readonly upper?: number;
-  /** The same by processor time, over all rounds, where that is known. */
+  /** The median by processor time, where that is known. */
   readonly cpu?: number;
 }
 
@@ -28,8 +28,9 @@ export interface GroupResult {
 export function timesFaster(samples: Samples, contender: string, peer: string): Value {
   const [fast, slow] = [samples[contender]!, samples[peer]!];
   const { lower, median, upper } = pairedRatio(slow, fast);
-  const cpu = totalCpu(slow) / totalCpu(fast);
-  return { value: median, lower, upper, ...(Number.isFinite(cpu) && { cpu }) };
+  const value = { value: median, lower, upper };
+  const hasCpu = [...slow, ...fast].every(({ cpu }) => cpu !== undefined && cpu > 0);
+  return hasCpu ? { ...value, cpu: pairedRatio(slow, fast, 'cpu').median } : value;
 }
 
 /** How many times as long the contender takes. */

@@ -18,16 +18,18 @@ export function spreadOf(values: readonly number[]): Spread {
   return { lower: at(0.25), median: at(0.5), upper: at(0.75) };
 }
 
-/** How many times as long one contender takes as another, by the rounds in which both ran. */
-export function pairedRatio(slow: readonly Sample[], fast: readonly Sample[]): Spread {
-  return spreadOf(slow.map(({ wall }, round) => wall / fast[round]!.wall));
+/**
+ * How many times as long one contender takes as another, by the rounds in which both ran, in elapsed
+ * or processor time.
+ */
+export function pairedRatio(
+  slow: readonly Sample[],
+  fast: readonly Sample[],
+  clock: 'wall' | 'cpu' = 'wall',
+): Spread {
+  return spreadOf(slow.map((sample, round) => sample[clock]! / fast[round]![clock]!));
 }
 
 export function leastWall(samples: readonly Sample[]): number {
   return Math.min(...samples.map(({ wall }) => wall));
-}
-
-/** The processor time of all rounds; not a number if it is unknown. */
-export function totalCpu(samples: readonly Sample[]): number {
-  return samples.reduce((sum, { cpu }) => sum + (cpu ?? NaN), 0);
 }

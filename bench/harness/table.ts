@@ -34,7 +34,7 @@ export function rowOf(goal: Goal, found: Value | undefined): string {
   return `| ${[goal.contender, goal.against, now, ...bounds, verdict].join(' | ')} |`;
 }
 
-export function valueText(goal: Goal, { value, lower, upper, cpu }: Value): string {
+function valueText(goal: Goal, { value, lower, upper, cpu }: Value): string {
   const quartiles =
     lower === undefined || upper === undefined ? '' : ` (${short(lower)}–${short(upper)})`;
   const byCpu = cpu === undefined ? '' : `, ${short(cpu)}× by processor time`;

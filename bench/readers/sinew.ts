@@ -15,20 +15,22 @@ export const readerKinds = ['obj', 'attach', 'skin', 'pmd'] as const;
 export type ReaderKind = (typeof readerKinds)[number];
 
 type Reader = (bytes: Uint8Array) => Promise<ReadFile>;
+type Reading<T> = Parsed<T> | Promise<Parsed<T>>;
 
 /** The product's readers: from bytes to the parts of a character. */
 export const sinewReaders: Readonly<Record<ReaderKind, Reader>> = {
-  obj: async (bytes) => ({ mesh: valueOf(await readObj('body.obj', bytes)) }),
-  attach: async (bytes) => ({ skin: valueOf(await readAttach('body.attach', bytes)) }),
-  skin: async (bytes) => partsOf(valueOf(await readSkin('body.skin', bytes))),
-  pmd: async (bytes) => partsOf(valueOf(await readPmd('body.pmd', bytes))),
+  obj: async (bytes) => ({ mesh: await valueOf(readObj('body.obj', bytes)) }),
+  attach: async (bytes) => ({ skin: await valueOf(readAttach('body.attach', bytes)) }),
+  skin: async (bytes) => partsOf(await valueOf(readSkin('body.skin', bytes))),
+  pmd: async (bytes) => partsOf(await valueOf(readPmd('body.pmd', bytes))),
 };
 
 function partsOf({ mesh, skin }: ReadFile): ReadFile {
   return { ...(mesh && { mesh }), ...(skin && { skin }) };
 }
 
-function valueOf<T>({ value, diagnostics }: Parsed<T>): T {
+async function valueOf<T>(reading: Reading<T>): Promise<T> {
+  const { value, diagnostics } = await reading;
   if (value === undefined) throw new Error(JSON.stringify(diagnostics));
   return value;
 }
