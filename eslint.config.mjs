@@ -8,7 +8,7 @@ export default tseslint.config(
       'build/',
       'coverage/',
       'test-results/',
-      'node_modules/',
+      '**/node_modules/',
       'src/pure-globals.d.ts',
     ],
   },
@@ -56,5 +56,5 @@ export default tseslint.config(
   },
   // Specs patch prototypes of the page intentionally.
   { files: ['e2e/**'], rules: { '@typescript-eslint/unbound-method': 'off' } },
-  { files: ['src/cli/**', 'tools/**'], rules: { 'no-console': 'off' } },
+  { files: ['src/cli/**', 'tools/**', 'bench/**'], rules: { 'no-console': 'off' } },
 );

@@ -12,16 +12,19 @@ import { isMain, npmCommand, readJson, root } from './commands.mjs';
 
 const oldestNode = [20, 19];
 
-/** Installs what is missing. If that fails, it throws an error with a message for the user. */
-export function install() {
+/**
+ * Installs what is missing. If that fails, it throws an error with a message for the user.
+ * @param {string} [folder] which has a package-lock.json
+ */
+export function install(folder = root) {
   checkNode();
-  const reason = whyInstall();
+  const reason = whyInstall(folder);
   if (reason === undefined) return;
   console.error(`install: ${reason}; running npm ci`);
   const [program = '', ...words] = npmCommand(['ci', '--no-audit', '--no-fund']);
   const started = performance.now();
   const { status, error } = spawnSync(program, words, {
-    cwd: root,
+    cwd: folder,
     stdio: ['ignore', 2, 2],
   });
   if (error) throw new Error(`install: npm could not be started (${error.message})`);
@@ -44,15 +47,16 @@ function checkNode() {
  * Returns the first reason to install, or undefined. npm records what it installed in a file of the
  * same form as the lock file, and writes it last. The contents of the two are compared, because the
  * times of files change with every checkout.
+ * @param {string} folder
  * @returns {string | undefined}
  */
-function whyInstall() {
-  const recordFile = path.join(root, 'node_modules/.package-lock.json');
+function whyInstall(folder) {
+  const recordFile = path.join(folder, 'node_modules/.package-lock.json');
   if (!existsSync(recordFile)) return 'the packages are not installed';
   /** @type {Record<string, Locked>} */
   const installed = readJson(recordFile).packages;
   /** @type {Record<string, Locked>} */
-  const locked = readJson(path.join(root, 'package-lock.json')).packages;
+  const locked = readJson(path.join(folder, 'package-lock.json')).packages;
   for (const [place, wanted] of Object.entries(locked)) {
     if (place === '') continue;
     const found = installed[place];

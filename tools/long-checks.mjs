@@ -45,6 +45,21 @@ export const longChecks = [
       },
     },
   },
+  {
+    name: 'million',
+    what: 'a character of a million vertices in the built page, and its main thread meanwhile',
+    kind: 'browser',
+    tests: 'e2e/million.spec.ts',
+    reads: 'e2e/million.spec.ts',
+    options: {
+      vertices: {
+        variable: 'MILLION_VERTICES',
+        usual: '1000000',
+        form: /^\d+$/,
+        what: 'how many; they must fill whole rings, as multiples of 1000 do',
+      },
+    },
+  },
 ];
 
 /**

@@ -1,11 +1,13 @@
 /**
- * Generates the pages of docs that repeat a table of the code: docs/cli.md and docs/keys.md. A unit
- * test fails if a page differs from what its table gives.
+ * Generates the pages of docs that repeat a table: docs/cli.md and docs/keys.md from the code, and the
+ * table of docs/performance.md from the ledger of the bench. A unit test fails if a page differs from
+ * what its table gives.
  */
 import { writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { format } from 'prettier';
 import type { Command } from '../src/cli/command.ts';
+import { performanceFile, performancePage } from '../bench/harness/performance-page.ts';
 import { commands } from '../src/cli/commands.ts';
 import { contexts, type HelpRow, keyRows, pointerRows } from '../src/ui/commands/contexts.ts';
 import { isMain, root } from './commands.mjs';
@@ -14,6 +16,7 @@ import { isMain, root } from './commands.mjs';
 const pages: readonly { readonly file: string; readonly lines: () => string[] }[] = [
   { file: 'docs/cli.md', lines: cliPage },
   { file: 'docs/keys.md', lines: keysPage },
+  { file: performanceFile, lines: performancePage },
 ];
 
 /** Returns the text that each page should have, formatted as by `npm run format`. */
@@ -77,6 +80,8 @@ function table(rows: readonly HelpRow[]): string[] {
   return ['| key | action |', '| --- | --- |', ...lines, ''];
 }
 
-if (isMain(import.meta.url)) {
+export async function writeDocs(): Promise<void> {
   for (const { file, text } of await writtenPages()) writeFileSync(path.join(root, file), text);
 }
+
+if (isMain(import.meta.url)) await writeDocs();

@@ -95,7 +95,8 @@ export function pmdFile(content: PmdContent): {
     out.u16(...(bones ?? [0, 0])).u8(weight ?? 100, edge ?? 0);
   }
   mark('indices');
-  out.u32(content.indices.length).u16(...content.indices);
+  out.u32(content.indices.length);
+  for (const index of content.indices) out.u16(index); // too many for one call
   mark('materials');
   out.u32(content.materials.length);
   for (const material of content.materials) {

@@ -35,7 +35,9 @@ export function writeSkin({ mesh, skin, materials, skeleton }: Character): Uint8
   return encodeLines(lines);
 
   function section(name: string, content: readonly string[]): void {
-    lines.push(`${name} ${content.length} {`, ...content.map((line) => `\t${line}`), '}');
+    lines.push(`${name} ${content.length} {`);
+    for (const line of content) lines.push(`\t${line}`); // too many for one call
+    lines.push('}');
   }
 
   function binding(joint: number): string {

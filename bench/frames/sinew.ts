@@ -1,0 +1,61 @@
+import { openCharacter } from '../../src/document/open-characters.ts';
+import { setPose } from '../../src/document/edits.ts';
+import { Session } from '../../src/document/session.ts';
+import { Store } from '../../src/document/store.ts';
+import { Evaluations } from '../../src/evaluation/evaluations.ts';
+import { Viewer } from '../../src/view/viewer.ts';
+import { characterOf } from '../data/character.ts';
+import { cylinder, poseAngles } from '../data/cylinder.ts';
+import { azimuthOf, pictureHeight, pictureWidth, startCamera } from './picture.ts';
+import { createCanvas, offerFrames } from './page.ts';
+
+// The viewer draws in animation frames. Here they are run at once, so that a change and its
+// picture are in one task.
+const requested: FrameRequestCallback[] = [];
+window.requestAnimationFrame = (callback) => requested.push(callback);
+window.cancelAnimationFrame = (handle) => {
+  requested[handle - 1] = () => undefined;
+};
+
+function runRequested(): void {
+  for (const callback of requested) callback(performance.now());
+  requested.length = 0;
+}
+
+/** Draws with the product's viewer on a page without panels. */
+offerFrames(({ vertexCount, unskinned }) => {
+  const canvas = createCanvas();
+  const session = new Session();
+  const store = new Store();
+  const evaluations = new Evaluations(store, session);
+  const viewer = new Viewer(canvas, store, session, evaluations, {}, () => undefined);
+  const body = cylinder({ vertexCount });
+  const character = characterOf(unskinned ? { ...body, joints: body.joints.fill(1) } : body);
+  store.dispatch(openCharacter(null, character, 'linear-blend'));
+  const { id } = store.scene.value.actors[0]!;
+  viewer.camera.value = startCamera;
+  viewer.resize(pictureWidth, pictureHeight);
+  runRequested();
+  // One long drag: it adds one step to the history at most.
+  const drag = store.begin('Pose');
+  return {
+    gl: canvas.getContext('webgl2')!,
+    posed(index) {
+      drag.preview(setPose(id, poseAngles(body.jointCount, index)));
+      runRequested();
+    },
+    camera(index) {
+      viewer.camera.value = { ...startCamera, azimuth: azimuthOf(index) };
+      runRequested();
+    },
+    still() {
+      viewer.camera.value = { ...viewer.camera.value };
+      runRequested();
+    },
+    silhouette() {
+      const size = { width: pictureWidth, height: pictureHeight };
+      const pixels = viewer.readPixels(size, false);
+      return Uint8Array.from({ length: pixels.length / 4 }, (_, i) => pixels[i * 4 + 3]! >> 7);
+    },
+  };
+});

@@ -1,0 +1,24 @@
+import type { GroupId } from '../goals.ts';
+import type { BenchOptions, GroupResult } from '../harness/group.ts';
+import { commandLine } from './command-line.ts';
+import { firstFrame } from './first-frame.ts';
+import { frames } from './frames.ts';
+import { kinematics } from './kinematics.ts';
+import { memory } from './memory.ts';
+import { readers } from './readers.ts';
+import { skinning } from './skinning.ts';
+import { steadyState } from './steady-state.ts';
+
+type Group = (options: BenchOptions) => GroupResult | Promise<GroupResult>;
+
+/** What `npm run bench` measures, in this order. */
+export const groups: Readonly<Record<GroupId, Group>> = {
+  'steady-state': steadyState,
+  skinning,
+  readers,
+  memory,
+  kinematics,
+  'command-line': commandLine,
+  'first-frame': firstFrame,
+  frames,
+};

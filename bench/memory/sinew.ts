@@ -1,0 +1,4 @@
+import { sinewReaders } from '../readers/sinew.ts';
+import { probe } from './probe.ts';
+
+await probe(sinewReaders);

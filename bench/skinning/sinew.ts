@@ -1,0 +1,38 @@
+import type { Character } from '../../src/core/character.ts';
+import { jointMatrices } from '../../src/core/forward-kinematics.ts';
+import { linearBlend } from '../../src/skinning/linear-blend.ts';
+import { characterOf } from '../data/character.ts';
+import type { Cylinder } from '../data/cylinder.ts';
+
+/** A program that poses the vertices of a body again and again. */
+export interface Skinning {
+  readonly positions: ArrayLike<number>;
+  readonly normals?: ArrayLike<number>;
+  readonly run: () => void;
+}
+
+/** A body as the product has it, in a pose. */
+export interface PosedBody {
+  readonly character: Character;
+  /** (jointCount × 16) column-major. */
+  readonly characterFromJoint: Float64Array;
+  readonly palette: Float32Array;
+}
+
+export function posedBody(body: Cylinder, angles: Float64Array): PosedBody {
+  const character = characterOf(body);
+  const { skin, skeleton } = character;
+  const characterFromJoint = jointMatrices(skeleton, angles);
+  const palette = new Float32Array(skin.paletteJoint.length * linearBlend.vec4sPerEntry * 4);
+  linearBlend.packPalette(skin, characterFromJoint, palette);
+  return { character, characterFromJoint, palette };
+}
+
+/** The definition of the method, in TypeScript. */
+export function strictSkinning({ character: { mesh, skin }, palette }: PosedBody): Skinning {
+  const out = {
+    positions: new Float32Array(mesh.vertexCount * 3),
+    normals: new Float32Array(mesh.vertexCount * 3),
+  };
+  return { ...out, run: () => linearBlend.deform(mesh, skin, palette, out) };
+}
