@@ -28,7 +28,8 @@ offerFrames(({ vertexCount, unskinned }) => {
   const session = new Session();
   const store = new Store();
   const evaluations = new Evaluations(store, session);
-  const viewer = new Viewer(canvas, store, session, evaluations, {}, () => undefined);
+  const viewer = new Viewer(canvas, store, session, evaluations, () => undefined);
+  viewer.connect({});
   const body = cylinder({ vertexCount });
   const character = characterOf(unskinned ? { ...body, joints: body.joints.fill(1) } : body);
   store.dispatch(openCharacter(null, character, 'linear-blend'));
