@@ -43,7 +43,7 @@ export function assembleSkin(
   checkNormals(log, normals, pointCount);
   const uvs = uvsThatFit(log, texcoords, pointCount);
   const skin = weightsOf(file, log, sections, pointCount);
-  const corners = Int32Array.from(triangles.corners);
+  const corners = new Int32Array(triangles.corners);
   const mesh: MeshParts = {
     file,
     positions: positions.values,
@@ -131,10 +131,11 @@ function checkNormals(log: DiagnosticLog, normals: Section | undefined, pointCou
     log.error({ code: 'skin/count', expected, found, effect });
     return;
   }
+  const { values } = normals;
   const withoutLength: number[] = [];
-  for (let i = 0; i < normals.values.length; i += 3) {
-    const [x, y, z] = normals.values.subarray(i, i + 3);
-    if (!(Math.hypot(x!, y!, z!) > 1e-12)) withoutLength.push(i / 3);
+  for (let i = 0; i < values.length; i += 3) {
+    const [x, y, z] = [values[i]!, values[i + 1]!, values[i + 2]!];
+    if (!(x * x + y * y + z * z > 1e-24)) withoutLength.push(i / 3);
   }
   const [first] = withoutLength;
   if (first === undefined) return;

@@ -1,6 +1,7 @@
 import type { DiagnosticCode, DiagnosticLog } from '../../core/diagnostics.ts';
 import { defaultLimits, type Limits } from '../../core/limits.ts';
 import { checkText } from '../text/check-text.ts';
+import { PlainNumbers } from '../text/plain-numbers.ts';
 import { reportTextEncoding } from '../text/report-encoding.ts';
 import { TokenReader } from '../text/token-reader.ts';
 
@@ -18,6 +19,7 @@ export class Scanner {
   readonly reader: TokenReader;
   readonly log: DiagnosticLog;
   readonly limits: Limits;
+  private readonly plain: PlainNumbers;
   private readonly area: Area;
   private readonly effect: string;
   private readonly warned = new Set<string>();
@@ -31,6 +33,7 @@ export class Scanner {
     this.reader = new TokenReader(text);
     this.log = log;
     this.limits = limits;
+    this.plain = new PlainNumbers(text, limits, true);
     this.area = about.area;
     this.effect = about.effect;
   }
@@ -38,6 +41,18 @@ export class Scanner {
   /** Whether reading can continue: no error has occurred. */
   sound(): boolean {
     return !this.log.failed;
+  }
+
+  /**
+   * Lets `read` take plain numbers after the current token, as many as it wants, and goes on where it
+   * leaves the cursor.
+   */
+  takePlain(read: (numbers: PlainNumbers) => void): void {
+    const { reader, plain } = this;
+    plain.at = reader.tokenEnd;
+    plain.line = reader.line;
+    read(plain);
+    reader.skipTo(plain.at, plain.line);
   }
 
   /**

@@ -1,4 +1,5 @@
-import { growFloat32, growUint32 } from '../text/growable.ts';
+import type { OddValues } from './odd-values.ts';
+import { PlainRows } from './plain-rows.ts';
 import type { Scanner } from './scanner.ts';
 
 /** Rows of numbers of equal size, from `NAME N { … }`. */
@@ -13,22 +14,28 @@ export interface Section {
 /**
  * Reads `N { … }` after its keyword: N rows of `size` numbers. If the count differs from the number
  * of rows, that is an error, which is found before an array of that size is allocated.
+ *
+ * @param odd collects values that are not numbers; without it they are errors
  */
 export function readRows(
   scanner: Scanner,
   name: string,
   size: number,
   most: number,
+  odd?: OddValues,
 ): Section | undefined {
   const count = scanner.count(`rows of ${name}`, size * 2, most);
   if (!scanner.sound()) return undefined;
   const opened = scanner.openIfAny();
-  const values = growFloat32();
-  const lines = growUint32();
-  for (let i = 0; i < count * size; i++) {
-    if (endsWithin(scanner, name, size, count, i)) return undefined;
-    if (i % size === 0) lines.push(scanner.reader.line);
-    values.push(scanner.thisNumber(name));
+  const rows = new PlainRows(count, size, scanner.limits.coordinate);
+  const { values, lines } = rows;
+  for (;;) {
+    if (values.length % size === 0) scanner.takePlain((numbers) => rows.read(numbers));
+    const read = values.length;
+    if (read === count * size) break;
+    if (endsWithin(scanner, name, size, count, read)) return undefined;
+    if (read % size === 0) lines.push(scanner.reader.line);
+    values.push(odd?.take(scanner) === true ? NaN : scanner.thisNumber(name));
     if (!scanner.sound()) return undefined;
   }
   if (!closeRows(scanner, name, count, opened)) return undefined;

@@ -1,4 +1,5 @@
 import { growFloat32, growUint16, growUint32 } from '../text/growable.ts';
+import { PlainWeights } from './plain-weights.ts';
 import type { Scanner } from './scanner.ts';
 import { closeRows, endsEarly } from './sections.ts';
 
@@ -23,12 +24,22 @@ export function readSkinWeights(
   const count = scanner.count('rows of skinweights', 2, mostRows);
   if (!scanner.sound()) return undefined;
   const opened = scanner.openIfAny();
-  const start = growUint32();
+  const start = growUint32(count + 1);
   const joints = growUint16();
   const weights = growFloat32();
-  const lines = growUint32();
+  const lines = growUint32(count);
+  const plain = new PlainWeights(mostJoints, scanner.limits.weight, {
+    start,
+    lines,
+    joints,
+    weights,
+  });
   start.push(0);
   for (let point = 0; point < count; point++) {
+    scanner.takePlain((numbers) => {
+      while (point < count && plain.readRow(numbers)) point++;
+    });
+    if (point === count) break;
     if (endsEarly(scanner, 'skinweights', count, point)) return undefined;
     readRow(point);
     if (!scanner.sound()) return undefined;

@@ -5,6 +5,7 @@ import { assembleSkin, effect, type Sections, type SkinFile } from './assemble-s
 import { readBindings } from './bindings.ts';
 import { readMaterial } from './material.ts';
 import { scan, type Scanner } from './scanner.ts';
+import { OddValues } from './odd-values.ts';
 import { readRows } from './sections.ts';
 import { readSkinWeights } from './skin-weights.ts';
 import { readTriangles } from './triangles.ts';
@@ -52,7 +53,11 @@ function readSection(scanner: Scanner, word: keyof Sections, sections: Sections)
   const read = {
     positions: () => rows(3),
     normals: () => rows(3),
-    texcoords: () => rows(2),
+    texcoords: () => {
+      const odd = new OddValues();
+      const section = readRows(scanner, word, 2, limits.pointCount, odd);
+      return odd.report(scanner, word) ? undefined : section;
+    },
     skinweights: () => readSkinWeights(scanner, limits.pointCount, limits.jointCount),
     triangles: () => readTriangles(scanner, limits),
     bindings: () => readBindings(scanner, limits.jointCount),

@@ -1,5 +1,6 @@
 import type { Limits } from '../../core/limits.ts';
 import { growUint32 } from '../text/growable.ts';
+import type { PlainNumbers } from '../text/plain-numbers.ts';
 import type { Scanner } from './scanner.ts';
 import { closeRows, endsWithin } from './sections.ts';
 
@@ -18,21 +19,21 @@ export function readTriangles(scanner: Scanner, limits: Limits): Triangles | und
   const count = scanner.count('triangles', 6, limits.triangleCount);
   if (!scanner.sound()) return undefined;
   const opened = scanner.openIfAny();
-  const corners = growUint32();
-  const lines = growUint32();
+  const corners = growUint32(count * 3);
+  const lines = growUint32(count);
+  const corner = new Int32Array(3);
   let degenerate = 0;
   for (let triangle = 0; triangle < count; triangle++) {
-    const [a, b, c] = [0, 1, 2].map((corner) => {
-      if (!scanner.sound()) return NaN;
-      if (endsWithin(scanner, 'triangles', 3, count, triangle * 3 + corner)) return NaN;
-      return scanner.thisIndex(`a corner of triangle ${triangle}`, limits.pointCount - 1);
+    scanner.takePlain((numbers) => {
+      while (triangle < count && readPlainTriangle(numbers)) {
+        add(numbers.line);
+        triangle++;
+      }
     });
+    if (triangle === count) break;
+    readTriangle(triangle);
     if (!scanner.sound()) return undefined;
-    if (a === b || b === c || c === a) degenerate++;
-    else {
-      for (const corner of [a!, b!, c!]) corners.push(corner);
-      lines.push(scanner.reader.line);
-    }
+    add(scanner.reader.line);
   }
   if (!closeRows(scanner, 'triangles', count, opened)) return undefined;
   if (degenerate > 0) {
@@ -40,4 +41,34 @@ export function readTriangles(scanner: Scanner, limits: Limits): Triangles | und
     scanner.warn('degenerate', 'triangles of three corners', found, 'they are left out');
   }
   return { corners: corners.finish(), lines: lines.finish() };
+  /** Reads three plain indices; returns false, without effect, if something else comes. */
+  function readPlainTriangle(numbers: PlainNumbers): boolean {
+    const { at, line } = numbers;
+    const most = limits.pointCount;
+    const isRead = numbers.indices(corner, 3) === 3;
+    if (isRead && corner[0]! < most && corner[1]! < most && corner[2]! < most) return true;
+    numbers.at = at;
+    numbers.line = line;
+    return false;
+  }
+
+  function readTriangle(triangle: number): void {
+    for (let i = 0; i < 3 && scanner.sound(); i++) {
+      if (endsWithin(scanner, 'triangles', 3, count, triangle * 3 + i)) return;
+      corner[i] = scanner.thisIndex(`a corner of triangle ${triangle}`, limits.pointCount - 1);
+    }
+  }
+
+  function add(line: number): void {
+    const [a, b, c] = [corner[0]!, corner[1]!, corner[2]!];
+    if (a === b || b === c || c === a) {
+      degenerate++;
+      return;
+    }
+    const storage = corners.reserve(3);
+    storage[corners.length++] = a;
+    storage[corners.length++] = b;
+    storage[corners.length++] = c;
+    lines.push(line);
+  }
 }

@@ -1,5 +1,6 @@
 import type { DiagnosticCode, DiagnosticLog } from '../../core/diagnostics.ts';
 import { extensionOf } from '../file-entry.ts';
+import { hasZero } from './byte-words.ts';
 import { decodeText } from './decode-text.ts';
 import { isLfsPointer, lfsPointer } from './lfs-pointer.ts';
 
@@ -35,8 +36,9 @@ function faultOf(bytes: Uint8Array): Fault | undefined {
     const found = 'a UTF-16 byte order mark';
     return { code: 'file/encoding', found, expected: 'UTF-8 text' };
   }
-  const nul = bytes.indexOf(0);
-  if (nul >= 0) return { code: 'file/binary', found: `byte 0x00 @ byte ${nul}` };
+  if (hasZero(bytes)) {
+    return { code: 'file/binary', found: `byte 0x00 @ byte ${bytes.indexOf(0)}` };
+  }
   if (isLfsPointer(bytes)) return lfsPointer;
   const start = decodeText(bytes.subarray(0, 64));
   if (start.startsWith('{\\rtf')) {

@@ -6,7 +6,7 @@ class Growable<T extends Numbers> {
   private storage: T;
   private readonly create: (length: number) => T;
 
-  constructor(create: (length: number) => T, capacity = 1024) {
+  constructor(create: (length: number) => T, capacity: number) {
     this.create = create;
     this.storage = create(capacity);
   }
@@ -40,13 +40,27 @@ class Growable<T extends Numbers> {
     return this.storage[index]!;
   }
 
-  /** A copy of exactly the values pushed. */
+  /** Exactly the values that were added: a copy, unless their number was foreseen. */
   finish(): T {
+    if (this.length === this.storage.length) return this.storage;
     return this.storage.slice(0, this.length) as T;
   }
 }
 
-export const growFloat32 = (): Growable<Float32Array> => new Growable((n) => new Float32Array(n));
-export const growUint32 = (): Growable<Uint32Array> => new Growable((n) => new Uint32Array(n));
-export const growInt32 = (): Growable<Int32Array> => new Growable((n) => new Int32Array(n));
-export const growUint16 = (): Growable<Uint16Array> => new Growable((n) => new Uint16Array(n));
+const usualCapacity = 1024;
+
+export function growFloat32(capacity = usualCapacity): Growable<Float32Array> {
+  return new Growable((length) => new Float32Array(length), capacity);
+}
+
+export function growUint32(capacity = usualCapacity): Growable<Uint32Array> {
+  return new Growable((length) => new Uint32Array(length), capacity);
+}
+
+export function growInt32(capacity = usualCapacity): Growable<Int32Array> {
+  return new Growable((length) => new Int32Array(length), capacity);
+}
+
+export function growUint16(capacity = usualCapacity): Growable<Uint16Array> {
+  return new Growable((length) => new Uint16Array(length), capacity);
+}

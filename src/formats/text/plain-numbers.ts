@@ -15,9 +15,6 @@ const lowerCase = 0x20;
 /** So many digits always fit a 32-bit integer. */
 const mostDigits = 9;
 
-/** Returned by `integer` if there is no plain whole number; it has more digits than any of them. */
-export const notWhole = -(2 ** 30);
-
 /**
  * Reads the plain numbers that nearly all of a large file consists of, with one cursor over its
  * bytes. It makes neither strings nor objects and reports nothing: it stops before anything else
@@ -29,6 +26,8 @@ export class PlainNumbers {
   at = 0;
   /** One-based number of the cursor's line, if line ends are blanks. */
   line = 1;
+  /** Bit i says whether number i of the last `numbers` was written with a point or an exponent. */
+  unwhole = 0;
   readonly bytes: Uint8Array;
   /** The last line feed; what starts before it ends before it, so that no loop leaves the file. */
   readonly end: number;
@@ -53,6 +52,7 @@ export class PlainNumbers {
     const longest = this.limits.tokenLength;
     let { at, line } = this;
     let count = 0;
+    let unwhole = 0;
     for (; count < most; count++) {
       let start = at;
       let lines = line;
@@ -66,6 +66,13 @@ export class PlainNumbers {
         byte = bytes[++start]!;
       }
       if (start >= end) break;
+      // Most weights are zero.
+      if (byte === zero && bytes[start + 1] === space) {
+        values[count] = 0;
+        at = start + 1;
+        line = lines;
+        continue;
+      }
 
       let next = start;
       const isNegative = byte === minus;
@@ -82,6 +89,7 @@ export class PlainNumbers {
       let fraction = 0;
       let fractionDigits = 0;
       if (byte === point) {
+        unwhole |= 1 << count;
         const afterPoint = ++next;
         byte = bytes[next]!;
         digit = byte - zero;
@@ -95,6 +103,7 @@ export class PlainNumbers {
       let hasExponent = false;
       if ((byte | lowerCase) === letterE) {
         hasExponent = true;
+        unwhole |= 1 << count;
         next = endOfExponent(bytes, next);
         byte = bytes[next]!;
       }
@@ -116,26 +125,49 @@ export class PlainNumbers {
     }
     this.at = at;
     this.line = line;
+    this.unwhole = unwhole;
     return count;
   }
 
   /**
-   * Reads a whole number of at most nine digits at the cursor; otherwise returns `notWhole` and
-   * stays.
+   * Reads `most` whole numbers from 0 to 999,999,999 into `values`, or fewer if something else comes,
+   * and returns how many.
    */
-  integer(): number {
-    const { bytes } = this;
-    const isNegative = bytes[this.at] === minus;
-    const first = isNegative ? this.at + 1 : this.at;
-    let at = first;
-    let value = 0;
-    for (let digit = bytes[at]! - zero; digit >= 0 && digit <= 9; digit = bytes[at]! - zero) {
-      value = (value * 10 + digit) | 0;
-      at++;
+  indices(values: Int32Array, most: number): number {
+    const { bytes, end, crossesLines } = this;
+    let { at, line } = this;
+    let count = 0;
+    for (; count < most; count++) {
+      let start = at;
+      let lines = line;
+      let byte = bytes[start]!;
+      while (byte <= space && start < end) {
+        if (byte !== space && byte !== tab) {
+          if (!crossesLines) break;
+          if (byte === lineFeed) lines++;
+          else if (byte !== carriageReturn || bytes[start + 1] !== lineFeed) break;
+        }
+        byte = bytes[++start]!;
+      }
+      if (start >= end) break;
+
+      let next = start;
+      let value = 0;
+      let digit = byte - zero;
+      while (digit >= 0 && digit <= 9) {
+        value = (value * 10 + digit) | 0;
+        byte = bytes[++next]!;
+        digit = byte - zero;
+      }
+      const isToken = next > start && next - start <= mostDigits;
+      if (!endsNumber(byte, crossesLines) || !isToken) break;
+      values[count] = value;
+      at = next;
+      line = lines;
     }
-    if (at === first || at - first > mostDigits) return notWhole;
     this.at = at;
-    return isNegative ? (0 - value) | 0 : value;
+    this.line = line;
+    return count;
   }
 
   /** Goes to the next byte that is not blank, and returns it. */

@@ -1,4 +1,5 @@
 import type { DiagnosticLog } from '../../core/diagnostics.ts';
+import { isAscii } from './byte-words.ts';
 import { decodeText } from './decode-text.ts';
 import { carriageReturn, endOfLineEnd, lineFeed } from './line-ends.ts';
 import { reportEncoding } from './line-problems.ts';
@@ -8,6 +9,7 @@ const longestSource = 160;
 
 /** Warns about the first line that is not UTF-8, in a text that is not read line by line. */
 export function reportTextEncoding(log: DiagnosticLog, bytes: Uint8Array): void {
+  if (isAscii(bytes)) return;
   let line = 1;
   let start = 0;
   while (start < bytes.length) {

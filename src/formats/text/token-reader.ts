@@ -139,6 +139,14 @@ export class TokenReader {
     this.tokenEnd = tokenEnd;
   }
 
+  /** Goes on at a place that another reader has reached by way of line feeds only. */
+  skipTo(at: number, line: number): void {
+    if (line > this.line) this.lineStart = this.bytes.lastIndexOf(lineFeed, at - 1) + 1;
+    this.line = line;
+    this.tokenStart = at;
+    this.tokenEnd = at;
+  }
+
   private skipBlanks(start: number): number {
     const { bytes } = this;
     let at = start;

@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { defaultLimits } from '../../../src/core/limits.ts';
-import { notWhole, PlainNumbers } from '../../../src/formats/text/plain-numbers.ts';
+import { PlainNumbers } from '../../../src/formats/text/plain-numbers.ts';
 import { characterOf, decimalText } from '../../support/decimals.ts';
 import { bytesOf } from '../../support/files.ts';
 
@@ -11,10 +11,6 @@ function read(text: string, { most = 100, crossesLines = false } = {}) {
   const values = new Float64Array(most);
   const count = numbers.numbers(values, most);
   return { values: [...values.subarray(0, count)], rest: text.slice(numbers.at), numbers };
-}
-
-function integer(text: string): number {
-  return new PlainNumbers(bytesOf(`${text}\n`), defaultLimits, false).integer();
 }
 
 describe('plain numbers', () => {
@@ -69,11 +65,22 @@ describe('plain numbers', () => {
     expect(read('1 2 3\n', { most: 2 })).toMatchObject({ values: [1, 2], rest: ' 3\n' });
   });
 
-  it.each(['0', '7', '-1', '0042', '999999999', '-999999999'])('are whole, as %s', (text) => {
-    expect(integer(text)).toBe(Number(text) + 0);
+  it('are indices if they are whole, and are counted across lines', () => {
+    const numbers = new PlainNumbers(bytesOf('0 7\n 0042 999999999} \n'), defaultLimits, true);
+    const values = new Int32Array(8);
+    expect(numbers.indices(values, 8)).toBe(4);
+    expect([...values.subarray(0, 4)]).toEqual([0, 7, 42, 999_999_999]);
+    expect(numbers.line).toBe(2);
+    expect(numbers.indices(values, 8)).toBe(0);
+    expect(String.fromCharCode(numbers.skipBlanks())).toBe('}');
   });
 
-  it.each(['', '-', '+1', 'x', '1234567890', '.5'])('are not whole, as %j', (text) => {
-    expect(integer(text)).toBe(notWhole);
-  });
+  it.each(['', '-1', '+1', 'x', '1234567890', '.5', '1.', '1e1', '1x', '1#'])(
+    'are no indices, as %j',
+    (text) => {
+      const numbers = new PlainNumbers(bytesOf(`\n${text}\n`), defaultLimits, true);
+      expect(numbers.indices(new Int32Array(1), 1)).toBe(0);
+      expect([numbers.at, numbers.line]).toEqual([0, 1]);
+    },
+  );
 });

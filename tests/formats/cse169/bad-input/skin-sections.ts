@@ -163,6 +163,19 @@ export const skinSections: readonly BadInput[] = [
     [': expected 3 texcoords, one for each position, found "2" [skin/uv]; they are not used'],
     ({ mesh }) => expect(mesh.uvs).toBeNull(),
   ),
+  readSkinOf(
+    'B65 texcoords that are not numbers',
+    skinText({}, 'texcoords 3 { 0 0 nan 1\n-nan(ind) undefined }'),
+    [
+      ':6:19: expected texcoords that are numbers, found "3 that are not" [skin/number]; they are not used',
+    ],
+    ({ mesh }) => expect(mesh.uvs).toBeNull(),
+  ),
+  noSkin(
+    'B65 texcoords that end in a word',
+    skinText({}, 'texcoords 3 { 0 0 0 1 material m { } }'),
+    ':6:23: expected a number for texcoords, found "material" [skin/number]',
+  ),
   ...(
     [
       '../../etc/passwd',
