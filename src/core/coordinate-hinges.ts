@@ -2,7 +2,7 @@ import { DofKind, type Skeleton } from './skeleton.ts';
 
 /** What forward kinematics knows about a skeleton in advance, with room for its sines. */
 export interface CoordinateHinges {
-  /** (dofCount) the coordinate axis of each hinge about one: 0 for x, 1 for y, 2 for z. */
+  /** (dofCount) the axis of a hinge about a coordinate axis: 0 for x, 1 for y, 2 for z; else 3. */
   readonly axes: Uint8Array;
   /** (jointCount) 1 for joints that only have such hinges, and no rotation at rest. */
   readonly only: Uint8Array;
@@ -10,6 +10,8 @@ export interface CoordinateHinges {
   readonly sines: Float64Array;
   readonly cosines: Float64Array;
 }
+
+const noAxis = 3;
 
 const known = new WeakMap<Skeleton, CoordinateHinges>();
 
@@ -40,16 +42,19 @@ export function writeSines(
 
 function findHinges(skeleton: Skeleton): CoordinateHinges {
   const { jointCount, restRotations, dofStart, dofKind, dofAxis } = skeleton;
-  const axes = Uint8Array.from(dofKind, (_, dof) =>
-    Math.max(0, dofAxis.subarray(dof * 3, dof * 3 + 3).indexOf(1)),
-  );
-  const only = Uint8Array.from({ length: jointCount }, (_, joint) => {
-    const dofs = Array.from(axes.keys()).slice(dofStart[joint], dofStart[joint + 1]);
-    const isOnly = dofs.every(
-      (dof) => dofKind[dof] === DofKind.hinge && dofAxis[dof * 3 + axes[dof]!] === 1,
-    );
-    return isOnly && restRotations[joint * 4 + 3] === 1 ? 1 : 0;
+  const axes = Uint8Array.from(dofKind, (kind, dof) => {
+    const axis = dofAxis.subarray(dof * 3, dof * 3 + 3).indexOf(1);
+    return kind === DofKind.hinge && axis >= 0 ? axis : noAxis;
   });
-  const [sines, cosines] = [new Float64Array(axes.length), new Float64Array(axes.length)];
-  return { axes, only, sines, cosines };
+  const only = Uint8Array.from({ length: jointCount }, (_, joint) => {
+    const [x, y, z] = restRotations.subarray(joint * 4, joint * 4 + 3);
+    const own = axes.subarray(dofStart[joint], dofStart[joint + 1]);
+    return x === 0 && y === 0 && z === 0 && !own.includes(noAxis) ? 1 : 0;
+  });
+  return {
+    axes,
+    only,
+    sines: new Float64Array(axes.length),
+    cosines: new Float64Array(axes.length),
+  };
 }

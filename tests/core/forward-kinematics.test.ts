@@ -49,7 +49,8 @@ function coordinateHinges(): Rig {
     return {
       parent: index === 0 ? -1 : Math.floor(random() * index),
       offset: axes.map(() => randomBetween(random, -0.3, 0.3)),
-      rotation: [0, 0, 0, 1],
+      // A rotation at rest may be so small that its w is 1.
+      rotation: [index % 11 === 5 ? 1e-9 : 0, 0, 0, 1],
       freedoms: [
         ...hinges.map((axis) => ({ kind: 'hinge', axis }) as const),
         ...(index % 7 === 0 ? others : []),
