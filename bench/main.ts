@@ -13,9 +13,12 @@ import { whatGotWorse } from './harness/compare.ts';
 import type { GroupResult } from './harness/group.ts';
 import { lastRow, type Run, saveRow, textOf } from './harness/ledger.ts';
 import { describeMachine, loadAverage } from './harness/machine.ts';
+import { plotOf } from './harness/plot.ts';
 import { leastWall } from './harness/statistics.ts';
 import { rowOf } from './harness/table.ts';
 import { type BenchWords, parseWords } from './options.ts';
+
+const plotFile = 'docs/pictures/cost.svg';
 
 try {
   const words = parseWords(process.argv.slice(2));
@@ -57,6 +60,8 @@ async function main({ long, check, only, rounds, save, testSeconds }: BenchWords
   writeFileSync(path.join(folder, 'last-run.json'), textOf(run));
   if (save !== null) {
     saveRow(save, run);
+    const { curves } = found.scaling ?? {};
+    if (curves) writeFileSync(path.join(root, plotFile), plotOf(curves));
     await writeDocs();
   }
   return worse;

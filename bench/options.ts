@@ -1,5 +1,5 @@
 import type { GroupId } from './goals.ts';
-import { groups } from './groups/registry.ts';
+import { groups, usualGroups } from './groups/registry.ts';
 
 export interface BenchWords {
   readonly long: boolean;
@@ -35,7 +35,7 @@ export function parseWords(words: readonly string[]): BenchWords {
   };
   const long = take('long') !== undefined;
   const check = take('check') !== undefined;
-  const only = take('only')?.split(',') ?? Object.keys(groups);
+  const only = take('only')?.split(',') ?? usualGroups(long);
   const rounds = Number(take('rounds') ?? (long ? 15 : 9));
   const save = take('save') ?? null;
   const seconds = take('test-seconds');

@@ -1,5 +1,6 @@
 import { openCharacter } from '../../src/document/open-characters.ts';
 import { setPose } from '../../src/document/edits.ts';
+import { unmoved } from '../../src/document/scene.ts';
 import { Session } from '../../src/document/session.ts';
 import { Store } from '../../src/document/store.ts';
 import { Evaluations } from '../../src/evaluation/evaluations.ts';
@@ -22,30 +23,42 @@ function runRequested(): void {
   requested.length = 0;
 }
 
-/** Draws with the product's viewer on a page without panels. */
-offerFrames(({ vertexCount, unskinned }) => {
+/** Draws with the product's viewer on a page without panels. Actors stand in a square. */
+offerFrames(({ vertexCount, jointCount, actorCount, unskinned }) => {
   const canvas = createCanvas();
   const session = new Session();
   const store = new Store();
   const evaluations = new Evaluations(store, session);
   const viewer = new Viewer(canvas, store, session, evaluations, {}, () => undefined);
-  const body = cylinder({ vertexCount });
+  const body = cylinder({ vertexCount, jointCount });
   const character = characterOf(unskinned ? { ...body, joints: body.joints.fill(1) } : body);
-  store.dispatch(openCharacter(null, character, 'linear-blend'));
-  const { id } = store.scene.value.actors[0]!;
-  viewer.camera.value = startCamera;
+  const rowLength = Math.ceil(Math.sqrt(actorCount));
+  for (let i = 0; i < actorCount; i++) {
+    const position = [0.5 * (i % rowLength), 0, -0.5 * Math.floor(i / rowLength)] as const;
+    const transform = { ...unmoved, position };
+    store.dispatch(openCharacter(null, character, 'linear-blend', { transform }));
+  }
+  const { actors } = store.scene.value;
   viewer.resize(pictureWidth, pictureHeight);
+  viewer.camera.value = startCamera;
+  if (actorCount > 1) viewer.frameAll();
   runRequested();
+  const { azimuth } = viewer.camera.value;
   // One long drag: it adds one step to the history at most.
   const drag = store.begin('Pose');
   return {
     gl: canvas.getContext('webgl2')!,
     posed(index) {
-      drag.preview(setPose(id, poseAngles(body.jointCount, index)));
+      const edits = actors.map(({ id }, i) => setPose(id, poseAngles(jointCount, index + 0.6 * i)));
+      drag.preview({
+        label: 'Pose',
+        apply: (scene) => edits.reduce((posed, edit) => edit.apply(posed), scene),
+      });
       runRequested();
     },
     camera(index) {
-      viewer.camera.value = { ...startCamera, azimuth: azimuthOf(index) };
+      const turn = azimuthOf(index) - startCamera.azimuth;
+      viewer.camera.value = { ...viewer.camera.value, azimuth: azimuth + turn };
       runRequested();
     },
     still() {
