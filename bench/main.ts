@@ -58,10 +58,10 @@ async function main({ long, check, only, rounds, save, testSeconds }: BenchWords
   const folder = path.join(cacheFolder, 'bench');
   mkdirSync(folder, { recursive: true });
   writeFileSync(path.join(folder, 'last-run.json'), textOf(run));
+  const { curves } = found.scaling ?? {};
+  if (curves) writeFileSync(path.join(root, plotFile), plotOf(curves));
   if (save !== null) {
     saveRow(save, run);
-    const { curves } = found.scaling ?? {};
-    if (curves) writeFileSync(path.join(root, plotFile), plotOf(curves));
     await writeDocs();
   }
   return worse;
