@@ -73,6 +73,13 @@ module.exports = {
       from: { path: '^src/' },
       to: { path: '^(tests|e2e|bench|tools)/' },
     },
+    {
+      name: 'peers-in-bench',
+      comment: 'the programs that Sinew is measured against are installed for the bench alone',
+      severity: 'error',
+      from: { pathNot: '^bench/' },
+      to: { path: '^bench/(peers|node_modules)/' },
+    },
   ],
   options: {
     doNotFollow: { path: 'node_modules' },

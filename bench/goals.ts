@@ -22,7 +22,8 @@ export type GroupId =
   | 'frames'
   | 'command-line'
   | 'first-frame'
-  | 'steady-state';
+  | 'steady-state'
+  | 'scaling';
 
 type Faster = readonly [id: string, contender: string, against: string, must: number, aim: number];
 

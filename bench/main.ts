@@ -8,14 +8,17 @@ import { cacheFolder, root } from '../tools/commands.mjs';
 import { install } from '../tools/install.mjs';
 import { writeDocs } from '../tools/write-docs.ts';
 import { type GroupId, goals } from './goals.ts';
-import { groups } from './groups/registry.ts';
 import { whatGotWorse } from './harness/compare.ts';
 import type { GroupResult } from './harness/group.ts';
 import { lastRow, type Run, saveRow, textOf } from './harness/ledger.ts';
 import { describeMachine, loadAverage } from './harness/machine.ts';
+import { plotOf } from './harness/plot.ts';
+import { startGroup } from './harness/start-group.ts';
 import { leastWall } from './harness/statistics.ts';
 import { rowOf } from './harness/table.ts';
 import { type BenchWords, parseWords } from './options.ts';
+
+const plotFile = 'docs/pictures/cost.svg';
 
 try {
   const words = parseWords(process.argv.slice(2));
@@ -34,7 +37,7 @@ async function main({ long, check, only, rounds, save, testSeconds }: BenchWords
   const found: Partial<Record<GroupId, GroupResult>> = {};
   const worse: string[] = [];
   for (const id of only) {
-    const run = (rounds: number) => groups[id]({ long, rounds });
+    const run = (rounds: number) => startGroup(id, { long, rounds });
     const began = performance.now();
     let result = await run(rounds);
     const row = check ? lastRow()?.groups[id] : undefined;
@@ -55,6 +58,8 @@ async function main({ long, check, only, rounds, save, testSeconds }: BenchWords
   const folder = path.join(cacheFolder, 'bench');
   mkdirSync(folder, { recursive: true });
   writeFileSync(path.join(folder, 'last-run.json'), textOf(run));
+  const { curves } = found.scaling ?? {};
+  if (curves) writeFileSync(path.join(root, plotFile), plotOf(curves));
   if (save !== null) {
     saveRow(save, run);
     await writeDocs();

@@ -1,5 +1,5 @@
 import type { GroupId } from './goals.ts';
-import { groups } from './groups/registry.ts';
+import { groups, usualGroups } from './groups/registry.ts';
 
 export interface BenchWords {
   readonly long: boolean;
@@ -17,7 +17,8 @@ const usage = `npm run bench -- [options]
   --long             more rounds, and the costs against vertices, joints and actors
   --rounds=N         9 by themselves, 15 with --long
   --check            compare with the last row of bench/results
-  --save=NAME        add a row to bench/results and write the table of docs/performance.md
+  --save=NAME        add a row to bench/results and write the table of docs/performance.md; a row
+                     has all groups
   --test-seconds=N   what npm test took, for the row`;
 
 /** Throws an error with a message for the user if it does not understand a word. */
@@ -35,13 +36,16 @@ export function parseWords(words: readonly string[]): BenchWords {
   };
   const long = take('long') !== undefined;
   const check = take('check') !== undefined;
-  const only = take('only')?.split(',') ?? Object.keys(groups);
+  const named = take('only')?.split(',');
+  const only = named ?? usualGroups(long);
   const rounds = Number(take('rounds') ?? (long ? 15 : 9));
   const save = take('save') ?? null;
   const seconds = take('test-seconds');
   const testSeconds = seconds === undefined ? null : Number(seconds);
   const unknown = [...given.keys(), ...only.filter((id) => !(id in groups))];
-  if (unknown.length > 0 || !(rounds >= 1) || save === '' || Number.isNaN(testSeconds)) {
+  const isPartial = save !== null && named !== undefined;
+  const isBad = isPartial || !(rounds >= 1) || save === '' || Number.isNaN(testSeconds);
+  if (unknown.length > 0 || isBad) {
     throw new Error(`not understood: ${words.join(' ')}\n${usage}`);
   }
   return { long, check, only: only as GroupId[], rounds, save, testSeconds };

@@ -51,7 +51,9 @@ const checks = [
     command: () =>
       packageCommand(
         'dependency-cruiser',
-        ['src', 'tools', 'tests', 'e2e', 'bench'].filter((folder) => existsSync(path.join(root, folder))),
+        ['src', 'tools', 'tests', 'e2e', 'bench'].filter((folder) =>
+          existsSync(path.join(root, folder)),
+        ),
         'depcruise',
       ),
   },

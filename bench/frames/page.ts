@@ -20,7 +20,10 @@ export interface FrameContender {
 }
 
 export interface FrameOptions {
+  /** Of each actor. */
   readonly vertexCount: number;
+  readonly jointCount: number;
+  readonly actorCount: number;
   readonly shadowSize: number;
   /** Whether the body hangs on a single joint. */
   readonly unskinned: boolean;
@@ -56,6 +59,8 @@ export function offerFrames(create: (options: FrameOptions) => FrameContender): 
   const counts = parameters.has('count') ? countCalls() : null;
   const contender = create({
     vertexCount: Number(parameters.get('vertices')),
+    jointCount: Number(parameters.get('joints') ?? 18),
+    actorCount: Number(parameters.get('actors') ?? 1),
     shadowSize: Number(parameters.get('shadow')),
     unskinned: parameters.has('unskinned'),
   });

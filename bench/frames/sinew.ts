@@ -1,5 +1,6 @@
 import { openCharacter } from '../../src/document/open-characters.ts';
 import { setPose } from '../../src/document/edits.ts';
+import { unmoved } from '../../src/document/scene.ts';
 import { Session } from '../../src/document/session.ts';
 import { Store } from '../../src/document/store.ts';
 import { Evaluations } from '../../src/evaluation/evaluations.ts';
@@ -9,49 +10,48 @@ import { cylinder, poseAngles } from '../data/cylinder.ts';
 import { azimuthOf, pictureHeight, pictureWidth, startCamera } from './picture.ts';
 import { createCanvas, offerFrames } from './page.ts';
 
-// The viewer draws in animation frames. Here they are run at once, so that a change and its
-// picture are in one task.
-const requested: FrameRequestCallback[] = [];
-window.requestAnimationFrame = (callback) => requested.push(callback);
-window.cancelAnimationFrame = (handle) => {
-  requested[handle - 1] = () => undefined;
-};
-
-function runRequested(): void {
-  for (const callback of requested) callback(performance.now());
-  requested.length = 0;
-}
-
-/** Draws with the product's viewer on a page without panels. */
-offerFrames(({ vertexCount, unskinned }) => {
+/** Draws with the product's viewer on a page without panels. Actors stand in a square. */
+offerFrames(({ vertexCount, jointCount, actorCount, unskinned }) => {
   const canvas = createCanvas();
   const session = new Session();
   const store = new Store();
   const evaluations = new Evaluations(store, session);
   const viewer = new Viewer(canvas, store, session, evaluations, () => undefined);
   viewer.connect({});
-  const body = cylinder({ vertexCount });
+  const body = cylinder({ vertexCount, jointCount });
   const character = characterOf(unskinned ? { ...body, joints: body.joints.fill(1) } : body);
-  store.dispatch(openCharacter(null, character, 'linear-blend'));
-  const { id } = store.scene.value.actors[0]!;
-  viewer.camera.value = startCamera;
+  const rowLength = Math.ceil(Math.sqrt(actorCount));
+  for (let i = 0; i < actorCount; i++) {
+    const position = [0.5 * (i % rowLength), 0, -0.5 * Math.floor(i / rowLength)] as const;
+    const transform = { ...unmoved, position };
+    store.dispatch(openCharacter(null, character, 'linear-blend', { transform }));
+  }
+  const { actors } = store.scene.value;
   viewer.resize(pictureWidth, pictureHeight);
-  runRequested();
+  viewer.camera.value = startCamera;
+  if (actorCount > 1) viewer.frameAll();
+  viewer.drawNow();
+  const { azimuth } = viewer.camera.value;
   // One long drag: it adds one step to the history at most.
   const drag = store.begin('Pose');
   return {
     gl: canvas.getContext('webgl2')!,
     posed(index) {
-      drag.preview(setPose(id, poseAngles(body.jointCount, index)));
-      runRequested();
+      const edits = actors.map(({ id }, i) => setPose(id, poseAngles(jointCount, index + 0.6 * i)));
+      drag.preview({
+        label: 'Pose',
+        apply: (scene) => edits.reduce((posed, edit) => edit.apply(posed), scene),
+      });
+      viewer.drawNow();
     },
     camera(index) {
-      viewer.camera.value = { ...startCamera, azimuth: azimuthOf(index) };
-      runRequested();
+      const turn = azimuthOf(index) - startCamera.azimuth;
+      viewer.camera.value = { ...viewer.camera.value, azimuth: azimuth + turn };
+      viewer.drawNow();
     },
     still() {
       viewer.camera.value = { ...viewer.camera.value };
-      runRequested();
+      viewer.drawNow();
     },
     silhouette() {
       const size = { width: pictureWidth, height: pictureHeight };

@@ -6,6 +6,7 @@ import { frames } from './frames.ts';
 import { kinematics } from './kinematics.ts';
 import { memory } from './memory.ts';
 import { readers } from './readers.ts';
+import { scaling } from './scaling.ts';
 import { skinning } from './skinning.ts';
 import { steadyState } from './steady-state.ts';
 
@@ -21,4 +22,11 @@ export const groups: Readonly<Record<GroupId, Group>> = {
   'command-line': commandLine,
   'first-frame': firstFrame,
   frames,
+  scaling,
 };
+
+/** The groups that run without being named. */
+export function usualGroups(long: boolean): GroupId[] {
+  const all = Object.keys(groups) as GroupId[];
+  return long ? all : all.filter((id) => id !== 'scaling');
+}

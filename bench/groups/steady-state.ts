@@ -61,5 +61,5 @@ function bytesPerFrame(frame: (index: number) => void): number {
   };
   const least = (count: number): number =>
     Math.min(...Array.from({ length: attempts }, () => grownBy(count)));
-  return Math.max(0, (least(frameCount) - least(0)) / frameCount);
+  return Math.max(0, Math.round((least(frameCount) - least(0)) / frameCount));
 }

@@ -22,6 +22,17 @@ export interface GroupResult {
   readonly samples: Samples;
   /** What was counted instead of timed, by its name. */
   readonly counts: Readonly<Record<string, number | string>>;
+  /** The lines of the plot. */
+  readonly curves?: readonly Curve[];
+}
+
+/** How a time grows. */
+export interface Curve {
+  /** What is counted along x: vertices, joints or actors. */
+  readonly axis: string;
+  readonly what: string;
+  /** The counts, with the least milliseconds of all rounds. */
+  readonly points: readonly (readonly [count: number, milliseconds: number])[];
 }
 
 /** How many times as long the peer takes. */

@@ -41,33 +41,38 @@ export async function measure(contenders: readonly Contender[], rounds: number):
 /** The time of one sample at least, in milliseconds, so that the clock's steps do not matter. */
 const leastMilliseconds = 12;
 
-/** Makes a contender of a function of this process, which is run as often as a sample needs. */
+/**
+ * Makes a contender of a function of this process, which is run as often as a sample needs.
+ *
+ * @param run gets how often it ran before, so that it can do something else each time
+ */
 export function contenderOf(id: string, run: (index: number) => unknown): Contender {
+  let next = 0;
   let count = 0;
   return {
     id,
     async sample() {
-      count ||= await countFor(run);
+      if (count === 0) count = await enough();
       const cpu = process.cpuUsage();
-      const wall = (await timeOf(run, count)) / count;
+      const wall = (await timeOf(count)) / count;
       const { user, system } = process.cpuUsage(cpu);
       return { wall, cpu: (user + system) / 1000 / count };
     },
   };
-}
 
-async function countFor(run: (index: number) => unknown): Promise<number> {
-  for (let count = 1; ; count *= 2) {
-    if ((await timeOf(run, count)) >= leastMilliseconds) return count;
+  async function enough(): Promise<number> {
+    for (let runs = 1; ; runs *= 2) {
+      if ((await timeOf(runs)) >= leastMilliseconds) return runs;
+    }
   }
-}
 
-async function timeOf(run: (index: number) => unknown, count: number): Promise<number> {
-  const begin = performance.now();
-  for (let i = 0; i < count; i++) {
-    const result = run(i);
-    // Waiting for every result would add a turn of the event loop to each run.
-    if (result instanceof Promise) await result;
+  async function timeOf(runs: number): Promise<number> {
+    const begin = performance.now();
+    for (let i = 0; i < runs; i++) {
+      const result = run(next++);
+      // Waiting for every result would add a turn of the event loop to each run.
+      if (result instanceof Promise) await result;
+    }
+    return performance.now() - begin;
   }
-  return performance.now() - begin;
 }

@@ -10,13 +10,20 @@ export interface LongTask {
 declare global {
   interface Window {
     longTasks: LongTask[];
+    /** When a worker last ended, in milliseconds since the visit began. */
+    workerEnded: number;
   }
 }
 
-/** Notes the long tasks of a page that is not open yet. */
+/** Notes the long tasks of a page that is not open yet, and when its workers end. */
 export async function mainThreadTasks(page: Page) {
   await page.addInitScript(() => {
     window.longTasks = [];
+    const terminate = Object.getOwnPropertyDescriptor(Worker.prototype, 'terminate')!;
+    Worker.prototype.terminate = function () {
+      window.workerEnded = performance.now();
+      (terminate.value as () => void).call(this);
+    };
     new PerformanceObserver((list) => {
       for (const { startTime, duration } of list.getEntries()) {
         window.longTasks.push({ start: startTime, duration });

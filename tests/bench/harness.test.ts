@@ -81,12 +81,16 @@ it('every goal has an id of its own, and every limit belongs to one', () => {
 });
 
 it('options are understood or refused', () => {
-  expect(parseWords(['--long', '--only=frames,readers', '--save=12-faces'])).toEqual({
-    ...{ long: true, check: false, only: ['frames', 'readers'], rounds: 15 },
-    ...{ save: '12-faces', testSeconds: null },
+  expect(parseWords(['--long', '--check', '--only=frames,readers'])).toEqual({
+    ...{ long: true, check: true, only: ['frames', 'readers'], rounds: 15 },
+    ...{ save: null, testSeconds: null },
   });
-  expect(parseWords([]).rounds).toBe(9);
-  for (const words of [['--lnog'], ['--only=frame'], ['--rounds=none'], ['--save'], ['frames']]) {
+  expect(parseWords(['--save=12-faces', '--test-seconds=260'])).toMatchObject({
+    ...{ rounds: 9, save: '12-faces', testSeconds: 260 },
+  });
+  const partial = ['--only=frames', '--save=12-faces'];
+  const others = [['--lnog'], ['--only=frame'], ['--rounds=none'], ['--save'], ['frames']];
+  for (const words of [partial, ...others]) {
     expect(() => parseWords(words), words.join()).toThrow(/not understood.*--only=GROUP/s);
   }
 });
