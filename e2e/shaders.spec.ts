@@ -26,16 +26,20 @@ const paletteRows = [1024, 4096, 0];
 const passNames = new Set(
   Object.keys(files).flatMap((name) => /^passes\/(.+)\.(?:vert|frag)\.glsl$/.exec(name)?.[1] ?? []),
 );
-const passes = Array.from(passNames, (pass) => ({
-  name: pass,
-  vertex: resolveShader(files, `passes/${pass}.vert.glsl`),
-  fragment: resolveShader(files, `passes/${pass}.frag.glsl`),
-}));
+/** The looks of src/view/passes/mesh.ts; passes that know none of them ignore them. */
+const looks = [{}, { FACETED: 1 }, { GLOSSY: 1 }, { FACETED: 1, GLOSSY: 1 }];
+const passes = [...passNames].flatMap((pass) =>
+  looks.map((defines) => ({
+    name: [pass, ...Object.keys(defines)].join(' '),
+    vertex: resolveShader(files, `passes/${pass}.vert.glsl`, defines),
+    fragment: resolveShader(files, `passes/${pass}.frag.glsl`, defines),
+  })),
+);
 
 const page = sharedPage(() => Promise.resolve());
 
 test('every pass links', async () => {
-  expect(passes.map(({ name }) => name)).toContain('mesh');
+  expect(passes.map(({ name }) => name)).toContain('mesh FACETED GLOSSY');
   expect(await problemsOf(page(), passes)).toEqual([]);
 });
 

@@ -16,6 +16,8 @@ import { cacheFolder, findOnPath, root } from './commands.mjs';
 // The app compiles these variants (src/view/programs.ts). In either list, 0 means the texture.
 const influencePairs = [1, 2, 3, 4, 0];
 const paletteRows = [1024, 4096, 0];
+/** The looks of src/view/passes/mesh.ts; passes that know none of them ignore them. */
+const looks: readonly Defines[] = [{}, { FACETED: 1 }, { GLOSSY: 1 }, { FACETED: 1, GLOSSY: 1 }];
 
 interface Program {
   readonly name: string;
@@ -59,11 +61,13 @@ function listPrograms(loaded: readonly SkinningMethod[]): (() => Program)[] {
   const passes = Object.keys(files)
     .map((name) => /^passes\/(.+)\.(?:vert|frag)\.glsl$/.exec(name)?.[1])
     .filter((pass) => pass !== undefined);
-  const passPrograms = [...new Set(passes)].map((pass) => () => ({
-    name: `pass ${pass}`,
-    vertex: resolveShader(files, `passes/${pass}.vert.glsl`),
-    fragment: resolveShader(files, `passes/${pass}.frag.glsl`),
-  }));
+  const passPrograms = [...new Set(passes)].flatMap((pass) =>
+    looks.map((defines) => () => ({
+      name: ['pass', pass, ...Object.keys(defines)].join(' '),
+      vertex: resolveShader(files, `passes/${pass}.vert.glsl`, defines),
+      fragment: resolveShader(files, `passes/${pass}.frag.glsl`, defines),
+    })),
+  );
   const stagePrograms = loaded.flatMap((method) =>
     influencePairs.flatMap((pairs) =>
       paletteRows.map((rows) => () => {

@@ -1,10 +1,12 @@
 // These functions convert linear light for the display with a shoulder that preserves hue and then
 // the sRGB curve.
 
+// The curve's power is fitted by two square roots, which cost less than a power. From 0 to 1 the fit
+// is within 0.1 of one of the display's 255 steps.
 vec3 encodeSrgb(vec3 linear) {
-  vec3 low = linear * 12.92;
-  vec3 high = 1.055 * pow(max(linear, vec3(0.0)), vec3(1.0 / 2.4)) - 0.055;
-  return mix(high, low, lessThan(linear, vec3(0.0031308)));
+  vec3 root = sqrt(max(linear, vec3(0.0)));
+  vec3 high = 0.8337522 * root + 0.2981091 * sqrt(root) - 0.0553168 * linear - 0.0769038;
+  return mix(high, linear * 12.92, lessThan(linear, vec3(0.0031308)));
 }
 
 // Colors up to 0.75 stay as they are. Above that, the brightest channel eases toward 1 and the

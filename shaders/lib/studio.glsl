@@ -29,29 +29,38 @@ float highlight(vec3 toLight, vec3 view, vec3 normal, float shininess) {
   return pow(along, shininess) * step(0.0, dot(normal, toLight));
 }
 
-// Shades a matte surface that also has a highlight from key and fill.
-vec3 shade(vec3 albedo, vec3 specular, float shininess, vec3 normal, vec3 position) {
-  vec3 view = normalize(eye - position);
-  // A surface that the light does not reach needs no shadow lookup.
-  float facing = dot(normal, keyDirection);
-  float visibility = facing > -wrap ? keyVisibility(position, normal) : 0.0;
-  vec3 light = mix(groundColor, skyColor, 0.5 + 0.5 * normal.y);
-  light += keyColor * wrapped(facing) * visibility;
+// Shades a matte surface that also has a highlight from key and fill. Normal and view have unit
+// length.
+vec3 shade(
+  vec3 albedo, vec3 specular, float shininess, vec3 normal, vec3 view, vec3 position
+) {
+  float up = 0.5 + 0.5 * normal.y;
+  vec3 light = mix(groundColor, skyColor, up);
   light += fillColor * wrapped(dot(normal, fillDirection));
   light += rimColor * wrapped(dot(normal, rimDirection));
   float across = 1.0 - max(dot(normal, view), 0.0);
-  float grazing = across * across * across * across;
-  vec3 edge = rimColor * 0.35 * grazing * (0.5 + 0.5 * normal.y);
-  vec3 halfway = normalize(keyDirection + view);
-  vec3 sheen = keyColor * 0.06 * pow(max(dot(normal, halfway), 0.0), 28.0) * visibility;
-  vec3 glint = vec3(0.0);
-  if (specular != vec3(0.0)) {
-    glint = keyColor * highlight(keyDirection, view, normal, shininess) * visibility;
-    glint += fillColor * highlight(fillDirection, view, normal, shininess);
+  across *= across;
+  vec3 gloss = rimColor * (0.35 * across * across * up);
+  // A surface that the light does not reach needs no shadow lookup.
+  float facing = dot(normal, keyDirection);
+  float visibility = facing > -wrap ? keyVisibility(position, normal) : 0.0;
+  if (visibility > 0.0) {
+    light += keyColor * (wrapped(facing) * visibility);
+    // The sheen is the 28th power of the cosine.
+    float sheen = max(dot(normal, normalize(keyDirection + view)), 0.0);
+    sheen *= sheen;
+    sheen *= sheen;
+    float squared = sheen * sheen;
+    gloss += keyColor * (0.06 * visibility * squared * squared * squared * sheen);
   }
-  return albedo * light + edge + sheen + specular * glint;
+#ifdef GLOSSY
+  vec3 glint = keyColor * highlight(keyDirection, view, normal, shininess) * visibility;
+  glint += fillColor * highlight(fillDirection, view, normal, shininess);
+  gloss += specular * glint;
+#endif
+  return albedo * light + gloss;
 }
 
-vec3 shadeMatte(vec3 albedo, vec3 normal, vec3 position) {
-  return shade(albedo, vec3(0.0), 1.0, normal, position);
+vec3 shadeMatte(vec3 albedo, vec3 normal, vec3 view, vec3 position) {
+  return shade(albedo, vec3(0.0), 1.0, normal, view, position);
 }

@@ -13,13 +13,16 @@ out vec4 color;
 const float spacing = 0.75;
 const float weights[4] = float[](0.3058, 0.2308, 0.0993, 0.0244);
 
+vec2 at(vec2 shift) {
+  return textureLod(source, textureAt + shift, 0.0).rg;
+}
+
 void main() {
-  vec2 sum = weights[0] * texture(source, textureAt).rg;
+  vec2 sum = weights[0] * at(vec2(0.0));
   for (int i = 1; i < 4; i++) {
     vec2 red = spacing * float(i) * redStep;
     vec2 green = spacing * float(i) * greenStep;
-    sum.r += weights[i] * (texture(source, textureAt + red).r + texture(source, textureAt - red).r);
-    sum.g += weights[i] * (texture(source, textureAt + green).g + texture(source, textureAt - green).g);
+    sum += weights[i] * vec2(at(red).r + at(-red).r, at(green).g + at(-green).g);
   }
   color = vec4(sum, 0.0, 1.0);
 }

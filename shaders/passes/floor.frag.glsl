@@ -30,16 +30,24 @@ float checker(vec2 x) {
   return 0.5 + 0.5 * wave.x * wave.y;
 }
 
+// Returns how much light the characters leave to the floor.
+float lightAt(vec2 place) {
+  vec2 at = abs(place - contactSquare.xy) / contactSquare.z;
+  vec2 contact = vec2(0.0);
+  if (max(at.x, at.y) < 1.0) {
+    vec2 within = (place - contactSquare.xy) / contactSquare.z * 0.5 + 0.5;
+    // The square's rim is never quite empty; ease it out so that no edge shows.
+    vec2 inside = smoothstep(1.0, 0.8, at);
+    contact = textureLod(contactShadow, within, 0.0).rg * inside.x * inside.y;
+  }
+  float shade = 1.0 - keyVisibility(vec3(place.x, 0.0, place.y), vec3(0.0, 1.0, 0.0));
+  return (1.0 - 0.6 * contact.r) * (1.0 - 0.35 * contact.g) * (1.0 - 0.22 * shade);
+}
+
 void main() {
-  vec3 surface = mix(floorLight, floorDark, checker(scenePosition.xz / checkSize));
-  vec2 at = (scenePosition.xz - contactSquare.xy) / contactSquare.z;
-  vec2 contact = texture(contactShadow, at * 0.5 + 0.5).rg;
-  // The square's rim is never quite empty; ease it out so that no edge shows.
-  vec2 inside = smoothstep(1.0, 0.8, abs(at));
-  contact *= inside.x * inside.y;
-  float shade = 1.0 - keyVisibility(scenePosition, vec3(0.0, 1.0, 0.0));
-  float light = (1.0 - 0.6 * contact.r) * (1.0 - 0.35 * contact.g) * (1.0 - 0.22 * shade);
-  surface *= mix(1.0, light, shadowStrength);
-  float fade = smoothstep(fadeStart, fadeEnd, length(scenePosition.xz));
+  vec2 place = scenePosition.xz;
+  vec3 surface = mix(floorLight, floorDark, checker(place / checkSize));
+  surface *= mix(1.0, lightAt(place), shadowStrength);
+  float fade = smoothstep(fadeStart, fadeEnd, length(place));
   color = vec4(dither(encodeSrgb(mix(surface, backdrop(), fade))), 1.0);
 }

@@ -15,7 +15,7 @@ out vec4 color;
 void main() {
   vec3 normal = normalize(sceneNormal);
   vec3 view = normalize(eye - scenePosition);
-  vec3 lit = shadeMatte(solidColor, normal, scenePosition);
+  vec3 lit = shadeMatte(solidColor, normal, view, scenePosition);
   // A thin dark rim sets solids off from each other and from the skin.
   float outline = mix(1.0, smoothstep(0.12, 0.34, abs(dot(normal, view))), rim);
   color = vec4(dither(encodeSrgb(toneMap(lit * mix(0.12, 1.0, outline)))), opacity);

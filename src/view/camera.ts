@@ -34,13 +34,18 @@ export function eyeOf(camera: Camera): vec3 {
   ];
 }
 
+/** The distance before the camera at which things are cut off. */
+export function nearOf({ distance }: Camera): number {
+  return distance * 0.02;
+}
+
 /** Transforms scene space to clip space, in float64. */
 export function clipFromScene(camera: Camera, aspect: number): mat4 {
   const viewFromScene: mat4 = new Float64Array(16);
   mat4.lookAt(viewFromScene, eyeOf(camera), camera.target, [0, 1, 0]);
   const clipFromView: mat4 = new Float64Array(16);
-  const near = camera.distance * 0.02;
-  mat4.perspective(clipFromView, camera.fieldOfView, aspect, near, camera.distance + 60);
+  const { fieldOfView, distance } = camera;
+  mat4.perspective(clipFromView, fieldOfView, aspect, nearOf(camera), distance + 60);
   return mat4.multiply(new Float64Array(16), clipFromView, viewFromScene);
 }
 

@@ -9,6 +9,7 @@ import type { GpuPools } from './gpu-pools.ts';
 import type { Programs } from './programs.ts';
 import { type LayoutChoice, SkinnedMesh } from './skinned-mesh.ts';
 import { type OnImage, SurfaceTextures } from './surface-textures.ts';
+import { type Subject, subjectOf } from './subject.ts';
 import { type Surface, surfacesOf } from './surfaces.ts';
 
 /** A character of the document with its objects on the GPU, which are updated on demand. */
@@ -23,6 +24,7 @@ export class CharacterView {
   private shownDevice: SkinDevice | null = null;
   private shownRest = 0;
   private shownVertices = 0;
+  private enclosed: { readonly revision: string; readonly subject: Subject } | null = null;
 
   constructor(
     gpu: Gpu,
@@ -46,6 +48,15 @@ export class CharacterView {
 
   get display(): DisplayTransform {
     return this.evaluation.display;
+  }
+
+  /** A sphere around the character as it is posed and placed. */
+  get subject(): Subject {
+    const { revision } = this;
+    if (this.enclosed?.revision !== revision) {
+      this.enclosed = { revision, subject: subjectOf([this.evaluation]) };
+    }
+    return this.enclosed.subject;
   }
 
   get characterFromJoint(): Float64Array {
@@ -85,7 +96,8 @@ export class CharacterView {
   drawCaster(program: Program): void {
     program.set({ sceneFromCharacter: this.display.sceneFromCharacter });
     for (const { submesh, alpha } of this.surfaces) {
-      if (alpha > 0) this.skinned.draw(program, submesh);
+      if (alpha === 1) this.skinned.drawSolid(program, submesh);
+      else if (alpha > 0) this.skinned.draw(program, submesh);
     }
   }
 

@@ -5,7 +5,8 @@ import type { CharacterView } from './character-view.ts';
 import type { Programs } from './programs.ts';
 import type { Subject } from './subject.ts';
 
-const size = 256;
+/** The texels on a side of what is drawn, and of its blurs, which need no more. */
+const [drawnSize, blurredSize] = [256, 128];
 /**
  * The standard deviations of the two blurs in scene units: where feet touch the floor, and of the
  * body above.
@@ -26,17 +27,19 @@ export class ContactShadow {
   private readonly gl: WebGL2RenderingContext;
   private readonly programs: Programs;
   private readonly drawn: TextureTarget;
+  private readonly blurredAcross: TextureTarget;
   private readonly blurred: TextureTarget;
 
   constructor(gpu: Gpu, programs: Programs) {
     this.gl = gpu.gl;
     this.programs = programs;
-    this.drawn = new TextureTarget(gpu, size, size);
-    this.blurred = new TextureTarget(gpu, size, size);
+    this.drawn = new TextureTarget(gpu, drawnSize, drawnSize);
+    this.blurredAcross = new TextureTarget(gpu, blurredSize, blurredSize);
+    this.blurred = new TextureTarget(gpu, blurredSize, blurredSize);
   }
 
   get texture(): Texture {
-    return this.drawn.texture;
+    return this.blurred.texture;
   }
 
   draw(casters: readonly CharacterView[], { center, radius }: Subject): void {
@@ -44,13 +47,14 @@ export class ContactShadow {
     this.square = [center[0], center[2], radius + 3 * broadBlur];
     gl.disable(gl.DEPTH_TEST);
     this.drawFromBelow(casters);
-    this.blur(this.drawn.texture, this.blurred, [1, 0]);
-    this.blur(this.blurred.texture, this.drawn, [0, 1]);
+    this.blur(this.drawn.texture, this.blurredAcross, [1, 0]);
+    this.blur(this.blurredAcross.texture, this.blurred, [0, 1]);
     gl.enable(gl.DEPTH_TEST);
   }
 
   dispose(): void {
     this.drawn.dispose();
+    this.blurredAcross.dispose();
     this.blurred.dispose();
   }
 

@@ -1,5 +1,6 @@
+import type { vec3 } from 'gl-matrix';
 import type { UniformValue } from '../gl/program.ts';
-import { clipFromScene, eyeOf } from './camera.ts';
+import { clipFromScene, eyeOf, nearOf } from './camera.ts';
 import type { CharacterView } from './character-view.ts';
 import type { RenderView, Viewport } from './render-view.ts';
 import type { Theme } from './theme.ts';
@@ -11,6 +12,9 @@ export interface Frame {
   readonly options: ViewOptions;
   readonly theme: Theme;
   readonly viewport: Viewport;
+  /** The camera's place in the scene, and the distance before it at which things are cut off. */
+  readonly eye: vec3;
+  readonly near: number;
   /** The uniforms that passes share: camera, backdrop and, once prepared, lights and shadows. */
   readonly uniforms: Readonly<Record<string, UniformValue>>;
 }
@@ -22,12 +26,13 @@ export function createFrame(
   { camera, viewport }: RenderView,
 ): Frame {
   const { width, height } = viewport;
+  const eye = eyeOf(camera);
   const uniforms = {
     clipFromScene: Float32Array.from(clipFromScene(camera, width / height)),
-    eye: eyeOf(camera),
+    eye,
     viewportSize: [width, height],
     backdropTop: theme.backdropTop,
     backdropBottom: theme.backdropBottom,
   };
-  return { characters, options, theme, viewport, uniforms };
+  return { characters, options, theme, viewport, eye, near: nearOf(camera), uniforms };
 }

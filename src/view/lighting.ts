@@ -21,6 +21,7 @@ export class Lighting {
   private readonly keyShadow: DepthTarget;
   private readonly contactShadow: ContactShadow;
   private readonly clipFromScene = new Float32Array(16);
+  private keyShadowStep = 0;
   private shown = '';
 
   constructor(gpu: Gpu, programs: Programs) {
@@ -43,8 +44,9 @@ export class Lighting {
     if (shadows !== this.shown) {
       this.shown = shadows;
       const casters = showSkin ? frame.characters : [];
-      const subject = subjectOf(frame.characters);
+      const subject = subjectOf(frame.characters.map(({ evaluation }) => evaluation));
       mat4.copy(this.clipFromScene, keyClipFromScene(subject, key.direction));
+      this.keyShadowStep = (3.5 * 2 * subject.radius) / keyShadowSize;
       this.drawKeyShadow(casters);
       this.contactShadow.draw(casters, subject);
     }
@@ -58,6 +60,7 @@ export class Lighting {
       rimDirection: rim.direction,
       rimColor: rim.color,
       keyClipFromScene: this.clipFromScene,
+      keyShadowStep: this.keyShadowStep,
       keyShadow: keyShadowUnit,
       contactShadow: contactShadowUnit,
       contactSquare: this.contactShadow.square,
@@ -75,8 +78,8 @@ export class Lighting {
     const program = this.programs.pass('key-shadow');
     program.use();
     program.set({ clipFromScene: this.clipFromScene });
-    // The offset moves the caster away from the light, by its slope and a constant step, so that it
-    // does not shadow itself.
+    // The offset moves the casters away from the light, by their slope and a constant step, so that
+    // they do not shadow themselves.
     gl.enable(gl.POLYGON_OFFSET_FILL);
     gl.polygonOffset(2, 2);
     for (const caster of casters) caster.drawCaster(program);

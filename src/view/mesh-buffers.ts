@@ -1,8 +1,9 @@
-import type { Mesh } from '../core/mesh.ts';
+import type { Mesh, Submesh } from '../core/mesh.ts';
 import { Buffer } from '../gl/buffer.ts';
 import type { Gpu } from '../gl/gpu.ts';
 import { Owner } from '../gl/owner.ts';
 import type { VertexStreams } from '../skinning/method.ts';
+import { closedTriangles } from './closed-triangles.ts';
 
 /** The vertices at rest, as the skinning stage reads them. */
 export class RestBuffers {
@@ -33,7 +34,10 @@ export class RestBuffers {
 /** A mesh as its files define it, which never changes. */
 export class MeshBuffers {
   readonly rest: RestBuffers;
+  /** Those of closed surfaces come first in each submesh. */
   readonly indices: Buffer;
+  /** How many indices of each submesh belong to closed surfaces. */
+  readonly closedCounts: ReadonlyMap<Submesh, number>;
   readonly uvs: Buffer | null;
   private readonly owner = new Owner();
 
@@ -41,7 +45,9 @@ export class MeshBuffers {
     const { owner } = this;
     try {
       this.rest = owner.own(new RestBuffers(gpu, mesh));
-      this.indices = owner.own(new Buffer(gpu, 'index', mesh.indices));
+      const { indices, closedCounts } = closedTriangles(mesh);
+      this.indices = owner.own(new Buffer(gpu, 'index', indices));
+      this.closedCounts = closedCounts;
       this.uvs = mesh.uvs && owner.own(new Buffer(gpu, 'vertex', mesh.uvs));
     } catch (error) {
       owner.dispose();

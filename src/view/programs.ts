@@ -1,6 +1,6 @@
 import type { Gpu } from '../gl/gpu.ts';
 import { Program } from '../gl/program.ts';
-import { resolveShader } from '../gl/shader-library.ts';
+import { type Defines, resolveShader } from '../gl/shader-library.ts';
 import type { SkinningMethod } from '../skinning/method.ts';
 import { shaderFiles } from './shader-files.ts';
 
@@ -23,10 +23,10 @@ export class Programs {
   }
 
   /** Returns the program of shaders/passes/NAME.vert.glsl and NAME.frag.glsl. */
-  pass(name: string): Program {
-    return this.find(name, () => ({
-      vertex: resolveShader(shaderFiles, `passes/${name}.vert.glsl`),
-      fragment: resolveShader(shaderFiles, `passes/${name}.frag.glsl`),
+  pass(name: string, defines: Defines = {}): Program {
+    return this.find([name, ...Object.keys(defines)].join(' '), () => ({
+      vertex: resolveShader(shaderFiles, `passes/${name}.vert.glsl`, defines),
+      fragment: resolveShader(shaderFiles, `passes/${name}.frag.glsl`, defines),
     }));
   }
 

@@ -137,12 +137,22 @@ export class SkinnedMesh {
     return { positions, normals };
   }
 
-  /** Draws all triangles, or those of one material, with a program that is in use. */
-  draw(program: Program, submesh?: Submesh): void {
-    const { gl } = this.gpu;
+  /** Draws the triangles of one material with a program that is in use. */
+  draw(program: Program, { firstIndex, indexCount }: Submesh): void {
     this.arrayFor(program).bind();
-    const { firstIndex = 0, indexCount = this.mesh.indices.length } = submesh ?? {};
-    gl.drawElements(gl.TRIANGLES, indexCount, gl.UNSIGNED_INT, firstIndex * bytesPerIndex);
+    this.drawRun(firstIndex, indexCount);
+  }
+
+  /** The same as seen from outside, where the outer sides of closed surfaces hide the inner ones. */
+  drawSolid(program: Program, submesh: Submesh): void {
+    const { gl } = this.gpu;
+    const { firstIndex, indexCount } = submesh;
+    const closed = this.shared.value.closedCounts.get(submesh) ?? 0;
+    this.arrayFor(program).bind();
+    gl.enable(gl.CULL_FACE);
+    this.drawRun(firstIndex, closed);
+    gl.disable(gl.CULL_FACE);
+    this.drawRun(firstIndex + closed, indexCount - closed);
   }
 
   dispose(): void {
@@ -151,6 +161,12 @@ export class SkinnedMesh {
     this.shaped?.dispose();
     this.influences.release();
     this.owner.dispose();
+  }
+
+  private drawRun(firstIndex: number, count: number): void {
+    const { gl } = this.gpu;
+    if (count === 0) return;
+    gl.drawElements(gl.TRIANGLES, count, gl.UNSIGNED_INT, firstIndex * bytesPerIndex);
   }
 
   private leaseInfluences(skin: Skin): Lease<InfluenceBuffers> {

@@ -1,6 +1,6 @@
 import { vec3 } from 'gl-matrix';
 import { diagonal, emptyBounds, includePositions, isEmpty } from '../core/bounds.ts';
-import type { CharacterView } from './character-view.ts';
+import type { Evaluation } from '../evaluation/evaluation.ts';
 
 /**
  * A sphere around the characters as they are placed now, for lights and shadows, in scene space.
@@ -14,10 +14,10 @@ export interface Subject {
  * Uses the posed joints and the size at rest, which is accurate enough, and fast enough for every
  * pose.
  */
-export function subjectOf(views: readonly CharacterView[]): Subject {
+export function subjectOf(characters: readonly Evaluation[]): Subject {
   const joints = emptyBounds();
   let size = 0;
-  for (const { display, characterFromJoint, state } of views) {
+  for (const { display, characterFromJoint, state } of characters) {
     size = Math.max(size, diagonal(state.character.bounds) * display.scale);
     for (let at = 12; at < characterFromJoint.length; at += 16) {
       vec3.set(

@@ -1,6 +1,7 @@
 import type { Pass } from '../pass.ts';
 
-const halfSize = 24;
+/** The distances from the scene's origin between which the floor fades into the backdrop. */
+const [fadeStart, fadeEnd] = [0.8, 5];
 
 /**
  * Draws a floor of large soft checks that fades into the backdrop, with the characters' shadow on
@@ -16,12 +17,13 @@ export const floorPass: Pass = {
         program.use();
         program.set(uniforms);
         program.set({
-          halfSize,
+          // Past this the floor looks like the backdrop, which is drawn there.
+          halfSize: fadeEnd,
           floorLight: theme.floorLight,
           floorDark: theme.floorDark,
           checkSize: 0.5,
-          fadeStart: 0.8,
-          fadeEnd: 5,
+          fadeStart,
+          fadeEnd,
           shadowStrength: theme.shadowStrength,
         });
         gl.bindVertexArray(null);

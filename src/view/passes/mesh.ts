@@ -1,4 +1,7 @@
+import { vec3 } from 'gl-matrix';
+import type { Submesh } from '../../core/mesh.ts';
 import type { Program } from '../../gl/program.ts';
+import type { Defines } from '../../gl/shader-library.ts';
 import type { CharacterView } from '../character-view.ts';
 import type { Frame } from '../frame.ts';
 import type { Pass } from '../pass.ts';
@@ -9,7 +12,7 @@ const translucentOpacity = 0.42;
 
 const textureUnit = 4;
 const white = [1, 1, 1];
-const clay = { albedo: palette.clay, specular: [0, 0, 0] };
+const clay = { albedo: palette.clay };
 /** A surface with less opacity is invisible and must not hide anything. */
 const leastOpacity = 0.002;
 
@@ -50,17 +53,21 @@ export const meshPass: Pass = {
       const { surfaces, textures } = view;
       const isDressed = surfaces.some(({ albedo, texture }) => albedo ?? textures.find(texture));
       if (!frame.options.showTextures || !isDressed) {
-        const program = programs.pass('mesh');
+        const program = programs.pass('mesh', definesOf(frame, false));
         useProgram(program, frame, view);
         program.set({ ...clay, opacity });
-        view.skinned.draw(program);
+        for (const { submesh } of surfaces) drawOpaque(frame, view, program, submesh);
         return;
       }
       let used: Program | undefined;
       for (const { submesh, albedo, alpha, twoSided, texture: name, ...gloss } of surfaces) {
         if (alpha * opacity < leastOpacity) continue;
         const texture = textures.find(name);
-        const program = programs.pass(texture ? 'mesh-textured' : 'mesh');
+        const defines = definesOf(
+          frame,
+          gloss.specular.some((channel) => channel > 0),
+        );
+        const program = programs.pass(texture ? 'mesh-textured' : 'mesh', defines);
         if (program !== used) useProgram((used = program), frame, view);
         texture?.bind(textureUnit);
         program.set({
@@ -68,26 +75,53 @@ export const meshPass: Pass = {
           ...gloss,
           opacity: alpha * opacity,
         });
-        // The inner side of a translucent surface is drawn before the outer one.
-        const culled = alpha < 1 ? [gl.FRONT, gl.BACK] : [twoSided ? gl.NONE : gl.BACK];
-        for (const side of culled) {
-          if (side !== gl.NONE) {
-            gl.enable(gl.CULL_FACE);
-            gl.cullFace(side);
-          }
-          view.skinned.draw(program, submesh);
-          gl.disable(gl.CULL_FACE);
-        }
+        if (alpha < 1) {
+          // The inner side of a translucent surface is drawn before the outer one.
+          drawSide(view, program, submesh, gl.FRONT);
+          drawSide(view, program, submesh, gl.BACK);
+        } else if (!twoSided) drawSide(view, program, submesh, gl.BACK);
+        else if (texture)
+          view.skinned.draw(program, submesh); // it may have holes
+        else drawOpaque(frame, view, program, submesh);
       }
+    }
+
+    /** From inside a closed surface, its inner side is all that is visible. */
+    function drawOpaque(
+      { eye, near }: Frame,
+      { skinned, subject }: CharacterView,
+      program: Program,
+      submesh: Submesh,
+    ): void {
+      const isOutside = vec3.distance(eye, subject.center) > subject.radius + near;
+      if (isOutside) skinned.drawSolid(program, submesh);
+      else skinned.draw(program, submesh);
+    }
+
+    function drawSide(
+      { skinned }: CharacterView,
+      program: Program,
+      submesh: Submesh,
+      culled: number,
+    ): void {
+      gl.enable(gl.CULL_FACE);
+      gl.cullFace(culled);
+      skinned.draw(program, submesh);
+      gl.cullFace(gl.BACK);
+      gl.disable(gl.CULL_FACE);
     }
   },
 };
+
+/** The variant of a program; a look that is not needed costs nothing. */
+function definesOf({ options }: Frame, isGlossy: boolean): Defines {
+  return { ...(options.faceted && { FACETED: 1 }), ...(isGlossy && { GLOSSY: 1 }) };
+}
 
 function useProgram(program: Program, frame: Frame, view: CharacterView): void {
   program.use();
   program.set(frame.uniforms);
   program.set({
-    faceted: frame.options.faceted,
     colorTexture: textureUnit,
     sceneFromCharacter: view.display.sceneFromCharacter,
   });
