@@ -10,7 +10,7 @@ import { failureText } from '../ui/attempt.ts';
 import type { Opening, ThemeChoice } from '../ui/editor.ts';
 import type { WorkspaceId } from '../ui/workspace.ts';
 import type { Viewer } from '../view/viewer.ts';
-import { type CatalogueEntry, fetchBundled } from './catalogue.ts';
+import type { CatalogueEntry } from './catalogue.ts';
 import { FileOpener, type OpenOutcome } from './open-files.ts';
 import { ProgressMeter } from './progress-meter.ts';
 import { workspaces } from './workspaces.ts';
@@ -21,8 +21,6 @@ const mostEarlier = 12;
 /**
  * Opens characters and workspaces. It contains everything of the editor that the first picture
  * needs.
- *
- * @param onReading is called when the files of a bundled character have come and are being read
  */
 export function createOpening(
   store: Store,
@@ -30,7 +28,6 @@ export function createOpening(
   evaluations: Evaluations,
   viewer: Viewer,
   catalogue: Signal<readonly CatalogueEntry[]>,
-  onReading: () => void,
 ): Opening {
   const opener = new FileOpener(store, session, evaluations);
   const workspaceId = signal<WorkspaceId>(workspaces[0]!.id);
@@ -169,11 +166,8 @@ export function createOpening(
     signal: AbortSignal,
     add: boolean,
   ): Promise<OpenOutcome | undefined> {
-    const files = await fetchBundled(entry, signal);
     const source = { kind: 'bundled', id: entry.id } as const;
-    const opened = opener.openBundled(files, signal, meter.report, { source, add });
-    onReading();
-    const outcome = await opened;
+    const outcome = await opener.openBundled(entry, signal, meter.report, { source, add });
     if (outcome?.opened) showOpened(entry.label, word(add));
     return outcome;
   }

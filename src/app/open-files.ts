@@ -13,9 +13,9 @@ import type { FileEntry } from '../formats/format.ts';
 import type { ReadCharacter, ReadProgress } from '../formats/read-characters.ts';
 import { defaultDeformation, kernelOf } from '../skinning/registry.ts';
 import type { MethodId } from '../skinning/method.ts';
-import type { LooseFile } from '../workers/read-characters-task.ts';
+import { type CatalogueEntry, fetchBundled } from './catalogue.ts';
 import type { OpenedFiles } from './renewal.ts';
-import { readFiles } from './read-files.ts';
+import { loadReadHere, readFiles } from './read-files.ts';
 
 /**
  * The source of characters, and whether they are added to the others or replace the selected one.
@@ -58,24 +58,30 @@ export class FileOpener {
     this.evaluations = evaluations;
   }
 
-  /** Opens a bundled character with its pose. */
+  /** Fetches and opens a bundled character with its pose. */
   async openBundled(
-    files: readonly LooseFile[],
+    entry: CatalogueEntry,
     signal: AbortSignal,
     onProgress: ReadProgress,
     way: OpenWay,
   ): Promise<OpenOutcome | undefined> {
+    // Before the first picture there is nothing to keep responsive, and a worker would load its own
+    // copy of much of the page's code first. What reads the files comes while they are on their way.
+    const isFirst = this.store.scene.value.actors.length === 0;
+    const [files, readHere, poseReader] = await Promise.all([
+      fetchBundled(entry, signal),
+      isFirst ? loadReadHere(entry.files) : undefined,
+      entry.pose === undefined ? undefined : loadPart(import('./bundled-pose.ts')),
+    ]);
     const pose = files.find(({ path }) => path.endsWith('.json'));
     const parts = files.filter((file) => file !== pose);
-    // The reader of poses loads while the worker reads the character.
-    const [{ characters, diagnostics }, readPose] = await Promise.all([
-      readFiles(parts, signal, onProgress),
-      pose && loadPart(import('./bundled-pose.ts')).then(({ readBundledPose }) => readBundledPose),
-    ]);
+    const { characters, diagnostics } = readHere
+      ? await readHere(parts, onProgress)
+      : await readFiles(parts, signal, onProgress);
     const problems = [...diagnostics];
     const [first] = characters;
     const skeleton = first?.character.skeleton;
-    const q = skeleton && pose && (await readPose?.(pose, skeleton, problems));
+    const q = skeleton && pose && (await poseReader?.readBundledPose(pose, skeleton, problems));
     await this.prepare(characters);
     if (signal.aborted) return undefined;
     if (first) this.showAll([first], way, q);

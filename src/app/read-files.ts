@@ -12,25 +12,31 @@ const workerSize = 1024 * 1024;
  * Reads characters on this thread or in a worker. If the signal is aborted, the result must not be
  * used.
  */
-export function readFiles(
+export async function readFiles(
   files: readonly LooseFile[],
   signal: AbortSignal,
   onProgress: ReadProgress,
 ): Promise<ReadOutcome> {
   const size = files.reduce((sum, { bytes }) => sum + bytes.length, 0);
-  return size > workerSize ? readInWorker(files, signal, onProgress) : readHere(files, onProgress);
+  if (size > workerSize) return readInWorker(files, signal, onProgress);
+  const readHere = await loadReadHere();
+  return readHere(files, onProgress);
 }
 
-/**
- * The readers are loaded at first use, because the worker reads the characters of the first
- * picture.
- */
-async function readHere(
+/** Reads characters on this thread. */
+export type ReadHere = (
   files: readonly LooseFile[],
   onProgress: ReadProgress,
-): Promise<ReadOutcome> {
-  const { readCharacters } = await loadPart(import('../formats/read-characters.ts'));
-  return readCharacters(files.map(asEntry), onProgress);
+) => Promise<ReadOutcome>;
+
+/**
+ * Loads what reads characters on this thread: code that the page shares, and the readers that read
+ * all files with these names.
+ */
+export async function loadReadHere(names: readonly string[] = []): Promise<ReadHere> {
+  const { loadReaders, readCharacters } = await loadPart(import('../formats/read-characters.ts'));
+  await loadReaders(names.map((name) => name.replace(/\.gz$/, '')));
+  return (files, onProgress) => readCharacters(files.map(asEntry), onProgress);
 }
 
 async function readInWorker(

@@ -25,9 +25,6 @@ declare global {
   }
 }
 
-/** In milliseconds. A character from this machine or a near server comes in less time. */
-const longestWait = 200;
-
 /** Assembles the app; this is the only place that knows all of its parts. */
 export async function start(root: HTMLElement): Promise<void> {
   let settleReady = (): void => undefined;
@@ -54,18 +51,15 @@ export async function start(root: HTMLElement): Promise<void> {
     performance.mark('first-frame');
     firstFrameShown();
   });
-  let readingBegan = (): void => undefined;
-  const reading = new Promise<void>((resolve) => (readingBegan = resolve));
-  const opening = createOpening(store, session, evaluations, viewer, catalogue, readingBegan);
+  const opening = createOpening(store, session, evaluations, viewer, catalogue);
   layout.follow(viewer, isTest ? 1 : undefined);
   followTheme(opening.theme, viewer);
   listenToDrops(opening);
   listenToPaste(opening);
 
   const opened = openNamed(opening, catalogue, listed, parameters);
-  // Creating a context keeps the page busy for a while. The character is requested first, and read
-  // in a worker meanwhile; where the network is slow, the context does not wait for it.
-  await Promise.race([opened, reading, new Promise((resolve) => setTimeout(resolve, longestWait))]);
+  // Creating a context keeps the page busy for a while, so the character is requested first.
+  await listed.catch(() => undefined); // the failure is reported by what opens
   const textures = (parameters.get('textures') ?? '').split(',');
   viewer.connect({
     paletteTexture: textures.includes('palette'),

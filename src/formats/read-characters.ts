@@ -3,7 +3,7 @@ import type { Character } from '../core/character.ts';
 import type { Diagnostic } from '../core/diagnostics.ts';
 import { loadPart } from '../core/failure.ts';
 import { defaultLimits, type Limits } from '../core/limits.ts';
-import { archiveExtension } from './extensions.ts';
+import { archiveExtension, formatExtensions } from './extensions.ts';
 import { baseName, extensionOf } from './file-entry.ts';
 import type { FileEntry, FileGroup, FormatReader } from './format.ts';
 import { isJunk } from './junk.ts';
@@ -21,6 +21,19 @@ export interface ReadOutcome {
 
 /** The current file, and the fraction of all bytes before it (0 to 1). */
 export type ReadProgress = (label: string, fraction: number) => void;
+
+/**
+ * Loads the readers that read all of these files, so that they are there when the bytes come.
+ *
+ * @param names with their extensions
+ */
+export async function loadReaders(names: readonly string[]): Promise<void> {
+  const fitting = formats.filter(({ id }) => {
+    const extensions: readonly string[] = formatExtensions[id];
+    return names.length > 0 && names.every((name) => extensions.includes(extensionOf(name)));
+  });
+  await Promise.all(fitting.map(({ loadReader }) => loadReader()));
+}
 
 /**
  * Reads all characters from any files, in any order. All callers read files through this function.
