@@ -34,17 +34,20 @@ function valuesOfVertices(
   { cornerOf }: SplitCorners,
 ): Float32Array {
   // A render vertex without a corner is a point that no face uses.
-  const chosen = cornerOf.map((corner, vertex) =>
-    corner === -1 ? ofPoint[vertex]! : ofCorner[corner]!,
-  );
+  const chosen = new Int32Array(cornerOf.length);
+  for (let vertex = 0; vertex < chosen.length; vertex++) {
+    const corner = cornerOf[vertex]!;
+    chosen[vertex] = corner === -1 ? ofPoint[vertex]! : ofCorner[corner]!;
+  }
   return gather(values, size, chosen);
 }
 
 /** Copies the tuples of `size` at these indices, one after another. */
-function gather(from: Float32Array, size: number, indices: ArrayLike<number>): Float32Array {
+function gather(from: Float32Array, size: number, indices: Int32Array | Uint32Array): Float32Array {
   const packed = new Float32Array(indices.length * size);
   for (let target = 0; target < indices.length; target++) {
-    for (let i = 0; i < size; i++) packed[target * size + i] = from[indices[target]! * size + i]!;
+    const source = indices[target]! * size;
+    for (let i = 0; i < size; i++) packed[target * size + i] = from[source + i]!;
   }
   return packed;
 }

@@ -62,8 +62,10 @@ function packRows(parts: SkinParts, skeleton: Skeleton): SkinRows {
   const pointCount = parts.start.length - 1;
   const root = firstRoot(skeleton);
   const start = new Uint32Array(pointCount + 1);
-  const entries: number[] = [];
-  const weights: number[] = [];
+  // A row without weights gets one.
+  const entries = new Uint16Array(parts.weights.length + pointCount);
+  const weights = new Float32Array(entries.length);
+  let filled = 0;
   const zeroRows: number[] = [];
   const negativeRows: number[] = [];
   const unevenRows: { point: number; sum: number }[] = [];
@@ -73,20 +75,20 @@ function packRows(parts: SkinParts, skeleton: Skeleton): SkinRows {
     for (let i = parts.start[point]!; i < parts.start[point + 1]!; i++) {
       const weight = parts.weights[i]!;
       if (Math.abs(weight) < smallestWeight) continue;
-      entries.push(skeleton.jointOfSource[parts.joints[i]!]!);
-      weights.push(weight);
+      entries[filled] = skeleton.jointOfSource[parts.joints[i]!]!;
+      weights[filled++] = weight;
       sum += weight;
       negative ||= weight < 0;
     }
-    if (weights.length === start[point]!) {
+    if (filled === start[point]!) {
       zeroRows.push(point);
-      entries.push(root);
-      weights.push(1);
+      entries[filled] = root;
+      weights[filled++] = 1;
     } else if (!(Math.abs(sum - 1) <= sumTolerance)) unevenRows.push({ point, sum });
     if (negative) negativeRows.push(point);
-    start[point + 1] = weights.length;
+    start[point + 1] = filled;
   }
-  const skin = { start, entries: Uint16Array.from(entries), weights: Float32Array.from(weights) };
+  const skin = { start, entries: entries.slice(0, filled), weights: weights.slice(0, filled) };
   return { skin, zeroRows, negativeRows, unevenRows };
 }
 

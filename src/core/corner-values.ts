@@ -36,22 +36,24 @@ export function cornerNormals(parts: MeshParts, positions: Float32Array): Corner
   const { cornerPoints, normals, cornerNormals: corners } = parts;
   const computed = new Float32Array(positions.length);
   computeVertexNormals(positions, cornerPoints, computed);
-  const points = Int32Array.from({ length: positions.length / 3 }, (_, point) => point);
+  const points = new Int32Array(positions.length / 3);
+  for (let point = 0; point < points.length; point++) points[point] = point;
   if (!normals || !corners) {
-    return { values: computed, ofCorner: Int32Array.from(cornerPoints), ofPoint: points };
+    return { values: computed, ofCorner: new Int32Array(cornerPoints), ofPoint: points };
   }
   const givenCount = normals.length / 3;
   const values = new Float32Array(normals.length + computed.length);
   values.set(computed, normals.length);
-  const hasLength = Array.from({ length: givenCount }, (_, index) =>
-    copyUnit(normals, values, index),
-  );
+  const hasLength = new Uint8Array(givenCount);
+  for (let index = 0; index < givenCount; index++) {
+    hasLength[index] = Number(copyUnit(normals, values, index));
+  }
   const first = firstEqualFloats(values, 3);
   const ofPoint = points.map((point) => first[givenCount + point]!);
   return {
     values,
     ofCorner: corners.map((normal, corner) =>
-      normal >= 0 && hasLength[normal] ? first[normal]! : ofPoint[cornerPoints[corner]!]!,
+      normal >= 0 && hasLength[normal] === 1 ? first[normal]! : ofPoint[cornerPoints[corner]!]!,
     ),
     ofPoint,
   };
@@ -62,13 +64,10 @@ export function cornerNormals(parts: MeshParts, positions: Float32Array): Corner
  * length.
  */
 function copyUnit(from: Float32Array, to: Float32Array, index: number): boolean {
-  const normal = from.subarray(index * 3, index * 3 + 3);
-  const length = Math.hypot(normal[0]!, normal[1]!, normal[2]!);
+  const at = index * 3;
+  const length = Math.hypot(from[at]!, from[at + 1]!, from[at + 2]!);
   if (!(length > 1e-12)) return false;
   const scale = Math.abs(length - 1) < 1e-6 ? 1 : 1 / length;
-  to.set(
-    normal.map((value) => flushSubnormal(value * scale)),
-    index * 3,
-  );
+  for (let i = at; i < at + 3; i++) to[i] = flushSubnormal(from[i]! * scale);
   return true;
 }

@@ -19,25 +19,50 @@ export function splitCorners(
   pointCount: number,
   values: readonly Int32Array[],
 ): SplitCorners {
-  const size = values.length + 1;
-  const tuples = new Int32Array(cornerPoints.length * size);
-  [cornerPoints, ...values].forEach((column, i) => {
-    for (let corner = 0; corner < column.length; corner++)
-      tuples[corner * size + i] = column[corner]!;
-  });
-  const firstEqual = firstEqualTuples(tuples, size);
-  const pointOf = Array.from({ length: pointCount }, (_, point) => point);
-  const cornerOf = new Array<number>(pointCount).fill(-1);
+  const firstCornerOf = new Int32Array(pointCount).fill(-1);
+  const seams: number[] = [];
+  for (let corner = 0; corner < cornerPoints.length; corner++) {
+    const point = cornerPoints[corner]!;
+    const first = firstCornerOf[point]!;
+    if (first === -1) firstCornerOf[point] = corner;
+    else if (!areEqual(values, first, corner)) seams.push(corner);
+  }
   const indices = cornerPoints.slice();
-  cornerPoints.forEach((point, corner) => {
-    const equal = firstEqual[corner]!;
-    if (equal < corner) indices[corner] = indices[equal]!;
-    else if (cornerOf[point] === -1) cornerOf[point] = corner;
-    else {
-      indices[corner] = pointOf.length;
-      pointOf.push(point);
-      cornerOf.push(corner);
+  const firstEqual = firstEqualCorners(seams, cornerPoints, values);
+  const added = seams.filter((_, i) => firstEqual[i] === i);
+  const pointOf = new Uint32Array(pointCount + added.length);
+  const cornerOf = new Int32Array(pointOf.length);
+  cornerOf.set(firstCornerOf);
+  for (let point = 0; point < pointCount; point++) pointOf[point] = point;
+  added.forEach((corner, i) => {
+    pointOf[pointCount + i] = cornerPoints[corner]!;
+    cornerOf[pointCount + i] = corner;
+  });
+  let vertex = pointCount;
+  seams.forEach((corner, i) => {
+    const equal = firstEqual[i]!;
+    indices[corner] = equal === i ? vertex++ : indices[seams[equal]!]!;
+  });
+  return { pointOf, cornerOf, indices };
+}
+
+function areEqual(values: readonly Int32Array[], a: number, b: number): boolean {
+  for (let i = 0; i < values.length; i++) if (values[i]![a] !== values[i]![b]) return false;
+  return true;
+}
+
+/** For each of these corners, which of them is the first with the same point and values. */
+function firstEqualCorners(
+  corners: readonly number[],
+  cornerPoints: Uint32Array,
+  values: readonly Int32Array[],
+): Int32Array {
+  const columns = [cornerPoints, ...values];
+  const tuples = new Int32Array(corners.length * columns.length);
+  columns.forEach((column, k) => {
+    for (let i = 0; i < corners.length; i++) {
+      tuples[i * columns.length + k] = column[corners[i]!]!;
     }
   });
-  return { pointOf: Uint32Array.from(pointOf), cornerOf: Int32Array.from(cornerOf), indices };
+  return firstEqualTuples(tuples, columns.length);
 }

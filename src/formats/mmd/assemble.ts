@@ -48,19 +48,25 @@ export function meshParts(
   cornerPoints: Uint32Array,
   { materials, submeshes }: PmdMaterials,
 ): MeshParts {
-  const corners = Int32Array.from(cornerPoints);
+  const corners = new Int32Array(cornerPoints);
   return {
     file,
     positions,
     cornerPoints,
     normals,
     cornerNormals: corners,
-    // The file counts v from the image's upper edge, Sinew from the lower one.
-    uvs: uvs.map((value, i) => (i % 2 === 1 ? 1 - value : value)),
+    uvs: turnedOver(uvs),
     cornerUvs: corners,
     materials,
     submeshes,
   };
+}
+
+/** The file counts v from the image's upper edge, Sinew from the lower one. */
+function turnedOver(uvs: Float32Array): Float32Array {
+  const turned = uvs.slice();
+  for (let i = 1; i < turned.length; i += 2) turned[i] = 1 - turned[i]!;
+  return turned;
 }
 
 /**
@@ -74,29 +80,25 @@ export function skinParts(
   log: DiagnosticLog,
   effect: string,
 ): SkinParts {
-  const start = new Uint32Array(vertices.count + 1);
-  const joints: number[] = [];
-  const weights: number[] = [];
-  for (let vertex = 0; vertex < vertices.count; vertex++) {
-    const [first, second] = vertices.bones.subarray(vertex * 2, vertex * 2 + 2);
+  const { count, bones } = vertices;
+  const start = new Uint32Array(count + 1);
+  const joints = new Uint16Array(count * 2);
+  const weights = new Float32Array(count * 2);
+  let filled = 0;
+  for (let vertex = 0; vertex < count; vertex++) {
     const weight = vertices.weights[vertex]! / 100;
-    if (first === second) add(vertex, 0, 1);
+    if (bones[vertex * 2] === bones[vertex * 2 + 1]) add(vertex, 0, 1);
     else {
       add(vertex, 0, weight);
       add(vertex, 1, 1 - weight);
     }
-    start[vertex + 1] = joints.length;
+    start[vertex + 1] = filled;
   }
-  return {
-    file,
-    start,
-    joints: Uint16Array.from(joints),
-    weights: Float32Array.from(weights),
-  };
+  return { file, start, joints: joints.slice(0, filled), weights: weights.slice(0, filled) };
 
   function add(vertex: number, which: 0 | 1, weight: number): void {
     if (weight === 0) return;
-    const bone = vertices.bones[vertex * 2 + which]!;
+    const bone = bones[vertex * 2 + which]!;
     if (bone >= boneCount) {
       log.error({
         code: 'pmd/index',
@@ -106,7 +108,7 @@ export function skinParts(
         effect,
       });
     }
-    joints.push(bone);
-    weights.push(weight);
+    joints[filled] = bone;
+    weights[filled++] = weight;
   }
 }

@@ -31,22 +31,20 @@ export function readFaces(
     return undefined;
   }
   const corners = new Uint32Array(count);
-  for (let corner = 0; corner < count; corner++) {
-    const point = records.u16(corner * 2);
-    if (point >= pointCount) {
-      const place = { offset: records.offset + corner * 2 };
-      const expected = `vertices from 0 to ${pointCount - 1}`;
-      const found = `${point}, triangle ${Math.floor(corner / 3)}`;
-      log.error({ code: 'pmd/index', ...place, expected, found, effect });
+  for (let first = 0; first < count; first += 3) {
+    for (let i = 0; i < 3; i++) {
+      const point = records.u16((first + i) * 2);
+      if (point >= pointCount) {
+        const place = { offset: records.offset + (first + i) * 2 };
+        const expected = `vertices from 0 to ${pointCount - 1}`;
+        const found = `${point}, triangle ${first / 3}`;
+        log.error({ code: 'pmd/index', ...place, expected, found, effect });
+      }
+      corners[i === 0 ? first : first + 3 - i] = point;
     }
-    corners[turned(corner)] = point;
   }
   if (!log.failed) warnOfFaces(array, corners, pointCount, log);
   return corners;
-}
-
-function turned(corner: number): number {
-  return corner % 3 === 0 ? corner : corner % 3 === 1 ? corner + 1 : corner - 1;
 }
 
 function warnOfFaces(

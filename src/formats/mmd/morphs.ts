@@ -6,7 +6,7 @@ import type { BinaryRecord } from '../binary/binary-record.ts';
 import { uniqueNames } from '../unique-names.ts';
 import { decodeName } from './decode-name.ts';
 import { Findings } from './findings.ts';
-import { mirrorPoint } from './mirror.ts';
+import { mirrored } from './mirror.ts';
 
 const [headSize, entrySize] = [25, 16];
 const basePanel = 0;
@@ -101,14 +101,10 @@ function readBase(
   findings: Findings,
 ): (Pick<MmdMorphs, 'basePoints' | 'basePositions'> & { pointOf: Int32Array }) | undefined {
   if (!section) return undefined;
+  const { indices, targets, vectors } = entriesOf(section, pointCount, largest, findings, 'base');
   const pointOf = new Int32Array(section.count).fill(-1);
-  const kept = entriesOf(section, pointCount, largest, findings, 'base');
-  for (const { index, target } of kept) pointOf[index] = target;
-  return {
-    basePoints: Uint32Array.from(kept, ({ target }) => target),
-    basePositions: Float32Array.from(kept.flatMap(({ vector }) => vector)),
-    pointOf,
-  };
+  for (let i = 0; i < indices.length; i++) pointOf[indices[i]!] = targets[i]!;
+  return { basePoints: targets, basePositions: vectors, pointOf };
 }
 
 function offsetsOf(
@@ -117,13 +113,27 @@ function offsetsOf(
   largest: number,
   findings: Findings,
 ): Pick<MorphParts, 'points' | 'offsets'> {
-  const kept = entriesOf(section, pointOf.length, largest, findings, `"${section.name}"`).filter(
-    ({ target }) => pointOf[target] !== -1,
-  );
-  return {
-    points: Uint32Array.from(kept, ({ target }) => pointOf[target]!),
-    offsets: Float32Array.from(kept.flatMap(({ vector }) => vector)),
-  };
+  const name = `"${section.name}"`;
+  const { targets, vectors } = entriesOf(section, pointOf.length, largest, findings, name);
+  let kept = 0;
+  for (let i = 0; i < targets.length; i++) {
+    const point = pointOf[targets[i]!]!;
+    if (point === -1) continue;
+    targets[kept] = point;
+    vectors.copyWithin(kept * 3, i * 3, i * 3 + 3);
+    kept++;
+  }
+  return kept === targets.length
+    ? { points: targets, offsets: vectors }
+    : { points: targets.slice(0, kept), offsets: vectors.slice(0, kept * 3) };
+}
+
+/** The valid entries of a morph: their places in the file's list, what they move, and how far. */
+interface Entries {
+  readonly indices: Uint32Array;
+  readonly targets: Uint32Array;
+  /** (count × 3) right-handed. */
+  readonly vectors: Float32Array;
 }
 
 /**
@@ -136,18 +146,36 @@ function entriesOf(
   largest: number,
   findings: Findings,
   name: string,
-): { index: number; target: number; vector: [number, number, number] }[] {
-  const kept = [];
+): Entries {
+  const indices = new Uint32Array(count);
+  const targets = new Uint32Array(count);
+  const vectors = new Float32Array(count * 3);
+  let kept = 0;
   for (let index = 0; index < count; index++) {
     const at = index * entrySize;
     const target = entries.u32(at);
-    const vector = entries.triple(at + 4);
-    const isSound = !vector.some(Number.isNaN);
+    const x = entries.f32(at + 4);
+    const y = entries.f32(at + 8);
+    const z = entries.f32(at + 12);
+    const isSound = !Number.isNaN(x + y + z) || !entries.triple(at + 4).some(Number.isNaN);
     if (target < targetCount && isSound) {
-      const held = vector.map((value) => Math.min(largest, Math.max(-largest, value)));
-      kept.push({ index, target, vector: mirrorPoint(held as typeof vector) });
+      indices[kept] = index;
+      targets[kept] = target;
+      vectors[kept * 3] = held(x, largest);
+      vectors[kept * 3 + 1] = held(y, largest);
+      vectors[kept * 3 + 2] = mirrored(held(z, largest));
+      kept++;
     } else
-      findings.add(entries.offset + at, `${isSound ? target : vector.join(' ')}, morph ${name}`);
+      findings.add(entries.offset + at, `${isSound ? target : [x, y, z].join(' ')}, morph ${name}`);
   }
-  return kept;
+  if (kept === count) return { indices, targets, vectors };
+  return {
+    indices: indices.slice(0, kept),
+    targets: targets.slice(0, kept),
+    vectors: vectors.slice(0, kept * 3),
+  };
+}
+
+function held(value: number, largest: number): number {
+  return Math.min(largest, Math.max(-largest, value));
 }

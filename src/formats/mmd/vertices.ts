@@ -26,7 +26,12 @@ export interface PmdVertices {
 
 export const vertexSize = 38;
 
-const [normalAt, uvAt, boneAt, weightAt, edgeAt] = [12, 24, 32, 36, 37];
+/** Where the fields of a record are. */
+const normalAt = 12;
+const uvAt = 24;
+const boneAt = 32;
+const weightAt = 36;
+const edgeAt = 37;
 
 /** Reads `count × (position, normal, uv, bone, bone, weight, edge flag)`. */
 export function readVertices(
@@ -69,30 +74,43 @@ function fill(
   };
   const odd = { normals: new Findings(), uvs: new Findings() };
   const past = { weights: new Findings(), edges: new Findings() };
+  const { positions, normals, uvs, bones, weights, edgeFlags } = vertices;
+  // Nothing is allocated for a sound vertex.
   for (let vertex = 0; vertex < count; vertex++) {
     const at = vertex * vertexSize;
     const offset = records.offset + at;
-    for (let axis = 0; axis < 3; axis++) {
-      const value = records.f32(at + axis * 4);
-      checkCoordinate(value, offset + axis * 4, vertex);
-      vertices.positions[vertex * 3 + axis] = axis === 2 ? mirrored(value) : value;
+    const px = records.f32(at);
+    const py = records.f32(at + 4);
+    const pz = records.f32(at + 8);
+    if (!(isWithin(px, largest) && isWithin(py, largest) && isWithin(pz, largest))) {
+      [px, py, pz].forEach((value, axis) => checkCoordinate(value, offset + axis * 4, vertex));
     }
-    const [x, y, z] = records.triple(at + normalAt);
-    const length = Math.hypot(x, y, z);
+    positions[vertex * 3] = px;
+    positions[vertex * 3 + 1] = py;
+    positions[vertex * 3 + 2] = mirrored(pz);
+    const x = records.f32(at + normalAt);
+    const y = records.f32(at + normalAt + 4);
+    const z = records.f32(at + normalAt + 8);
+    const length = Math.sqrt(x * x + y * y + z * z);
     if (length > 1e-12 && length <= largest) {
-      vertices.normals.set([x, y, mirrored(z)], vertex * 3);
+      normals[vertex * 3] = x;
+      normals[vertex * 3 + 1] = y;
+      normals[vertex * 3 + 2] = mirrored(z);
     } else odd.normals.add(offset + normalAt, `${x} ${y} ${z}, vertex ${vertex}`);
-    const uv = [records.f32(at + uvAt), records.f32(at + uvAt + 4)];
-    if (uv.every((value) => Math.abs(value) <= largest)) vertices.uvs.set(uv, vertex * 2);
-    else odd.uvs.add(offset + uvAt, `${uv.join(' ')}, vertex ${vertex}`);
-    vertices.bones[vertex * 2] = records.u16(at + boneAt);
-    vertices.bones[vertex * 2 + 1] = records.u16(at + boneAt + 2);
+    const u = records.f32(at + uvAt);
+    const v = records.f32(at + uvAt + 4);
+    if (isWithin(u, largest) && isWithin(v, largest)) {
+      uvs[vertex * 2] = u;
+      uvs[vertex * 2 + 1] = v;
+    } else odd.uvs.add(offset + uvAt, `${u} ${v}, vertex ${vertex}`);
+    bones[vertex * 2] = records.u16(at + boneAt);
+    bones[vertex * 2 + 1] = records.u16(at + boneAt + 2);
     const weight = records.u8(at + weightAt);
     if (weight > 100) past.weights.add(offset + weightAt, `${weight}, vertex ${vertex}`);
-    vertices.weights[vertex] = Math.min(weight, 100);
+    weights[vertex] = Math.min(weight, 100);
     const edge = records.u8(at + edgeAt);
     if (edge > 1) past.edges.add(offset + edgeAt, `${edge}, vertex ${vertex}`);
-    vertices.edgeFlags[vertex] = Math.min(edge, 1);
+    edgeFlags[vertex] = Math.min(edge, 1);
   }
   const computed = 'they are computed from the triangles';
   odd.normals.warn(log, 'pmd/normal', 'normals with a length', computed);
@@ -109,4 +127,8 @@ function fill(
       log.error({ code: 'pmd/range', offset, expected, found, effect });
     } else log.error({ code: 'pmd/number', offset, expected: 'a position', found, effect });
   }
+}
+
+function isWithin(value: number, largest: number): boolean {
+  return value <= largest && value >= -largest;
 }

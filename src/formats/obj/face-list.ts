@@ -6,14 +6,16 @@ import type { ObjStreams } from './tuple-stream.ts';
 
 /** Collects the corners of faces. Those of a face that turns out wrong are taken back. */
 export class FaceList {
-  private readonly points = growUint32();
+  private readonly points: ReturnType<typeof growUint32>;
   /** Both are filled up to the last corner that has one. */
   private readonly uvs = growInt32();
   private readonly normals = growInt32();
   private readonly ends = growUint32();
   private readonly mostTriangles: number;
 
-  constructor(mostTriangles: number) {
+  /** @param cornerCount about as many as are expected */
+  constructor(mostTriangles: number, cornerCount: number) {
+    this.points = growUint32(cornerCount);
     this.mostTriangles = mostTriangles;
   }
 
@@ -65,12 +67,13 @@ export class FaceList {
   }
 
   finish(): FaceCorners {
-    this.uvs.padTo(this.points.length, -1);
-    this.normals.padTo(this.points.length, -1);
+    const { points, uvs, normals } = this;
+    // Most files without the one have not the other either.
+    const none = new Int32Array(uvs.length * normals.length === 0 ? points.length : 0).fill(-1);
     return {
-      points: this.points.finish(),
-      uvs: this.uvs.finish(),
-      normals: this.normals.finish(),
+      points: points.finish(),
+      uvs: uvs.length === 0 ? none : padded(uvs, points.length),
+      normals: normals.length === 0 ? none : padded(normals, points.length),
       ends: this.ends.finish(),
     };
   }
@@ -98,4 +101,9 @@ function addIndices(
   }
   list.length = start + count;
   return true;
+}
+
+function padded(list: ReturnType<typeof growInt32>, length: number): Int32Array {
+  list.padTo(length, -1);
+  return list.finish();
 }

@@ -12,6 +12,10 @@ import { type ObjStreams, TupleStream } from './tuple-stream.ts';
 
 const effect = 'the mesh is not used';
 
+/** About as many bytes as files have for each coordinate and for each corner, rather fewer. */
+const bytesPerCoordinate = 16;
+const bytesPerCorner = 10;
+
 /**
  * Reads a Wavefront OBJ: `v` (with w or color, unused), `vt`, `vn`, faces with slashes, negative
  * indices (counted back from their own line) and any number of corners, `usemtl`, comments and
@@ -27,13 +31,16 @@ export async function readObj(
   const reader = openText(file, bytes, log, { limits, continued });
   if (!reader) return log.finish<MeshParts>(undefined);
   const streams: ObjStreams = {
-    positions: new TupleStream({
-      what: 'vertices',
-      sparedBy: 'triangles',
-      names: ['x', 'y', 'z'],
-      most: limits.pointCount,
-      largest: limits.coordinate,
-    }),
+    positions: new TupleStream(
+      {
+        what: 'vertices',
+        sparedBy: 'triangles',
+        names: ['x', 'y', 'z'],
+        most: limits.pointCount,
+        largest: limits.coordinate,
+      },
+      Math.ceil(bytes.length / bytesPerCoordinate),
+    ),
     uvs: new TupleStream({
       what: 'texture coordinates',
       sparedBy: 'corners',
@@ -48,7 +55,7 @@ export async function readObj(
       most: limits.triangleCount * 3,
     }),
   };
-  const faces = new FaceList(limits.triangleCount);
+  const faces = new FaceList(limits.triangleCount, Math.ceil(bytes.length / bytesPerCorner));
   const faceReader = new FaceReader(reader, streams, faces, log);
   const plainLines = new PlainLines(reader, streams, faces);
   const runs: { material: string; firstFace: number }[] = [];

@@ -25,7 +25,7 @@ export interface TupleKind {
 
 /** One kind of tuple to which faces refer: `v`, `vt` or `vn`. */
 export class TupleStream {
-  private readonly values = growFloat32();
+  private readonly values: ReturnType<typeof growFloat32>;
   private readonly kind: TupleKind;
   private readonly size: number;
   private readonly fewest: number;
@@ -36,7 +36,9 @@ export class TupleStream {
   private oddCount = 0;
   private firstOdd: { readonly line: number; readonly source: string } | undefined;
 
-  constructor(kind: TupleKind) {
+  /** @param valueCount about as many as are expected */
+  constructor(kind: TupleKind, valueCount?: number) {
+    this.values = growFloat32(valueCount);
     this.kind = kind;
     this.size = kind.names.length;
     this.fewest = kind.fewest ?? kind.names.length;

@@ -1,4 +1,4 @@
-/** Typed arrays that grow while a file is read and are cut to their exact size at its end. */
+/** Typed arrays that grow while a file is read. */
 type Numbers = Float32Array | Float64Array | Uint32Array | Int32Array | Uint16Array;
 
 class Growable<T extends Numbers> {
@@ -40,10 +40,9 @@ class Growable<T extends Numbers> {
     return this.storage[index]!;
   }
 
-  /** Exactly the values that were added: a copy, unless their number was foreseen. */
+  /** The values that were added. They are not copied, and their buffer may be larger. */
   finish(): T {
-    if (this.length === this.storage.length) return this.storage;
-    return this.storage.slice(0, this.length) as T;
+    return this.storage.subarray(0, this.length) as T;
   }
 }
 
