@@ -40,8 +40,11 @@ export async function compileKernel(
     const [text, made] = [`${hash}-${process.pid}.ts`, `${hash}-${process.pid}.wasm`];
     writeFileSync(path.join(folder, text), source);
     const words = [compiler, text, '--outFile', made, ...options];
-    await promisify(execFile)(process.execPath, words, { cwd: folder });
-    rmSync(path.join(folder, text));
+    try {
+      await promisify(execFile)(process.execPath, words, { cwd: folder });
+    } finally {
+      rmSync(path.join(folder, text));
+    }
     renameSync(path.join(folder, made), file);
     return new Uint8Array(readFileSync(file));
   }
