@@ -24,6 +24,17 @@ export function forwardKinematics(
   const out = characterFromJoint;
   writeSines(skeleton, hinges, q);
   for (let joint = 0; joint < jointCount; joint++) {
+    const parent = parents[joint]!;
+    const above = parent === noParent ? identity : out;
+    const from = parent === noParent ? 0 : parent * 16;
+    const to = joint * 16;
+    if (only[joint] === 0) {
+      for (let i = 0; i < 16; i++) out[to + i] = above[from + i]!;
+      applyRest(skeleton, joint, out, to);
+      const end = dofStart[joint + 1]!;
+      for (let dof = dofStart[joint]!; dof < end; dof++) applyDof(skeleton, dof, q, out, to);
+      continue;
+    }
     // The columns x, y and z of parentFromJoint are single variables, which stay in registers.
     let xx = 1;
     let xy = 0;
@@ -34,67 +45,47 @@ export function forwardKinematics(
     let zx = 0;
     let zy = 0;
     let zz = 1;
-    let tx = restOffsets[joint * 3]!;
-    let ty = restOffsets[joint * 3 + 1]!;
-    let tz = restOffsets[joint * 3 + 2]!;
-    if (only[joint] === 1) {
-      const end = dofStart[joint + 1]!;
-      for (let dof = dofStart[joint]!; dof < end; dof++) {
-        // A rotation about a coordinate axis turns the other two columns.
-        const sine = sines[dof]!;
-        const cosine = cosines[dof]!;
-        const axis = axes[dof]!;
-        if (axis === 0) {
-          const x = yx;
-          const y = yy;
-          const z = yz;
-          yx = x * cosine + zx * sine;
-          yy = y * cosine + zy * sine;
-          yz = z * cosine + zz * sine;
-          zx = zx * cosine - x * sine;
-          zy = zy * cosine - y * sine;
-          zz = zz * cosine - z * sine;
-        } else if (axis === 1) {
-          const x = zx;
-          const y = zy;
-          const z = zz;
-          zx = x * cosine + xx * sine;
-          zy = y * cosine + xy * sine;
-          zz = z * cosine + xz * sine;
-          xx = xx * cosine - x * sine;
-          xy = xy * cosine - y * sine;
-          xz = xz * cosine - z * sine;
-        } else {
-          const x = xx;
-          const y = xy;
-          const z = xz;
-          xx = x * cosine + yx * sine;
-          xy = y * cosine + yy * sine;
-          xz = z * cosine + yz * sine;
-          yx = yx * cosine - x * sine;
-          yy = yy * cosine - y * sine;
-          yz = yz * cosine - z * sine;
-        }
+    const tx = restOffsets[joint * 3]!;
+    const ty = restOffsets[joint * 3 + 1]!;
+    const tz = restOffsets[joint * 3 + 2]!;
+    const end = dofStart[joint + 1]!;
+    for (let dof = dofStart[joint]!; dof < end; dof++) {
+      // A rotation about a coordinate axis turns the other two columns.
+      const sine = sines[dof]!;
+      const cosine = cosines[dof]!;
+      const axis = axes[dof]!;
+      if (axis === 0) {
+        const x = yx;
+        const y = yy;
+        const z = yz;
+        yx = x * cosine + zx * sine;
+        yy = y * cosine + zy * sine;
+        yz = z * cosine + zz * sine;
+        zx = zx * cosine - x * sine;
+        zy = zy * cosine - y * sine;
+        zz = zz * cosine - z * sine;
+      } else if (axis === 1) {
+        const x = zx;
+        const y = zy;
+        const z = zz;
+        zx = x * cosine + xx * sine;
+        zy = y * cosine + xy * sine;
+        zz = z * cosine + xz * sine;
+        xx = xx * cosine - x * sine;
+        xy = xy * cosine - y * sine;
+        xz = xz * cosine - z * sine;
+      } else {
+        const x = xx;
+        const y = xy;
+        const z = xz;
+        xx = x * cosine + yx * sine;
+        xy = y * cosine + yy * sine;
+        xz = z * cosine + yz * sine;
+        yx = yx * cosine - x * sine;
+        yy = yy * cosine - y * sine;
+        yz = yz * cosine - z * sine;
       }
-    } else {
-      writeLocalMatrix(skeleton, joint, q);
-      xx = local[0]!;
-      xy = local[1]!;
-      xz = local[2]!;
-      yx = local[4]!;
-      yy = local[5]!;
-      yz = local[6]!;
-      zx = local[8]!;
-      zy = local[9]!;
-      zz = local[10]!;
-      tx = local[12]!;
-      ty = local[13]!;
-      tz = local[14]!;
     }
-    const parent = parents[joint]!;
-    const above = parent === noParent ? identity : out;
-    const from = parent === noParent ? 0 : parent * 16;
-    const to = joint * 16;
     for (let row = 0; row < 3; row++) {
       const x = above[from + row]!;
       const y = above[from + 4 + row]!;
@@ -116,14 +107,4 @@ export function jointMatrices(skeleton: Skeleton, q: Float64Array): Float64Array
   return characterFromJoint;
 }
 
-/** Writes the matrix of any joint in its parent's frame into `local`. */
-function writeLocalMatrix(skeleton: Skeleton, joint: number, q: Float64Array): void {
-  const { dofStart } = skeleton;
-  local.set(identity);
-  applyRest(skeleton, joint, local);
-  const end = dofStart[joint + 1]!;
-  for (let dof = dofStart[joint]!; dof < end; dof++) applyDof(skeleton, dof, q, local);
-}
-
 const identity = Float64Array.of(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1);
-const local = new Float64Array(16);

@@ -25,28 +25,6 @@ export function transformPoints(
 }
 
 /**
- * Transforms normals by the upper 3 × 3 of their matrices, and normalizes them. The fourth number
- * of a row is not read.
- */
-export function transformNormals(
-  matrices: Float32Array,
-  normals: Float32Array,
-  first: number,
-  end: number,
-  out: Float32Array,
-): void {
-  for (let at = first * 3, m = 0; at < end * 3; at += 3, m += 12) {
-    const nx = normals[at]!;
-    const ny = normals[at + 1]!;
-    const nz = normals[at + 2]!;
-    out[at] = dot(matrices[m]!, matrices[m + 1]!, matrices[m + 2]!, nx, ny, nz);
-    out[at + 1] = dot(matrices[m + 4]!, matrices[m + 5]!, matrices[m + 6]!, nx, ny, nz);
-    out[at + 2] = dot(matrices[m + 8]!, matrices[m + 9]!, matrices[m + 10]!, nx, ny, nz);
-  }
-  makeUnit(out, first, end);
-}
-
-/**
  * Transforms normals by the cofactors of their matrices (the inverse transpose times the
  * determinant, of which only the sign is kept), and normalizes them.
  */
@@ -88,7 +66,8 @@ export function transformNormalsByCofactors(
 /** A normal with a smaller squared length has no direction left; +y replaces it. */
 const smallestSquare = fround(1e-30);
 
-function makeUnit(normals: Float32Array, first: number, end: number): void {
+/** Normalizes normals. */
+export function makeUnit(normals: Float32Array, first: number, end: number): void {
   for (let at = first * 3; at < end * 3; at += 3) {
     const x = normals[at]!;
     const y = normals[at + 1]!;
@@ -111,7 +90,14 @@ function applyRow(rows: Float32Array, row: number, x: number, y: number, z: numb
   return fround(dot(rows[row]!, rows[row + 1]!, rows[row + 2]!, x, y, z) + rows[row + 3]!);
 }
 
-function dot(ax: number, ay: number, az: number, bx: number, by: number, bz: number): number {
+export function dot(
+  ax: number,
+  ay: number,
+  az: number,
+  bx: number,
+  by: number,
+  bz: number,
+): number {
   return fround(fround(fround(ax * bx) + fround(ay * by)) + fround(az * bz));
 }
 

@@ -2,9 +2,9 @@ import { flushSubnormal } from '../core/float32.ts';
 import type { Mesh } from '../core/mesh.ts';
 import type { Skin } from '../core/skin.ts';
 import { writeAffineRows } from './affine-palette.ts';
-import { transformNormals, transformPoints } from './affine-kernel.ts';
+import { dot, makeUnit, transformPoints } from './affine-kernel.ts';
 import { blendMatrices, blockSize, createMatrixBlock } from './blend-matrices.ts';
-import type { PosedStreams, SkinningMethod } from './method.ts';
+import { everyInfluence, type PosedStreams, type SkinningMethod } from './method.ts';
 
 const { fround } = Math;
 
@@ -19,6 +19,7 @@ export const jointNormals: SkinningMethod<'joint-normals'> = {
   vec4sPerEntry: 6,
   packPalette,
   deform,
+  wasm: { rows: everyInfluence, normals: 'next-rows' },
   chunk: 'joint-normals',
 };
 
@@ -74,3 +75,25 @@ function deform(mesh: Mesh, skin: Skin, palette: Float32Array, out: PosedStreams
 }
 
 const matrices = createMatrixBlock();
+
+/**
+ * Transforms normals by the upper 3 × 3 of their matrices, and normalizes them. The fourth number
+ * of a row is not read.
+ */
+function transformNormals(
+  matrices: Float32Array,
+  normals: Float32Array,
+  first: number,
+  end: number,
+  out: Float32Array,
+): void {
+  for (let at = first * 3, m = 0; at < end * 3; at += 3, m += 12) {
+    const nx = normals[at]!;
+    const ny = normals[at + 1]!;
+    const nz = normals[at + 2]!;
+    out[at] = dot(matrices[m]!, matrices[m + 1]!, matrices[m + 2]!, nx, ny, nz);
+    out[at + 1] = dot(matrices[m + 4]!, matrices[m + 5]!, matrices[m + 6]!, nx, ny, nz);
+    out[at + 2] = dot(matrices[m + 8]!, matrices[m + 9]!, matrices[m + 10]!, nx, ny, nz);
+  }
+  makeUnit(out, first, end);
+}

@@ -3,7 +3,7 @@ import type { Skin } from '../core/skin.ts';
 import { transformNormalsByCofactors, transformPoints } from './affine-kernel.ts';
 import { packAffinePalette } from './affine-palette.ts';
 import { blendMatrices, blockSize, createMatrixBlock } from './blend-matrices.ts';
-import type { PosedStreams, SkinningMethod } from './method.ts';
+import { everyInfluence, type PosedStreams, type SkinningMethod } from './method.ts';
 
 /**
  * Skeletal subspace deformation: `p' = Σ wᵢ Tᵢ Bᵢ⁻¹ p` over all influences of the file, with
@@ -15,6 +15,7 @@ export const linearBlend: SkinningMethod<'linear-blend'> = {
   vec4sPerEntry: 3,
   packPalette: packAffinePalette,
   deform,
+  wasm: { rows: everyInfluence, normals: 'cofactors' },
   chunk: 'linear-blend',
 };
 

@@ -1,5 +1,5 @@
 import type { Mesh } from '../core/mesh.ts';
-import type { Skin } from '../core/skin.ts';
+import type { InfluenceRows, Skin } from '../core/skin.ts';
 import { transformNormalsByCofactors, transformPoints } from './affine-kernel.ts';
 import { packAffinePalette } from './affine-palette.ts';
 import { blockSize, createMatrixBlock } from './blend-matrices.ts';
@@ -14,6 +14,7 @@ export const rigid: SkinningMethod<'rigid'> = {
   vec4sPerEntry: 3,
   packPalette: packAffinePalette,
   deform,
+  wasm: { rows: heaviestInfluence, normals: 'cofactors' },
   chunk: 'rigid',
 };
 
@@ -42,4 +43,11 @@ function heaviestEntry(skin: Skin, point: number): number {
     entry = skin.entries[i]!;
   }
   return entry;
+}
+
+/** One influence of weight 1 for each point: 0 + 1 · M has the bits of M. */
+function heaviestInfluence(skin: Skin): InfluenceRows {
+  const start = Uint32Array.from(skin.start.keys());
+  const entries = Uint16Array.from(start.subarray(1), (_, point) => heaviestEntry(skin, point));
+  return { start, entries, weights: new Float32Array(entries.length).fill(1) };
 }
