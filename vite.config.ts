@@ -2,6 +2,7 @@ import { defineConfig, type Connect, type Plugin } from 'vite';
 import { contentPolicy } from './tools/vite-content-policy.ts';
 import { pureGlMatrix } from './tools/vite-gl-matrix.ts';
 import { shortShaders } from './tools/vite-glsl.ts';
+import { wasmKernel } from './tools/vite-kernel.ts';
 
 const jsx = { runtime: 'automatic', importSource: 'preact' } as const;
 
@@ -10,7 +11,7 @@ export default defineConfig({
   base: './',
   // There is one page. An unknown address gives error 404 instead of the page.
   appType: 'mpa',
-  plugins: [shortShaders(), pureGlMatrix(), contentPolicy(), packedAsTheyAre()],
+  plugins: [shortShaders(), wasmKernel(), pureGlMatrix(), contentPolicy(), packedAsTheyAre()],
   oxc: { jsx },
   optimizeDeps: { entries: ['index.html'], rolldownOptions: { transform: { jsx } } },
   build: {

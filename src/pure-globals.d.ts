@@ -9,3 +9,17 @@ declare class TextDecoder {
 declare class TextEncoder {
   encode(input: string): Uint8Array;
 }
+declare namespace WebAssembly {
+  interface Module {
+    readonly module?: never;
+  }
+  function compile(bytes: Uint8Array): Promise<Module>;
+  class Memory {
+    constructor(descriptor: { readonly initial: number });
+    readonly buffer: ArrayBuffer;
+  }
+  class Instance {
+    constructor(module: Module, imports: Record<string, Record<string, Memory>>);
+    readonly exports: Record<string, unknown>;
+  }
+}

@@ -1,5 +1,6 @@
 import { mat4, type vec3 } from 'gl-matrix';
-import { applyDof, jointMatrices, writeRestMatrix } from '../core/forward-kinematics.ts';
+import { jointMatrices } from '../core/forward-kinematics.ts';
+import { applyDof, applyRest } from '../core/joint-transforms.ts';
 import { jointRange } from '../core/pose.ts';
 import { DofKind, noParent, type Skeleton } from '../core/skeleton.ts';
 
@@ -37,9 +38,8 @@ export function jointFrames(
   q: Float64Array,
   worldFromParent: mat4,
 ): JointFrames {
-  const world: mat4 = new Float64Array(16);
-  writeRestMatrix(skeleton, joint, world);
-  mat4.multiply(world, worldFromParent, world);
+  const world = Float64Array.from(worldFromParent);
+  applyRest(skeleton, joint, world);
   const dofs: DofFrame[] = [];
   for (let dof = skeleton.dofStart[joint]!; dof < skeleton.dofStart[joint + 1]!; dof++) {
     const worldFromDof = mat4.copy(new Float64Array(16), world);

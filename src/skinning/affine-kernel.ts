@@ -1,102 +1,107 @@
 import { flushSubnormal } from '../core/float32.ts';
-import type { VertexStreams } from './method.ts';
 
-const { fround } = Math;
+const { fround, sqrt } = Math;
 
-/**
- * Applies the 3 × 4 matrix `rows` to a vertex: the point by its rows, the normal by its cofactors
- * (the inverse transpose times the determinant, of which only the sign is kept), normalized.
- * Mirrors `transformVertex` of shaders/lib/affine.glsl, operation by operation, in float32.
- */
-export function transformVertex(
-  rows: Float32Array,
-  rest: VertexStreams,
-  vertex: number,
-  out: VertexStreams,
+// These functions mirror shaders/lib/affine.glsl, operation by operation, in float32: change one
+// with the other. They work on a range of vertices; `matrices` has a 3 × 4 matrix for each, 12
+// numbers row by row, beginning with that of vertex `first`.
+
+/** Transforms points by their matrices. */
+export function transformPoints(
+  matrices: Float32Array,
+  points: Float32Array,
+  first: number,
+  end: number,
+  out: Float32Array,
 ): void {
-  transformPoint(rows, rest, vertex, out);
-  writeCofactors(rows);
-  transformNormalBy(cofactors, 0, rest, vertex, out);
-}
-
-/** Transforms the point by the three rows of four at the start of `rows`. */
-export function transformPoint(
-  rows: Float32Array,
-  rest: VertexStreams,
-  vertex: number,
-  out: VertexStreams,
-): void {
-  const at = vertex * 3;
-  const x = rest.positions[at]!;
-  const y = rest.positions[at + 1]!;
-  const z = rest.positions[at + 2]!;
-  for (let row = 0; row < 3; row++) {
-    const r = row * 4;
-    const xy = fround(fround(rows[r]! * x) + fround(rows[r + 1]! * y));
-    const xyz = fround(xy + fround(rows[r + 2]! * z));
-    out.positions[at + row] = flushSubnormal(fround(xyz + rows[r + 3]!));
+  for (let at = first * 3, m = 0; at < end * 3; at += 3, m += 12) {
+    const x = points[at]!;
+    const y = points[at + 1]!;
+    const z = points[at + 2]!;
+    out[at] = flushSubnormal(applyRow(matrices, m, x, y, z));
+    out[at + 1] = flushSubnormal(applyRow(matrices, m + 4, x, y, z));
+    out[at + 2] = flushSubnormal(applyRow(matrices, m + 8, x, y, z));
   }
 }
 
 /**
- * Transforms the normal by three rows of four, starting at `from` (the fourth number is not read),
- * and normalizes it.
+ * Transforms normals by the cofactors of their matrices (the inverse transpose times the
+ * determinant, of which only the sign is kept), and normalizes them.
  */
-export function transformNormalBy(
-  rows: Float32Array,
-  from: number,
-  rest: VertexStreams,
-  vertex: number,
-  out: VertexStreams,
+export function transformNormalsByCofactors(
+  matrices: Float32Array,
+  normals: Float32Array,
+  first: number,
+  end: number,
+  out: Float32Array,
 ): void {
-  const at = vertex * 3;
-  const { normals } = out;
-  const nx = rest.normals[at]!;
-  const ny = rest.normals[at + 1]!;
-  const nz = rest.normals[at + 2]!;
-  const x = dot(rows, from, nx, ny, nz);
-  const y = dot(rows, from + 4, nx, ny, nz);
-  const z = dot(rows, from + 8, nx, ny, nz);
-  const squared = fround(fround(fround(x * x) + fround(y * y)) + fround(z * z));
-  if (squared > smallestSquare) {
-    const scale = fround(1 / fround(Math.sqrt(squared)));
-    normals[at] = flushSubnormal(fround(x * scale));
-    normals[at + 1] = flushSubnormal(fround(y * scale));
-    normals[at + 2] = flushSubnormal(fround(z * scale));
-  } else {
-    normals[at] = 0;
-    normals[at + 1] = 1;
-    normals[at + 2] = 0;
+  for (let at = first * 3, m = 0; at < end * 3; at += 3, m += 12) {
+    const ax = matrices[m]!;
+    const ay = matrices[m + 1]!;
+    const az = matrices[m + 2]!;
+    const bx = matrices[m + 4]!;
+    const by = matrices[m + 5]!;
+    const bz = matrices[m + 6]!;
+    const cx = matrices[m + 8]!;
+    const cy = matrices[m + 9]!;
+    const cz = matrices[m + 10]!;
+    // The rows of the cofactors are the cross products b × c, c × a and a × b.
+    const ux = minor(by, cz, bz, cy);
+    const uy = minor(bz, cx, bx, cz);
+    const uz = minor(bx, cy, by, cx);
+    const nx = normals[at]!;
+    const ny = normals[at + 1]!;
+    const nz = normals[at + 2]!;
+    const x = dot(ux, uy, uz, nx, ny, nz);
+    const y = dot(minor(cy, az, cz, ay), minor(cz, ax, cx, az), minor(cx, ay, cy, ax), nx, ny, nz);
+    const z = dot(minor(ay, bz, az, by), minor(az, bx, ax, bz), minor(ax, by, ay, bx), nx, ny, nz);
+    const side = dot(ux, uy, uz, ax, ay, az) < 0 ? -1 : 1;
+    out[at] = side * x;
+    out[at + 1] = side * y;
+    out[at + 2] = side * z;
   }
-}
-
-/** Writes the cofactors of the matrix's upper 3 × 3, negated if its determinant is negative. */
-function writeCofactors(rows: Float32Array): void {
-  writeCross(rows, 4, 8, 0);
-  writeCross(rows, 8, 0, 4);
-  writeCross(rows, 0, 4, 8);
-  if (dot(cofactors, 0, rows[0]!, rows[1]!, rows[2]!) >= 0) return;
-  for (let i = 0; i < 12; i++) cofactors[i] = -cofactors[i]!;
+  makeUnit(out, first, end);
 }
 
 /** A normal with a smaller squared length has no direction left; +y replaces it. */
 const smallestSquare = fround(1e-30);
 
-/** (3 × 4) rows of cofactors. */
-const cofactors = new Float32Array(12);
-
-/** Writes the cross product of two rows of the matrix as one row of cofactors. */
-function writeCross(rows: Float32Array, a: number, b: number, target: number): void {
-  for (let i = 0; i < 3; i++) {
-    const j = i === 2 ? 0 : i + 1;
-    const k = j === 2 ? 0 : j + 1;
-    const left = fround(rows[a + j]! * rows[b + k]!);
-    const right = fround(rows[a + k]! * rows[b + j]!);
-    cofactors[target + i] = left - right;
+/** Normalizes normals. */
+export function makeUnit(normals: Float32Array, first: number, end: number): void {
+  for (let at = first * 3; at < end * 3; at += 3) {
+    const x = normals[at]!;
+    const y = normals[at + 1]!;
+    const z = normals[at + 2]!;
+    const squared = dot(x, y, z, x, y, z);
+    if (squared > smallestSquare) {
+      const scale = fround(1 / fround(sqrt(squared)));
+      normals[at] = flushSubnormal(fround(x * scale));
+      normals[at + 1] = flushSubnormal(fround(y * scale));
+      normals[at + 2] = flushSubnormal(fround(z * scale));
+    } else {
+      normals[at] = 0;
+      normals[at + 1] = 1;
+      normals[at + 2] = 0;
+    }
   }
 }
 
-function dot(rows: Float32Array, row: number, x: number, y: number, z: number): number {
-  const xy = fround(fround(rows[row]! * x) + fround(rows[row + 1]! * y));
-  return fround(xy + fround(rows[row + 2]! * z));
+function applyRow(rows: Float32Array, row: number, x: number, y: number, z: number): number {
+  return fround(dot(rows[row]!, rows[row + 1]!, rows[row + 2]!, x, y, z) + rows[row + 3]!);
+}
+
+export function dot(
+  ax: number,
+  ay: number,
+  az: number,
+  bx: number,
+  by: number,
+  bz: number,
+): number {
+  return fround(fround(fround(ax * bx) + fround(ay * by)) + fround(az * bz));
+}
+
+/** The determinant a d − b c of two rows a b and c d, whose terms are given in the order of use. */
+function minor(a: number, d: number, b: number, c: number): number {
+  return fround(fround(a * d) - fround(b * c));
 }

@@ -2,8 +2,9 @@ import { flushSubnormal } from '../core/float32.ts';
 import type { Mesh } from '../core/mesh.ts';
 import type { Skin } from '../core/skin.ts';
 import { writeAffineRows } from './affine-palette.ts';
-import { transformNormalBy, transformPoint } from './affine-kernel.ts';
-import type { SkinningMethod, VertexStreams } from './method.ts';
+import { dot, makeUnit, transformPoints } from './affine-kernel.ts';
+import { blendMatrices, blockSize, createMatrixBlock } from './blend-matrices.ts';
+import { everyInfluence, type PosedStreams, type SkinningMethod } from './method.ts';
 
 const { fround } = Math;
 
@@ -18,6 +19,7 @@ export const jointNormals: SkinningMethod<'joint-normals'> = {
   vec4sPerEntry: 6,
   packPalette,
   deform,
+  wasm: { rows: everyInfluence, normals: 'next-rows' },
   chunk: 'joint-normals',
 };
 
@@ -60,23 +62,38 @@ function cofactor(row: number, column: number): number {
   return affine[r1 + c1]! * affine[r2 + c2]! - affine[r1 + c2]! * affine[r2 + c1]!;
 }
 
-function deform(mesh: Mesh, skin: Skin, palette: Float32Array, out: VertexStreams): void {
-  for (let vertex = 0; vertex < mesh.vertexCount; vertex++) {
-    const point = mesh.pointOf[vertex]!;
-    blended.fill(0);
-    for (let i = skin.start[point]!; i < skin.start[point + 1]!; i++) {
-      accumulate(palette, skin.entries[i]!, skin.weights[i]!);
-    }
-    transformPoint(blended, mesh, vertex, out);
-    transformNormalBy(blended, 12, mesh, vertex, out);
+function deform(mesh: Mesh, skin: Skin, palette: Float32Array, out: PosedStreams): void {
+  const { vertexCount, positions, normals } = mesh;
+  for (let first = 0; first < vertexCount; first += blockSize) {
+    const end = Math.min(first + blockSize, vertexCount);
+    blendMatrices(mesh, skin, palette, floatsPerEntry, 0, first, end, matrices);
+    transformPoints(matrices, positions, first, end, out.positions);
+    if (!out.normals) continue;
+    blendMatrices(mesh, skin, palette, floatsPerEntry, 12, first, end, matrices);
+    transformNormals(matrices, normals, first, end, out.normals);
   }
 }
 
-/** (6 × 4) the blended rows; storing rounds each sum to float32. */
-const blended = new Float32Array(floatsPerEntry);
+const matrices = createMatrixBlock();
 
-function accumulate(palette: Float32Array, entry: number, weight: number): void {
-  for (let i = 0; i < floatsPerEntry; i++) {
-    blended[i] = blended[i]! + fround(weight * palette[entry * floatsPerEntry + i]!);
+/**
+ * Transforms normals by the upper 3 × 3 of their matrices, and normalizes them. The fourth number
+ * of a row is not read.
+ */
+function transformNormals(
+  matrices: Float32Array,
+  normals: Float32Array,
+  first: number,
+  end: number,
+  out: Float32Array,
+): void {
+  for (let at = first * 3, m = 0; at < end * 3; at += 3, m += 12) {
+    const nx = normals[at]!;
+    const ny = normals[at + 1]!;
+    const nz = normals[at + 2]!;
+    out[at] = dot(matrices[m]!, matrices[m + 1]!, matrices[m + 2]!, nx, ny, nz);
+    out[at + 1] = dot(matrices[m + 4]!, matrices[m + 5]!, matrices[m + 6]!, nx, ny, nz);
+    out[at + 2] = dot(matrices[m + 8]!, matrices[m + 9]!, matrices[m + 10]!, nx, ny, nz);
   }
+  makeUnit(out, first, end);
 }

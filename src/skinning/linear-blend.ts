@@ -1,10 +1,9 @@
 import type { Mesh } from '../core/mesh.ts';
 import type { Skin } from '../core/skin.ts';
-import { transformVertex } from './affine-kernel.ts';
+import { transformNormalsByCofactors, transformPoints } from './affine-kernel.ts';
 import { packAffinePalette } from './affine-palette.ts';
-import type { SkinningMethod, VertexStreams } from './method.ts';
-
-const { fround } = Math;
+import { blendMatrices, blockSize, createMatrixBlock } from './blend-matrices.ts';
+import { everyInfluence, type PosedStreams, type SkinningMethod } from './method.ts';
 
 /**
  * Skeletal subspace deformation: `p' = Σ wᵢ Tᵢ Bᵢ⁻¹ p` over all influences of the file, with
@@ -16,25 +15,18 @@ export const linearBlend: SkinningMethod<'linear-blend'> = {
   vec4sPerEntry: 3,
   packPalette: packAffinePalette,
   deform,
+  wasm: { rows: everyInfluence, normals: 'cofactors' },
   chunk: 'linear-blend',
 };
 
-function deform(mesh: Mesh, skin: Skin, palette: Float32Array, out: VertexStreams): void {
-  for (let vertex = 0; vertex < mesh.vertexCount; vertex++) {
-    const point = mesh.pointOf[vertex]!;
-    blended.fill(0);
-    for (let i = skin.start[point]!; i < skin.start[point + 1]!; i++) {
-      accumulate(palette, skin.entries[i]!, skin.weights[i]!);
-    }
-    transformVertex(blended, mesh, vertex, out);
+function deform(mesh: Mesh, skin: Skin, palette: Float32Array, out: PosedStreams): void {
+  const { vertexCount, positions, normals } = mesh;
+  for (let first = 0; first < vertexCount; first += blockSize) {
+    const end = Math.min(first + blockSize, vertexCount);
+    blendMatrices(mesh, skin, palette, 12, 0, first, end, matrices);
+    transformPoints(matrices, positions, first, end, out.positions);
+    if (out.normals) transformNormalsByCofactors(matrices, normals, first, end, out.normals);
   }
 }
 
-/** (3 × 4) the blended matrix, in rows; storing rounds each sum to float32. */
-const blended = new Float32Array(12);
-
-function accumulate(palette: Float32Array, entry: number, weight: number): void {
-  for (let i = 0; i < 12; i++) {
-    blended[i] = blended[i]! + fround(weight * palette[entry * 12 + i]!);
-  }
-}
+const matrices = createMatrixBlock();

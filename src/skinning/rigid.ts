@@ -1,8 +1,9 @@
 import type { Mesh } from '../core/mesh.ts';
-import type { Skin } from '../core/skin.ts';
-import { transformVertex } from './affine-kernel.ts';
+import type { InfluenceRows, Skin } from '../core/skin.ts';
+import { transformNormalsByCofactors, transformPoints } from './affine-kernel.ts';
 import { packAffinePalette } from './affine-palette.ts';
-import type { SkinningMethod, VertexStreams } from './method.ts';
+import { blockSize, createMatrixBlock } from './blend-matrices.ts';
+import type { PosedStreams, SkinningMethod } from './method.ts';
 
 /**
  * Every vertex follows only the joint with its largest weight (the first one if several are equal).
@@ -13,18 +14,25 @@ export const rigid: SkinningMethod<'rigid'> = {
   vec4sPerEntry: 3,
   packPalette: packAffinePalette,
   deform,
+  wasm: { rows: heaviestInfluence, normals: 'cofactors' },
   chunk: 'rigid',
 };
 
-function deform(mesh: Mesh, skin: Skin, palette: Float32Array, out: VertexStreams): void {
-  for (let vertex = 0; vertex < mesh.vertexCount; vertex++) {
-    const entry = heaviestEntry(skin, mesh.pointOf[vertex]!);
-    for (let i = 0; i < 12; i++) rows[i] = palette[entry * 12 + i]!;
-    transformVertex(rows, mesh, vertex, out);
+function deform(mesh: Mesh, skin: Skin, palette: Float32Array, out: PosedStreams): void {
+  const { vertexCount, positions, normals } = mesh;
+  for (let first = 0; first < vertexCount; first += blockSize) {
+    const end = Math.min(first + blockSize, vertexCount);
+    for (let vertex = first; vertex < end; vertex++) {
+      const from = heaviestEntry(skin, mesh.pointOf[vertex]!) * 12;
+      const to = (vertex - first) * 12;
+      for (let i = 0; i < 12; i++) matrices[to + i] = palette[from + i]!;
+    }
+    transformPoints(matrices, positions, first, end, out.positions);
+    if (out.normals) transformNormalsByCofactors(matrices, normals, first, end, out.normals);
   }
 }
 
-const rows = new Float32Array(12);
+const matrices = createMatrixBlock();
 
 function heaviestEntry(skin: Skin, point: number): number {
   let entry = 0;
@@ -35,4 +43,11 @@ function heaviestEntry(skin: Skin, point: number): number {
     entry = skin.entries[i]!;
   }
   return entry;
+}
+
+/** One influence of weight 1 for each point: 0 + 1 · M has the bits of M. */
+function heaviestInfluence(skin: Skin): InfluenceRows {
+  const start = Uint32Array.from(skin.start.keys());
+  const entries = Uint16Array.from(start.subarray(1), (_, point) => heaviestEntry(skin, point));
+  return { start, entries, weights: new Float32Array(entries.length).fill(1) };
 }

@@ -29,6 +29,38 @@ function deepChain(): Rig {
   return { joints, rest, points: [[0, 0, 0]], triangles: [], rows: [[[0, 1]]] };
 }
 
+/**
+ * Joints as the courses have them, without a rotation at rest: hinges about coordinate axes in any
+ * order and number. Some joints also have a slide, or a hinge about another axis.
+ */
+function coordinateHinges(): Rig {
+  const random = randomSource(6);
+  const axes = [
+    [1, 0, 0],
+    [0, 1, 0],
+    [0, 0, 1],
+  ];
+  const joints = Array.from({ length: 200 }, (_, index): Joint => {
+    const hinges = Array.from({ length: index % 5 }, () => axes[Math.floor(random() * 3)]!);
+    const others: Joint['freedoms'] = [
+      { kind: 'slide', axis: axes[index % 3]! },
+      { kind: 'hinge', axis: axes[index % 3]!.map((value) => -value) },
+    ];
+    return {
+      parent: index === 0 ? -1 : Math.floor(random() * index),
+      offset: axes.map(() => randomBetween(random, -0.3, 0.3)),
+      // A rotation at rest may be so small that its w is 1.
+      rotation: [index % 11 === 5 ? 1e-9 : 0, 0, 0, 1],
+      freedoms: [
+        ...hinges.map((axis) => ({ kind: 'hinge', axis }) as const),
+        ...(index % 7 === 0 ? others : []),
+      ],
+    };
+  });
+  const rest = joints.map(({ freedoms }) => freedoms.map(() => [0]));
+  return { joints, rest, points: [[0, 0, 0]], triangles: [], rows: [[[0, 1]]] };
+}
+
 function worldDifference(rig: Rig, values = randomValues(rig, 31)): number {
   const { skeleton } = characterOfRig(rig);
   const world = jointMatrices(skeleton, qOfValues(skeleton, values));
@@ -47,6 +79,24 @@ describe('forward kinematics', () => {
     expect(worldDifference(rig)).toBeLessThan(bound);
     expect(worldDifference(rig, rig.rest)).toBeLessThan(bound);
   });
+
+  it.each([1, Math.PI, 100])('of coordinate hinges up to ±%d equals the oracle', (angle) => {
+    const rig = coordinateHinges();
+    const bound = tolerances.kinematics * reachOf(rig.joints);
+    for (const seed of [33, 34, 35]) {
+      expect(worldDifference(rig, randomValues(rig, seed, angle))).toBeLessThan(bound);
+    }
+  });
+
+  it.each([0, 0.25, 0.5, 0.75, 1, -0.5, -1, 2])(
+    'of coordinate hinges at %d × π equals the oracle',
+    (turns) => {
+      const rig = coordinateHinges();
+      const values = rig.joints.map(({ freedoms }) => freedoms.map(() => [turns * Math.PI]));
+      const bound = tolerances.kinematics * reachOf(rig.joints);
+      expect(worldDifference(rig, values)).toBeLessThan(bound);
+    },
+  );
 
   it('equals the oracle down a chain of 4,096 joints', () => {
     const rig = deepChain();

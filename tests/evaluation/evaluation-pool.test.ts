@@ -14,7 +14,7 @@ import { swingOf } from '../fixtures/swing.ts';
 import { withMorph } from '../fixtures/with-morph.ts';
 
 interface Counts {
-  readonly joints: number;
+  joints: number;
   rest: number;
 }
 
@@ -22,22 +22,16 @@ interface Counts {
 function countingCharacter(): { character: Character; counts: Counts } {
   const built = withMorph(characterOfRig(rotatedTree()));
   const { skeleton } = built;
-  let depthReads = 0;
-  const counts = {
-    rest: 0,
-    get joints() {
-      return depthReads / skeleton.jointCount;
-    },
-  };
+  const counts = { joints: 0, rest: 0 };
   const character: Character = {
     ...built,
     clips: [swingOf(built)],
     skeleton: {
       ...skeleton,
-      // Forward kinematics reads it once per joint.
-      get depths() {
-        depthReads++;
-        return skeleton.depths;
+      // Forward kinematics reads it once.
+      get parents() {
+        counts.joints++;
+        return skeleton.parents;
       },
     },
     get morphs() {

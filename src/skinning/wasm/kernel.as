@@ -1,0 +1,236 @@
+// The skinning kernels for WebAssembly, in AssemblyScript. They compute what blend-matrices.ts,
+// affine-kernel.ts and joint-normals.ts of src/skinning define, with the same operations in the same
+// order, for four vertices at a time: a vector has one number of each. Change one with the other.
+//
+// The host lays out the memory (wasm-skin.ts). A group is four vertices with as many influences:
+// - influences: for each influence of the group, 4 weights (float32) and 4 palette entries (uint16)
+// - points and normals: 4 x, 4 y and 4 z
+// - targets: where each vertex is written, in bytes from the start of the results (uint32)
+// - matrices: 12 vectors, the 3 × 4 matrices of the group row by row
+
+@inline const influenceBytes: usize = 24;
+@inline const groupBytes: usize = 48;
+@inline const targetBytes: usize = 16;
+@inline const matrixBytes: usize = 192;
+
+/**
+ * Blends the matrices of groups that have `count` influences, from left to right. An entry of the
+ * palette has `stride` bytes.
+ */
+export function blendMatrices(
+  groups: i32,
+  count: i32,
+  influences: usize,
+  palette: usize,
+  stride: usize,
+  matrices: usize,
+): void {
+  for (; groups > 0; groups--) {
+    // Two vertices at a time, whose rows stay in registers.
+    let a0 = zero(), a1 = zero(), a2 = zero();
+    let b0 = zero(), b1 = zero(), b2 = zero();
+    for (let i = 0, at = influences; i < count; i++, at += influenceBytes) {
+      let weight = v128.load32_splat(at);
+      let entry = palette + <usize>load<u16>(at, 16) * stride;
+      a0 = f32x4.add(a0, f32x4.mul(weight, v128.load(entry)));
+      a1 = f32x4.add(a1, f32x4.mul(weight, v128.load(entry, 16)));
+      a2 = f32x4.add(a2, f32x4.mul(weight, v128.load(entry, 32)));
+      weight = v128.load32_splat(at, 4);
+      entry = palette + <usize>load<u16>(at, 18) * stride;
+      b0 = f32x4.add(b0, f32x4.mul(weight, v128.load(entry)));
+      b1 = f32x4.add(b1, f32x4.mul(weight, v128.load(entry, 16)));
+      b2 = f32x4.add(b2, f32x4.mul(weight, v128.load(entry, 32)));
+    }
+    let c0 = zero(), c1 = zero(), c2 = zero();
+    let d0 = zero(), d1 = zero(), d2 = zero();
+    for (let i = 0, at = influences; i < count; i++, at += influenceBytes) {
+      let weight = v128.load32_splat(at, 8);
+      let entry = palette + <usize>load<u16>(at, 20) * stride;
+      c0 = f32x4.add(c0, f32x4.mul(weight, v128.load(entry)));
+      c1 = f32x4.add(c1, f32x4.mul(weight, v128.load(entry, 16)));
+      c2 = f32x4.add(c2, f32x4.mul(weight, v128.load(entry, 32)));
+      weight = v128.load32_splat(at, 12);
+      entry = palette + <usize>load<u16>(at, 22) * stride;
+      d0 = f32x4.add(d0, f32x4.mul(weight, v128.load(entry)));
+      d1 = f32x4.add(d1, f32x4.mul(weight, v128.load(entry, 16)));
+      d2 = f32x4.add(d2, f32x4.mul(weight, v128.load(entry, 32)));
+    }
+    influences += <usize>count * influenceBytes;
+    storeTransposed(matrices, a0, b0, c0, d0);
+    storeTransposed(matrices + 64, a1, b1, c1, d1);
+    storeTransposed(matrices + 128, a2, b2, c2, d2);
+    matrices += matrixBytes;
+  }
+}
+
+/** Transforms points by their matrices. */
+export function transformPoints(
+  groups: i32,
+  matrices: usize,
+  points: usize,
+  targets: usize,
+  out: usize,
+): void {
+  for (; groups > 0; groups--) {
+    const x = v128.load(points);
+    const y = v128.load(points, 16);
+    const z = v128.load(points, 32);
+    storeVectors(
+      out,
+      targets,
+      flushSubnormal(applyRow(matrices, x, y, z)),
+      flushSubnormal(applyRow(matrices + 64, x, y, z)),
+      flushSubnormal(applyRow(matrices + 128, x, y, z)),
+    );
+    matrices += matrixBytes;
+    points += groupBytes;
+    targets += targetBytes;
+  }
+}
+
+/** Transforms normals by the upper 3 × 3 of their matrices, and normalizes them. */
+export function transformNormals(
+  groups: i32,
+  matrices: usize,
+  normals: usize,
+  targets: usize,
+  out: usize,
+): void {
+  for (; groups > 0; groups--) {
+    const nx = v128.load(normals);
+    const ny = v128.load(normals, 16);
+    const nz = v128.load(normals, 32);
+    storeUnit(
+      out,
+      targets,
+      dot(v128.load(matrices), v128.load(matrices, 16), v128.load(matrices, 32), nx, ny, nz),
+      dot(v128.load(matrices, 64), v128.load(matrices, 80), v128.load(matrices, 96), nx, ny, nz),
+      dot(v128.load(matrices, 128), v128.load(matrices, 144), v128.load(matrices, 160), nx, ny, nz),
+      zero(),
+    );
+    matrices += matrixBytes;
+    normals += groupBytes;
+    targets += targetBytes;
+  }
+}
+
+/** Transforms normals by the cofactors of their matrices, and normalizes them. */
+export function transformNormalsByCofactors(
+  groups: i32,
+  matrices: usize,
+  normals: usize,
+  targets: usize,
+  out: usize,
+): void {
+  for (; groups > 0; groups--) {
+    const ax = v128.load(matrices);
+    const ay = v128.load(matrices, 16);
+    const az = v128.load(matrices, 32);
+    const bx = v128.load(matrices, 64);
+    const by = v128.load(matrices, 80);
+    const bz = v128.load(matrices, 96);
+    const cx = v128.load(matrices, 128);
+    const cy = v128.load(matrices, 144);
+    const cz = v128.load(matrices, 160);
+    const nx = v128.load(normals);
+    const ny = v128.load(normals, 16);
+    const nz = v128.load(normals, 32);
+    const ux = minor(by, cz, bz, cy);
+    const uy = minor(bz, cx, bx, cz);
+    const uz = minor(bx, cy, by, cx);
+    const x = dot(ux, uy, uz, nx, ny, nz);
+    const y = dot(minor(cy, az, cz, ay), minor(cz, ax, cx, az), minor(cx, ay, cy, ax), nx, ny, nz);
+    const z = dot(minor(ay, bz, az, by), minor(az, bx, ax, bz), minor(ax, by, ay, bx), nx, ny, nz);
+    // Reversing the sign bit of the vectors whose determinant is negative is the same as times -1.
+    const negative = f32x4.lt(dot(ux, uy, uz, ax, ay, az), zero());
+    const side = v128.and(negative, f32x4.splat(-0.0));
+    storeUnit(out, targets, x, y, z, side);
+    matrices += matrixBytes;
+    normals += groupBytes;
+    targets += targetBytes;
+  }
+}
+
+/** Stores vectors with unit length, or +y where one has no direction left. */
+@inline
+function storeUnit(
+  out: usize,
+  targets: usize,
+  x: v128,
+  y: v128,
+  z: v128,
+  side: v128,
+): void {
+  const one = f32x4.splat(1);
+  const squared = dot(x, y, z, x, y, z);
+  const hasDirection = f32x4.gt(squared, f32x4.splat(1e-30));
+  const scale = v128.xor(f32x4.div(one, f32x4.sqrt(squared)), side);
+  storeVectors(
+    out,
+    targets,
+    v128.and(flushSubnormal(f32x4.mul(x, scale)), hasDirection),
+    v128.bitselect(flushSubnormal(f32x4.mul(y, scale)), one, hasDirection),
+    v128.and(flushSubnormal(f32x4.mul(z, scale)), hasDirection),
+  );
+}
+
+/** Stores the four vectors where their vertices are. */
+@inline
+function storeVectors(out: usize, targets: usize, x: v128, y: v128, z: v128): void {
+  const low = v128.shuffle<f32>(x, y, 0, 4, 1, 5);
+  const high = v128.shuffle<f32>(x, y, 2, 6, 3, 7);
+  const a = out + <usize>load<u32>(targets);
+  const b = out + <usize>load<u32>(targets, 4);
+  const c = out + <usize>load<u32>(targets, 8);
+  const d = out + <usize>load<u32>(targets, 12);
+  v128.store64_lane(a, low, 0);
+  v128.store32_lane(a, z, 0, 8);
+  v128.store64_lane(b, low, 1);
+  v128.store32_lane(b, z, 1, 8);
+  v128.store64_lane(c, high, 0);
+  v128.store32_lane(c, z, 2, 8);
+  v128.store64_lane(d, high, 1);
+  v128.store32_lane(d, z, 3, 8);
+}
+
+/** Stores the columns of four rows: a vector for each place in a row. */
+@inline
+function storeTransposed(at: usize, a: v128, b: v128, c: v128, d: v128): void {
+  const abLow = v128.shuffle<f32>(a, b, 0, 4, 1, 5);
+  const abHigh = v128.shuffle<f32>(a, b, 2, 6, 3, 7);
+  const cdLow = v128.shuffle<f32>(c, d, 0, 4, 1, 5);
+  const cdHigh = v128.shuffle<f32>(c, d, 2, 6, 3, 7);
+  v128.store(at, v128.shuffle<f32>(abLow, cdLow, 0, 1, 4, 5));
+  v128.store(at, v128.shuffle<f32>(abLow, cdLow, 2, 3, 6, 7), 16);
+  v128.store(at, v128.shuffle<f32>(abHigh, cdHigh, 0, 1, 4, 5), 32);
+  v128.store(at, v128.shuffle<f32>(abHigh, cdHigh, 2, 3, 6, 7), 48);
+}
+
+/** GPUs flush subnormal numbers to zero; see src/core/float32.ts. */
+@inline
+function flushSubnormal(value: v128): v128 {
+  const magnitude = v128.and(value, i32x4.splat(0x7fffffff));
+  return v128.andnot(value, f32x4.lt(magnitude, f32x4.splat(1.2e-38)));
+}
+
+@inline
+function applyRow(row: usize, x: v128, y: v128, z: v128): v128 {
+  const sum = dot(v128.load(row), v128.load(row, 16), v128.load(row, 32), x, y, z);
+  return f32x4.add(sum, v128.load(row, 48));
+}
+
+@inline
+function dot(ax: v128, ay: v128, az: v128, bx: v128, by: v128, bz: v128): v128 {
+  return f32x4.add(f32x4.add(f32x4.mul(ax, bx), f32x4.mul(ay, by)), f32x4.mul(az, bz));
+}
+
+/** The determinant a d − b c of two rows a b and c d, whose terms are given in the order of use. */
+@inline
+function minor(a: v128, d: v128, b: v128, c: v128): v128 {
+  return f32x4.sub(f32x4.mul(a, d), f32x4.mul(b, c));
+}
+
+@inline
+function zero(): v128 {
+  return f32x4.splat(0);
+}

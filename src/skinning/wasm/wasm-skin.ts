@@ -1,0 +1,164 @@
+import type { Mesh } from '../../core/mesh.ts';
+import type { InfluenceRows } from '../../core/skin.ts';
+import type { PosedStreams, SkinningMethod } from '../method.ts';
+import {
+  groupVertices,
+  type GroupedVertices,
+  influenceBytes,
+  influencesSize,
+  packInfluences,
+} from './pack-influences.ts';
+
+/** The functions of kernel.as. Addresses are in bytes. */
+interface KernelFunctions {
+  blendMatrices(
+    groups: number,
+    count: number,
+    influences: number,
+    palette: number,
+    stride: number,
+    matrices: number,
+  ): void;
+  readonly transformPoints: Transform;
+  readonly transformNormals: Transform;
+  readonly transformNormalsByCofactors: Transform;
+}
+
+type Transform = (
+  groups: number,
+  matrices: number,
+  vectors: number,
+  targets: number,
+  out: number,
+) => void;
+
+/** Groups whose matrices fit into the processor's nearest cache. */
+const blockSize = 64;
+const vectorBytes = 48;
+const targetBytes = 16;
+const matrixBytes = 192;
+/** The longest palette entry of a method. */
+const floatsPerEntry = 24;
+const pageBytes = 65536;
+/** A WebAssembly memory has at most 4 GiB. */
+const mostPages = 65536;
+
+/**
+ * A skin and its mesh in the memory of the WebAssembly kernel, in an order of its own. The memory
+ * has exactly the size that they need, so it never grows, and it is released with this object.
+ */
+export class WasmSkin {
+  private readonly kernel: KernelFunctions;
+  private readonly pointOf: Uint32Array;
+  private readonly groups: GroupedVertices;
+  /** The mesh at rest whose points and normals are in the memory. */
+  private rest: Mesh | undefined;
+
+  private readonly influencesAt: number;
+  private readonly targetsAt: number;
+  private readonly matricesAt: number;
+  private readonly points: Float32Array;
+  private readonly normals: Float32Array;
+  private readonly palette: Float32Array;
+  private readonly posedPoints: Float32Array;
+  private readonly posedNormals: Float32Array;
+
+  /** Throws a RangeError if there is not enough memory. */
+  constructor(module: WebAssembly.Module, mesh: Mesh, rows: InfluenceRows, entryCount: number) {
+    const { pointOf, vertexCount } = mesh;
+    this.pointOf = pointOf;
+    this.groups = groupVertices(pointOf, rows);
+    const groupCount = this.groups.vertices.length / 4;
+    let size = 0;
+    const reserve = (bytes: number): number => {
+      const at = size;
+      size += Math.ceil(bytes / 16) * 16;
+      return at;
+    };
+    this.influencesAt = reserve(influencesSize(this.groups));
+    this.targetsAt = reserve(groupCount * targetBytes);
+    this.matricesAt = reserve(blockSize * matrixBytes);
+    const points = reserve(groupCount * vectorBytes);
+    const normals = reserve(groupCount * vectorBytes);
+    const palette = reserve(entryCount * floatsPerEntry * 4);
+    // One vertex more takes what the kernel computes for the missing ones of the last group.
+    const posedPoints = reserve((vertexCount + 1) * 12);
+    const posedNormals = reserve((vertexCount + 1) * 12);
+
+    const initial = Math.ceil(size / pageBytes);
+    if (initial > mostPages) throw new RangeError(`${initial} pages of memory`);
+    const memory = new WebAssembly.Memory({ initial });
+    const instance = new WebAssembly.Instance(module, { env: { memory } });
+    this.kernel = instance.exports as unknown as KernelFunctions;
+    const { buffer } = memory;
+    this.points = new Float32Array(buffer, points, groupCount * 12);
+    this.normals = new Float32Array(buffer, normals, groupCount * 12);
+    this.palette = new Float32Array(buffer, palette, entryCount * floatsPerEntry);
+    this.posedPoints = new Float32Array(buffer, posedPoints, vertexCount * 3);
+    this.posedNormals = new Float32Array(buffer, posedNormals, vertexCount * 3);
+    packInfluences(buffer, this.influencesAt, this.groups, pointOf, rows);
+    const targets = new Uint32Array(buffer, this.targetsAt, groupCount * 4);
+    this.groups.vertices.forEach((vertex, i) => (targets[i] = vertex * 12));
+  }
+
+  /** Whether it was made for the render vertices of this mesh. */
+  fits({ pointOf }: Mesh): boolean {
+    return pointOf === this.pointOf;
+  }
+
+  /** Computes what `method.deform` does, bit by bit. */
+  deform(
+    { vec4sPerEntry, wasm }: Pick<SkinningMethod, 'vec4sPerEntry' | 'wasm'>,
+    mesh: Mesh,
+    palette: Float32Array,
+    out: PosedStreams,
+  ): void {
+    const { kernel, matricesAt } = this;
+    this.useRest(mesh);
+    this.palette.set(palette);
+    const paletteAt = this.palette.byteOffset;
+    const stride = vec4sPerEntry * 16;
+    let influences = this.influencesAt;
+    let points = this.points.byteOffset;
+    let normals = this.normals.byteOffset;
+    let targets = this.targetsAt;
+    for (const { groups, count } of this.groups.runs) {
+      for (let first = 0; first < groups; first += blockSize) {
+        const size = Math.min(blockSize, groups - first);
+        const posedPoints = this.posedPoints.byteOffset;
+        const posedNormals = this.posedNormals.byteOffset;
+        kernel.blendMatrices(size, count, influences, paletteAt, stride, matricesAt);
+        kernel.transformPoints(size, matricesAt, points, targets, posedPoints);
+        if (out.normals && wasm?.normals === 'cofactors') {
+          kernel.transformNormalsByCofactors(size, matricesAt, normals, targets, posedNormals);
+        } else if (out.normals) {
+          // The rows for normals follow those for points.
+          kernel.blendMatrices(size, count, influences, paletteAt + 48, stride, matricesAt);
+          kernel.transformNormals(size, matricesAt, normals, targets, posedNormals);
+        }
+        influences += size * count * influenceBytes;
+        points += size * vectorBytes;
+        normals += size * vectorBytes;
+        targets += size * targetBytes;
+      }
+    }
+    out.positions.set(this.posedPoints);
+    out.normals?.set(this.posedNormals);
+  }
+
+  /** Copies the mesh at rest into the memory, if it is another than before. */
+  private useRest(mesh: Mesh): void {
+    if (this.rest === mesh) return;
+    this.rest = mesh;
+    const { vertices } = this.groups;
+    for (let i = 0; i < vertices.length; i++) {
+      const vertex = vertices[i]!;
+      if (vertex === mesh.vertexCount) continue;
+      const to = (i >> 2) * 12 + (i & 3);
+      for (let axis = 0; axis < 3; axis++) {
+        this.points[to + axis * 4] = mesh.positions[vertex * 3 + axis]!;
+        this.normals[to + axis * 4] = mesh.normals[vertex * 3 + axis]!;
+      }
+    }
+  }
+}
