@@ -49,6 +49,9 @@ test('the first picture needs at most 60 KB of gzipped scripts', async () => {
   annotate('scripts, gzipped', sizes.map(([name, size]) => `${name} ${size}`).join(', '));
   annotate('before the first picture', `${total} bytes`);
   expect(early.length).toBeGreaterThan(0);
+  expect(sizes.filter(([name]) => name.includes('.wasm'))).toEqual([
+    [expect.stringMatching(/\.wasm \(later\)$/), expect.any(Number)],
+  ]);
   expect(total).toBeLessThanOrEqual(60 * kilobyte);
   expect(sizes.length, 'the panels come later').toBeGreaterThan(early.length);
 });

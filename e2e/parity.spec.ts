@@ -6,14 +6,18 @@ import { madeCharacter } from './support/made-character.ts';
 import { wildPose } from './support/poses.ts';
 import { skinRuns, watchSkinStage } from './support/skin-stage.ts';
 import { sharedPage, test } from './support/test.ts';
+import { watchWasmKernel, wasmKernelReady } from './support/wasm-kernel.ts';
 
-// The shader and the strict kernel in TypeScript do the same operations in the same order, so under
-// SwiftShader every bit of every position and normal is the same.
+// The shader and the strict kernel in TypeScript do the same operations in the same order, and so
+// does the WebAssembly kernel, which computes here. Under SwiftShader every bit of every position
+// and normal is the same.
 const same = { identical: true, position: 0, vertex: 0, normal: 0 };
 
 const page = sharedPage(async (page) => {
   await watchSkinStage(page);
+  await watchWasmKernel(page);
   await openSmallView(page, 'model=tube');
+  await wasmKernelReady(page);
 });
 
 for (const { id, files } of catalogue) {
@@ -31,6 +35,7 @@ for (const { id, files } of catalogue) {
       expect(await verify(page()), `${label}, in a wild pose`).toMatchObject(same);
     }
     const runs = await skinRuns(page());
+    expect(await page().evaluate(() => window.wasmSkins)).toBeGreaterThan(0);
     // One run as opened, then one for each method at each of its poses.
     expect(runs.length).toBeGreaterThanOrEqual(2 * kernels.length);
     for (const { blocks, textures } of runs) {

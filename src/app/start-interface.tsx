@@ -13,6 +13,7 @@ import { listenToPointer } from '../ui/pointer.ts';
 import { passes } from '../view/passes/registry.ts';
 import { createEditor } from './create-editor.ts';
 import type { Layout } from './layout.ts';
+export { loadWasmKernel } from './load-wasm-kernel.ts';
 import { runClock } from './run-clock.ts';
 import { createScripting, type Scripting } from './scripting.ts';
 

@@ -68,9 +68,10 @@ export async function start(root: HTMLElement): Promise<void> {
   // works all the same.
   if (store.scene.value.actors.length === 0 || !viewer.available.value) firstFrameShown();
   await firstFrame;
-  const { startInterface } = await loadPart(import('./start-interface.tsx'));
+  const { loadWasmKernel, startInterface } = await loadPart(import('./start-interface.tsx'));
   window.sinew = startInterface(layout, opening, ready);
   settleReady();
+  await loadWasmKernel(kernels);
 }
 
 /**

@@ -24,6 +24,7 @@ import { existingPath } from './existing-path.ts';
 import { printDiagnostics, readFiles, unreadable, unwritable, userPath } from './files.ts';
 import { parseWords } from './parse-words.ts';
 import { UsageError } from './usage-error.ts';
+import { wasmKernel } from './wasm-kernel.ts';
 
 const methodIds = methods.map(({ id }) => id).join('|');
 const normalsIds = normalWays.map(({ id }) => id).join('|');
@@ -119,6 +120,7 @@ async function poseMesh(character: Character, posed: Pose, options: Options): Pr
   const actor = createActor(1, character, method, kept);
   const pool = new EvaluationPool();
   await pool.kernels.load(kernelOf(actor).id);
+  pool.kernels.wasm = await wasmKernel();
   const skinned = new Evaluator(actor, pool).vertices();
   const isMirrored = options.keepFileSpace && character.meta.fileSpace === 'left-handed';
   const { mesh, positions } = isMirrored

@@ -194,7 +194,9 @@ export class Evaluator implements Evaluation {
       positions: new Float32Array(rest.vertexCount * 3),
       normals: new Float32Array(rest.vertexCount * 3),
     };
-    method.deform(rest, skin, palette, posed);
+    if (!this.kernels.wasm?.deform(method, rest, skin, palette, posed)) {
+      method.deform(rest, skin, palette, posed);
+    }
     return posed;
   }
 }

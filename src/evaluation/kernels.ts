@@ -2,6 +2,7 @@ import { signal } from '@preact/signals-core';
 import { linearBlend } from '../skinning/linear-blend.ts';
 import type { KernelId, SkinningMethod } from '../skinning/method.ts';
 import { kernelById } from '../skinning/registry.ts';
+import type { WasmSkinning } from '../skinning/wasm/wasm-skinning.ts';
 
 export interface KernelsOptions {
   /**
@@ -15,6 +16,11 @@ export interface KernelsOptions {
 
 /** The kernels that are loaded. Any other begins to load when it is first requested. */
 export class Kernels {
+  /**
+   * Computes the same bits as the kernels in less time, from the moment it is set. Nothing that was
+   * computed before changes.
+   */
+  wasm: WasmSkinning | null = null;
   private readonly ready = signal<ReadonlyMap<KernelId, SkinningMethod>>(
     new Map([[linearBlend.id, linearBlend]]),
   );

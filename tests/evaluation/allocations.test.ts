@@ -6,6 +6,7 @@ import { deformationOf, kernels } from '../../src/skinning/registry.ts';
 import { characterOfRig } from '../fixtures/character-of-rig.ts';
 import { rotatedTree } from '../fixtures/rigs.ts';
 import { swingOf } from '../fixtures/swing.ts';
+import { compiledSkinning } from '../support/wasm-skinning.ts';
 
 const arrays = ['Float32Array', 'Float64Array', 'Uint16Array', 'Uint32Array'] as const;
 const own = arrays.map((name) => globalThis[name]);
@@ -39,6 +40,18 @@ describe('playing', () => {
   it.each(kernels.map(({ id }) => id))('makes no array on the way to vertices by %s', (id) => {
     const state = { ...playing, ...deformationOf(id) };
     const evaluator = new Evaluator(state);
+    evaluator.evaluate(state, 0).vertices();
+    const count = countArrays();
+    for (let frame = 1; frame <= 10; frame++) evaluator.evaluate(state, frame / 30).vertices();
+    expect(count.made).toBe(0);
+  });
+
+  it.each(kernels.map(({ id }) => id))('makes none in the WebAssembly kernel by %s', async (id) => {
+    const state = { ...playing, ...deformationOf(id) };
+    const pool = new EvaluationPool();
+    await pool.kernels.load(id);
+    pool.kernels.wasm = await compiledSkinning();
+    const evaluator = new Evaluator(state, pool);
     evaluator.evaluate(state, 0).vertices();
     const count = countArrays();
     for (let frame = 1; frame <= 10; frame++) evaluator.evaluate(state, frame / 30).vertices();

@@ -1,9 +1,10 @@
 import fc from 'fast-check';
-import { describe, expect, it } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import { includePositions, emptyBounds } from '../../src/core/bounds.ts';
 import { jointMatrices } from '../../src/core/forward-kinematics.ts';
 import { type Actor, createActor } from '../../src/document/scene.ts';
 import type { Evaluation } from '../../src/evaluation/evaluation.ts';
+import { EvaluationPool } from '../../src/evaluation/evaluation-pool.ts';
 import { Evaluator } from '../../src/evaluation/evaluator.ts';
 import { deformationOf, kernels } from '../../src/skinning/registry.ts';
 import { fullPool, loadedKernels } from '../support/kernels.ts';
@@ -11,6 +12,7 @@ import { skinVertices } from '../support/skin-vertices.ts';
 import { characterOfRig } from '../fixtures/character-of-rig.ts';
 import { allRigs } from '../fixtures/rigs.ts';
 import { withMorph } from '../fixtures/with-morph.ts';
+import { compiledSkinning } from '../support/wasm-skinning.ts';
 
 const characters = Object.values(allRigs).map((rig) => withMorph(characterOfRig(rig())));
 
@@ -70,6 +72,22 @@ describe('an evaluation', () => {
         if (character.mesh.pointCount > 0) expect(shown.bounds()).toEqual(box);
       }
     }
+  });
+
+  it('is the same with the WebAssembly kernel, for copies in other poses and shapes', async () => {
+    const pool = new EvaluationPool();
+    pool.kernels.wasm = await compiledSkinning();
+    const deform = vi.spyOn(pool.kernels.wasm, 'deform');
+    const first = stateOf(0);
+    const second = { ...first, q: first.q.map((value) => value + 0.3) };
+    const third = { ...second, morphWeights: first.morphWeights.map(() => 0.7) };
+    const evaluators = [first, second, third].map((state) => new Evaluator(state, pool));
+    evaluators.forEach((evaluator) => evaluator.vertices());
+    evaluators.forEach((evaluator) => {
+      const strict = new Evaluator(evaluator.state);
+      expect(evaluator.vertices()).toEqual(strict.vertices());
+    });
+    expect(deform.mock.results.map(({ value }) => value as boolean)).toEqual([true, true, true]);
   });
 
   it('keeps the revisions and the arrays of stages whose inputs did not change', () => {

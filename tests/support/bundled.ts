@@ -1,0 +1,24 @@
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { gunzipSync } from 'node:zlib';
+import type { Character } from '../../src/core/character.ts';
+import { readOne } from './files.ts';
+
+const folder = join(import.meta.dirname, '../../public/data');
+
+const catalogue = JSON.parse(readFileSync(join(folder, 'catalogue.json'), 'utf8')) as readonly {
+  readonly id: string;
+  readonly files: readonly string[];
+}[];
+
+export const bundledIds: readonly string[] = catalogue.map(({ id }) => id);
+
+/** Reads a bundled character as the page does. */
+export function readBundled(id: string): Promise<Character> {
+  const { files } = catalogue.find((entry) => entry.id === id)!;
+  const contents = files.map((file) => {
+    const bytes = readFileSync(join(folder, file));
+    return [file.replace(/\.gz$/, ''), file.endsWith('.gz') ? gunzipSync(bytes) : bytes] as const;
+  });
+  return readOne(Object.fromEntries(contents));
+}
