@@ -92,6 +92,7 @@ async function countFrames(
         counts[`${program}, ${kind} frame, ${name}`] = count;
       }
       if (kind === 'posed') expectRight(found.otherDraws > 0, `${program} draws no shadow`);
+      else if (program === 'sinew') checkIdle(kind, found);
       expectRight(samples === 4, `${program} draws ${samples} samples per pixel`);
       expectRight(
         shadowSize === 0 || size === shadowSize,
@@ -104,4 +105,13 @@ async function countFrames(
   }
   counts['shadow map'] = shadowSize;
   return shadowSize;
+}
+
+/** Without a new pose, the skin and its shadows stay, and nothing is sent. */
+function checkIdle(kind: FrameKind, { feedbacks, otherDraws, uploadedBytes }: CallCounts): void {
+  const work = [feedbacks, otherDraws, uploadedBytes];
+  expectRight(
+    work.every((count) => count === 0),
+    `a ${kind} frame skins, draws shadows or sends bytes: ${work.join(', ')}`,
+  );
 }

@@ -1,11 +1,17 @@
 import { mat4 } from 'gl-matrix';
 import { cylinder, type Cylinder, poseAngles } from '../data/cylinder.ts';
 import { checkSkinned, transformsOf } from '../data/oracle.ts';
-import { type BenchOptions, type GroupResult, timesFaster } from '../harness/group.ts';
+import { type BenchOptions, type GroupResult, timesFaster, timesSlower } from '../harness/group.ts';
 import { type Contender, contenderOf, measure } from '../harness/measure.ts';
 import { nativeSkinning } from '../native/native.ts';
 import { loadPeer } from '../harness/load-peer.ts';
-import { type PosedBody, posedBody, type Skinning, strictSkinning } from '../skinning/sinew.ts';
+import {
+  type PosedBody,
+  posedBody,
+  type Skinning,
+  strictSkinning,
+  wasmSkinning,
+} from '../skinning/sinew.ts';
 
 const vertexCount = 100_000;
 const angles = poseAngles(18, 1);
@@ -16,13 +22,18 @@ export async function skinning({ rounds }: BenchOptions): Promise<GroupResult> {
   const posed = posedBody(body, angles);
   const { mesh, skin } = posed.character;
   const transforms = transformsOf(body, angles);
+  const varied = cylinder({ vertexCount, influences: 'varied' });
+  const posedVaried = posedBody(varied, angles);
   const contenders: Contender[] = [];
-  const add = (id: string, { positions, normals, run }: Skinning): void => {
+  const add = (id: string, { positions, normals, run }: Skinning, of = body): void => {
     run();
-    checkSkinned({ id, positions, ...(normals && { normals }) }, body, mesh, transforms);
+    checkSkinned({ id, positions, ...(normals && { normals }) }, of, mesh, transforms);
     contenders.push(contenderOf(id, run));
   };
   add('sinew strict', strictSkinning(posed));
+  add('sinew wasm, normals', await wasmSkinning(posed, true));
+  add('sinew wasm', await wasmSkinning(posed, false));
+  add('sinew wasm, varied', await wasmSkinning(posedVaried, false), varied);
   add('three', await threeSkinning(body));
   add('babylon', await babylonSkinning(body, mesh.normals, posed));
   add('gl-matrix dense', await glMatrixSkinning(body, posed));
@@ -37,7 +48,12 @@ export async function skinning({ rounds }: BenchOptions): Promise<GroupResult> {
     samples,
     values: {
       'strict-normals': timesFaster(samples, 'sinew strict', 'three'),
-      dense: timesFaster(samples, 'sinew strict', 'gl-matrix dense'),
+      'wasm-normals': timesFaster(samples, 'sinew wasm, normals', 'three'),
+      'wasm-positions': timesFaster(samples, 'sinew wasm', 'three'),
+      'wasm-varied': timesFaster(samples, 'sinew wasm, varied', 'three'),
+      'wasm-babylon': timesFaster(samples, 'sinew wasm, normals', 'babylon'),
+      dense: timesFaster(samples, 'sinew wasm', 'gl-matrix dense'),
+      ...(native && { 'wasm-native': timesSlower(samples, 'sinew wasm, normals', 'native') }),
     },
     counts: { vertices: vertexCount, 'native code': native ? 'compiled' : 'no compiler' },
   };

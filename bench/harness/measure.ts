@@ -40,6 +40,8 @@ export async function measure(contenders: readonly Contender[], rounds: number):
 
 /** The time of one sample at least, in milliseconds, so that the clock's steps do not matter. */
 const leastMilliseconds = 12;
+/** The time after which code is compiled, also where the compiler's thread has to wait. */
+const warmMilliseconds = 400;
 
 /**
  * Makes a contender of a function of this process, which is run as often as a sample needs.
@@ -60,9 +62,11 @@ export function contenderOf(id: string, run: (index: number) => unknown): Conten
     },
   };
 
+  /** Runs until the engine has compiled the code, and returns how many runs make a sample. */
   async function enough(): Promise<number> {
     for (let runs = 1; ; runs *= 2) {
-      if ((await timeOf(runs)) >= leastMilliseconds) return runs;
+      const time = await timeOf(runs);
+      if (time >= warmMilliseconds) return Math.ceil((runs * leastMilliseconds) / time);
     }
   }
 

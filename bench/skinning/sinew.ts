@@ -1,6 +1,8 @@
 import type { Character } from '../../src/core/character.ts';
 import { jointMatrices } from '../../src/core/forward-kinematics.ts';
 import { linearBlend } from '../../src/skinning/linear-blend.ts';
+import { WasmSkinning } from '../../src/skinning/wasm/wasm-skinning.ts';
+import { compileKernel } from '../../tools/compile-kernel.ts';
 import { characterOf } from '../data/character.ts';
 import type { Cylinder } from '../data/cylinder.ts';
 
@@ -35,4 +37,19 @@ export function strictSkinning({ character: { mesh, skin }, palette }: PosedBody
     normals: new Float32Array(mesh.vertexCount * 3),
   };
   return { ...out, run: () => linearBlend.deform(mesh, skin, palette, out) };
+}
+
+/** The WebAssembly kernel, with normals or without. */
+export async function wasmSkinning(
+  { character: { mesh, skin }, palette }: PosedBody,
+  withNormals: boolean,
+): Promise<Skinning> {
+  const kernel = await WasmSkinning.compile(await compileKernel());
+  const positions = new Float32Array(mesh.vertexCount * 3);
+  const normals = withNormals ? new Float32Array(mesh.vertexCount * 3) : null;
+  const out = { positions, normals };
+  const run = (): void => {
+    if (!kernel.deform(linearBlend, mesh, skin, palette, out)) throw new Error('no kernel');
+  };
+  return { positions, ...(normals && { normals }), run };
 }

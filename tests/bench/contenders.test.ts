@@ -6,21 +6,22 @@ import { checkSkinned, transformsOf } from '../../bench/data/oracle.ts';
 import { checkKinematics, sinewKinematics } from '../../bench/kinematics/sinew.ts';
 import { checkReadFile } from '../../bench/readers/check.ts';
 import { readerKinds, sinewReaders } from '../../bench/readers/sinew.ts';
-import { posedBody, strictSkinning } from '../../bench/skinning/sinew.ts';
+import { posedBody, strictSkinning, wasmSkinning } from '../../bench/skinning/sinew.ts';
 
 // Sinew's own contenders run once, so that a change that breaks the bench is noticed. No time is
 // measured.
 
 describe("Sinew's contenders give right answers", () => {
-  it.each(['four', 'varied'] as const)('in skinning, with %s influences', (influences) => {
+  it.each(['four', 'varied'] as const)('in skinning, with %s influences', async (influences) => {
     const body = cylinder({ vertexCount: 1000, influences });
     const angles = poseAngles(body.jointCount, 1);
     const posed = posedBody(body, angles);
-    const program = strictSkinning(posed);
-    program.run();
     const transforms = transformsOf(body, angles);
-    const answer = { id: 'strict', positions: program.positions, normals: program.normals! };
-    checkSkinned(answer, body, posed.character.mesh, transforms);
+    for (const program of [strictSkinning(posed), await wasmSkinning(posed, true)]) {
+      program.run();
+      const answer = { id: 'sinew', positions: program.positions, normals: program.normals! };
+      checkSkinned(answer, body, posed.character.mesh, transforms);
+    }
     const atRest = { id: 'rest', positions: body.positions };
     expect(() => checkSkinned(atRest, body, posed.character.mesh, transforms)).toThrow('rest');
   });
