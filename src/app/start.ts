@@ -9,6 +9,7 @@ import { failureText } from '../ui/attempt.ts';
 import { listenToDrops } from '../ui/drop-zone.ts';
 import type { Opening } from '../ui/editor.ts';
 import { listenToPaste } from '../ui/paste.ts';
+import { FramePace } from '../view/frame-pace.ts';
 import { loadSkinningShader } from '../view/skinning-shaders.ts';
 import { Viewer } from '../view/viewer.ts';
 import { type CatalogueEntry, fetchCatalogue } from './catalogue.ts';
@@ -51,12 +52,14 @@ export async function start(root: HTMLElement): Promise<void> {
     paletteTexture: textures.includes('palette'),
     influenceTexture: textures.includes('influences'),
   };
-  const viewer = new Viewer(layout.canvas, store, session, evaluations, skinLayout, () => {
+  const onFrame = (): void => {
     if (store.scene.value.actors.length === 0) return;
     if (performance.getEntriesByName('first-frame').length > 0) return;
     performance.mark('first-frame');
     firstFrameShown();
-  });
+  };
+  const pace = isTest ? null : new FramePace(session);
+  const viewer = new Viewer(layout.canvas, store, session, evaluations, skinLayout, onFrame, pace);
   const opening = createOpening(store, session, evaluations, viewer, catalogue);
   layout.follow(viewer, isTest ? 1 : undefined);
   followTheme(opening.theme, viewer);

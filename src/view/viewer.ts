@@ -3,13 +3,16 @@ import { assert } from '../core/assert.ts';
 import type { Bounds } from '../core/bounds.ts';
 import type { Actor } from '../document/scene.ts';
 import { selectedActor } from '../document/selected-actor.ts';
-import type { Session, SkinDevice } from '../document/session.ts';
+import type { Detail, Session, SkinDevice } from '../document/session.ts';
 import type { Store } from '../document/store.ts';
 import type { Evaluations } from '../evaluation/evaluations.ts';
+import { Fence } from '../gl/fence.ts';
 import type { VertexStreams } from '../skinning/method.ts';
 import { deformationOf } from '../skinning/registry.ts';
 import { type Camera, frameBox } from './camera.ts';
-import { createFrame, type Frame } from './frame.ts';
+import { imageProblem } from './image-problem.ts';
+import { createFrame, type Frame, pictureSize } from './frame.ts';
+import type { FramePace } from './frame-pace.ts';
 import type { Pass } from './pass.ts';
 import { firstPasses } from './passes/first.ts';
 import { sceneBounds } from '../evaluation/scene-bounds.ts';
@@ -66,12 +69,18 @@ export class Viewer {
   private readonly evaluations: Evaluations;
   private readonly session: Session;
   private readonly onFrame: () => void;
+  private readonly pace: FramePace | null;
+  /** The detail that the effect below saw last. */
+  private seenDetail: Detail = 'full';
   private renderer: Renderer | null = null;
   private frameRequest = 0;
   /** The camera that was fitted to a box, to fit it again when the view's size changes. */
   private framed: { readonly camera: Camera; readonly box: Bounds } | null = null;
 
-  /** @param onFrame is called after each picture that was shown */
+  /**
+   * @param onFrame is called after each picture that was shown
+   * @param pace makes drafts of slow pictures; without it every picture is drawn in full
+   */
   constructor(
     canvas: HTMLCanvasElement,
     store: Store,
@@ -79,16 +88,21 @@ export class Viewer {
     evaluations: Evaluations,
     layout: LayoutChoice,
     onFrame: () => void,
+    pace: FramePace | null = null,
   ) {
     this.canvas = canvas;
     this.store = store;
     this.session = session;
     this.evaluations = evaluations;
     this.onFrame = onFrame;
+    this.pace = pace;
     const gl = canvas.getContext('webgl2', { antialias: false, alpha: false, depth: false });
     if (gl) this.keepRenderer(gl, layout);
     effect(() => {
-      this.readState();
+      const { detail } = this.readState();
+      // A change of detail is no movement.
+      if (detail === this.seenDetail) pace?.changed();
+      this.seenDetail = detail;
       this.requestFrame();
     });
   }
@@ -187,7 +201,10 @@ export class Viewer {
     const begin = (): void => {
       this.hadContext = true;
       this.renderer = new Renderer(gl, layout, (image, fault) => {
-        if (fault !== null) this.reportImage(image.name, fault);
+        if (fault !== null) {
+          const { problems } = this.session;
+          problems.value = [...problems.value, imageProblem(image.name, fault)];
+        }
         this.requestFrame();
       });
       this.available.value = true;
@@ -199,21 +216,6 @@ export class Viewer {
     });
     this.canvas.addEventListener('webglcontextrestored', begin);
     begin();
-  }
-
-  private reportImage(file: string, found: string): void {
-    const { problems } = this.session;
-    problems.value = [
-      ...problems.value,
-      {
-        severity: 'warning',
-        code: 'image/unknown',
-        file,
-        expected: 'a picture for a surface',
-        found,
-        effect: 'the surface is shown without it',
-      },
-    ];
   }
 
   private readBack(state: Actor): VertexStreams {
@@ -244,14 +246,25 @@ export class Viewer {
       this.evaluations.keepOnly([]);
       return;
     }
-    const { width, height } = this.size.value;
-    const frames = this.createFrames(sideBySide(this.contents, width, height), true);
-    this.present().draw(frames, width, height).show();
+    const begin = performance.now();
+    const { contents } = this;
+    // Views that are compared are compared in full.
+    const detail = contents.length > 1 ? 'full' : this.session.detail.value;
+    const { width, height } = pictureSize(this.size.value, detail);
+    const frames = this.createFrames(sideBySide(contents, width, height), true, detail);
+    const renderer = this.present();
+    renderer.draw(frames, width, height, detail).show();
+    if (contents.length === 1) this.pace?.drawn(begin, new Fence(renderer.gpu));
     this.onFrame();
   }
 
-  private createFrames(views: readonly RenderView[], showStudio: boolean): Frame[] {
-    const { selected, device, options, theme } = this.readState();
+  private createFrames(
+    views: readonly RenderView[],
+    showStudio: boolean,
+    detail: Detail = 'full',
+  ): Frame[] {
+    const { selected, device, options: own, theme } = this.readState();
+    const options = { ...own, showStudio };
     const renderer = this.present();
     renderer.passes = this.passes.peek();
     const shown = views.map(({ overrides }) => this.evaluations.all(overrides));
@@ -261,7 +274,7 @@ export class Viewer {
     const [first] = selected ? renderer.viewsOf([this.evaluations.of(selected)]) : [];
     if (first) this.poseMilliseconds.value = first.poseMilliseconds;
     return views.map((view, index) =>
-      createFrame(renderer.viewsOf(shown[index]!), { ...options, showStudio }, themes[theme], view),
+      createFrame(renderer.viewsOf(shown[index]!), options, themes[theme], view, detail),
     );
   }
 
@@ -275,6 +288,7 @@ export class Viewer {
       device: session.skinDevice.value,
       options: viewOptionsOf(session),
       theme: this.theme.value,
+      detail: session.detail.value,
       contents: this.contents,
       size: this.size.value,
       available: this.available.value,
