@@ -8,6 +8,13 @@ import { test } from './support/test.ts';
 interface Sent {
   /** Bytes that are sent to buffers. */
   geometry: number;
+  /** Bytes that are sent to textures. */
+  texels: number;
+  /** Runs of the skinning stage. */
+  skinned: number;
+  /** Draws into the picture, and into anything else: the maps of the shadows. */
+  drawn: number;
+  shadows: number;
   /** Draws of instanced solids: bones, axes. */
   solids: number;
 }
@@ -20,9 +27,36 @@ declare global {
 
 /** Runs in the page before its scripts. */
 function countSent(): void {
-  window.sent = { geometry: 0, solids: 0 };
+  window.sent = { geometry: 0, texels: 0, skinned: 0, drawn: 0, shadows: 0, solids: 0 };
   const gl = WebGL2RenderingContext.prototype;
-  const { bufferData, bufferSubData, drawElementsInstanced } = gl;
+  const { bufferData, bufferSubData, texSubImage2D, beginTransformFeedback } = gl;
+  const { viewport, drawElements, drawArrays, drawElementsInstanced } = gl;
+  let intoPicture = false;
+  gl.viewport = function (x, y, width, height) {
+    intoPicture = width === this.drawingBufferWidth && height === this.drawingBufferHeight;
+    viewport.call(this, x, y, width, height);
+  };
+  const note = (): void => {
+    if (intoPicture) window.sent.drawn++;
+    else window.sent.shadows++;
+  };
+  gl.drawElements = function (...parameters) {
+    note();
+    drawElements.apply(this, parameters);
+  };
+  gl.drawArrays = function (...parameters) {
+    note();
+    drawArrays.apply(this, parameters);
+  };
+  gl.beginTransformFeedback = function (mode) {
+    window.sent.skinned++;
+    beginTransformFeedback.call(this, mode);
+  };
+  gl.texSubImage2D = function (this: WebGL2RenderingContext, ...parameters: unknown[]) {
+    const content = parameters.find((each) => ArrayBuffer.isView(each));
+    if (content) window.sent.texels += content.byteLength;
+    texSubImage2D.apply(this, parameters as unknown as Parameters<typeof texSubImage2D>);
+  };
   gl.bufferData = function (this: WebGL2RenderingContext, ...parameters: unknown[]) {
     const [, content] = parameters;
     if (ArrayBuffer.isView(content)) window.sent.geometry += content.byteLength;
@@ -45,7 +79,9 @@ async function sentBy(page: Page, action: () => Promise<unknown>): Promise<Sent>
       () => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))),
     );
   await drawn();
-  await page.evaluate(() => (window.sent = { geometry: 0, solids: 0 }));
+  await page.evaluate(() => {
+    for (const kind in window.sent) window.sent[kind as keyof Sent] = 0;
+  });
   await action();
   await drawn();
   return page.evaluate(() => window.sent);
@@ -55,6 +91,26 @@ test('only what changed is sent', async ({ page }) => {
   await page.addInitScript(countSent);
   await openSmallView(page, 'model=insect');
   await page.locator('canvas').focus();
+
+  await test.step('orbiting and drawing again send nothing, skin nothing and draw no shadow', async () => {
+    const orbit = () => page.keyboard.press('ArrowLeft');
+    // Toggling twice within a task draws the same picture again.
+    const again = () =>
+      page.locator('canvas').evaluate((canvas) => {
+        for (let i = 0; i < 2; i++) {
+          canvas.dispatchEvent(new KeyboardEvent('keydown', { key: 't', bubbles: true }));
+        }
+      });
+    for (const action of [orbit, again]) {
+      const { drawn, ...others } = await sentBy(page, action);
+      expect(drawn).toBeGreaterThan(2);
+      expect(others).toEqual({ geometry: 0, texels: 0, skinned: 0, shadows: 0, solids: 0 });
+    }
+    const posed = await sentBy(page, () => page.evaluate(() => window.sinew.seek(0.3)));
+    expect(posed).toMatchObject({ skinned: 1, texels: 0 });
+    // The key light's map, the map from below, and its two blurs.
+    expect(posed.shadows).toBeGreaterThanOrEqual(4);
+  });
 
   await test.step('orbiting sends nothing, with skin, bones, boxes and axes', async () => {
     for (const key of ['s', 's', 'a']) await page.keyboard.press(key);

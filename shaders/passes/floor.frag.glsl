@@ -13,6 +13,7 @@ uniform float fadeEnd;
 // x and z, and half its side.
 uniform sampler2D contactShadow;
 uniform vec3 contactSquare;
+uniform float contactStrength;
 uniform float shadowStrength;
 
 out vec4 color;
@@ -38,7 +39,7 @@ float lightAt(vec2 place) {
     vec2 within = (place - contactSquare.xy) / contactSquare.z * 0.5 + 0.5;
     // The square's rim is never quite empty; ease it out so that no edge shows.
     vec2 inside = smoothstep(1.0, 0.8, at);
-    contact = textureLod(contactShadow, within, 0.0).rg * inside.x * inside.y;
+    contact = textureLod(contactShadow, within, 0.0).rg * inside.x * inside.y * contactStrength;
   }
   float shade = 1.0 - keyVisibility(vec3(place.x, 0.0, place.y), vec3(0.0, 1.0, 0.0));
   return (1.0 - 0.6 * contact.r) * (1.0 - 0.35 * contact.g) * (1.0 - 0.22 * shade);

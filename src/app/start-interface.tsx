@@ -10,6 +10,7 @@ import { RightPanel } from '../ui/panels/right-panel.tsx';
 import { Sections } from '../ui/panels/sections.tsx';
 import { ViewOverlay } from '../ui/panels/view-overlay.tsx';
 import { listenToPointer } from '../ui/pointer.ts';
+import { createPace } from '../view/frame-pace.ts';
 import { passes } from '../view/passes/registry.ts';
 import { createEditor } from './create-editor.ts';
 import type { Layout } from './layout.ts';
@@ -21,8 +22,14 @@ import { createScripting, type Scripting } from './scripting.ts';
  * Starts panels, keys, pointer and scripting. They are loaded after the first picture, which does
  * not need them.
  */
-export function startInterface(layout: Layout, opening: Opening, ready: Promise<void>): Scripting {
+export function startInterface(
+  layout: Layout,
+  opening: Opening,
+  ready: Promise<void>,
+  { drafts }: { readonly drafts: boolean },
+): Scripting {
   opening.viewer.passes.value = passes;
+  if (drafts) opening.viewer.pace = createPace(opening.session);
   const editor = createEditor(opening);
   render(<LeftPanel editor={editor} />, layout.left);
   render(<RightPanel editor={editor} />, layout.right);

@@ -71,7 +71,7 @@ export async function start(root: HTMLElement): Promise<void> {
   if (store.scene.value.actors.length === 0 || !viewer.available.value) firstFrameShown();
   await firstFrame;
   const { loadWasmKernel, startInterface } = await loadPart(import('./start-interface.tsx'));
-  window.sinew = startInterface(layout, opening, ready);
+  window.sinew = startInterface(layout, opening, ready, { drafts: !isTest });
   settleReady();
   await loadWasmKernel(kernels);
 }

@@ -10,6 +10,9 @@ export type Shading = 'smooth' | 'faceted';
 /** The processor that skins the vertices. */
 export type SkinDevice = 'gpu' | 'cpu';
 
+/** How carefully the view is drawn: a draft is coarser, and drawn only while something moves. */
+export type Detail = 'draft' | 'full';
+
 /** A distant light; the first one casts shadows. */
 export interface Light {
   readonly name: string;
@@ -69,6 +72,7 @@ export class Session {
   /** A kernel that is shown next to each actor's own for comparison, or null. */
   readonly comparedKernel = signal<KernelId | null>(null);
   readonly skinDevice = signal<SkinDevice>('gpu');
+  readonly detail = signal<Detail>('full');
   readonly lights = signal<readonly Light[]>(studioLights);
   readonly selectedActorId = signal<ActorId | null>(null);
   /** A joint of the selected actor. */

@@ -1,8 +1,8 @@
 import { type Gpu, GpuLimitError } from './gpu.ts';
 
 /**
- * An offscreen picture with color and depth at 4 samples a pixel. It is resolved to one sample,
- * which is both shown and read back, so a capture is exactly what was seen.
+ * An offscreen picture with color and depth, usually at 4 samples a pixel. It is resolved to one
+ * sample, which is both shown and read back, so a capture is exactly what was seen.
  */
 export class RenderTarget {
   readonly width: number;
@@ -12,12 +12,12 @@ export class RenderTarget {
   private readonly sampled: WebGLFramebuffer;
   private readonly resolved: WebGLFramebuffer;
 
-  constructor(gpu: Gpu, width: number, height: number) {
+  constructor(gpu: Gpu, width: number, height: number, wantedSamples = 4) {
     const { gl } = gpu;
     this.gl = gl;
     this.width = width;
     this.height = height;
-    const samples = Math.min(4, gpu.maxSamples);
+    const samples = Math.min(wantedSamples, gpu.maxSamples);
     this.sampled = this.createFramebuffer(gpu);
     this.attach(gpu, gl.COLOR_ATTACHMENT0, gl.RGBA8, samples);
     this.attach(gpu, gl.DEPTH_ATTACHMENT, gl.DEPTH_COMPONENT24, samples);
@@ -41,9 +41,10 @@ export class RenderTarget {
     this.copy(this.sampled, this.resolved);
   }
 
-  /** Copies the resolved picture to the canvas, which must have its size. */
+  /** Copies the resolved picture to the canvas and scales it to the canvas's size. */
   show(): void {
-    this.copy(this.resolved, null);
+    const { drawingBufferWidth, drawingBufferHeight } = this.gl;
+    this.copy(this.resolved, null, drawingBufferWidth, drawingBufferHeight);
   }
 
   /**
@@ -77,15 +78,21 @@ export class RenderTarget {
     for (const dispose of this.disposers.splice(0)) dispose();
   }
 
-  private copy(from: WebGLFramebuffer, to: WebGLFramebuffer | null): void {
+  private copy(
+    from: WebGLFramebuffer,
+    to: WebGLFramebuffer | null,
+    toWidth = this.width,
+    toHeight = this.height,
+  ): void {
     const { gl, width, height } = this;
+    const isSameSize = toWidth === width && toHeight === height;
     gl.bindFramebuffer(gl.READ_FRAMEBUFFER, from);
     gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, to);
     gl.blitFramebuffer(
       ...[0, 0, width, height],
-      ...[0, 0, width, height],
+      ...[0, 0, toWidth, toHeight],
       gl.COLOR_BUFFER_BIT,
-      gl.NEAREST,
+      isSameSize ? gl.NEAREST : gl.LINEAR,
     );
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
   }

@@ -1,4 +1,5 @@
 import type { vec3 } from 'gl-matrix';
+import type { Detail } from '../document/session.ts';
 import type { UniformValue } from '../gl/program.ts';
 import { clipFromScene, eyeOf, nearOf } from './camera.ts';
 import type { CharacterView } from './character-view.ts';
@@ -6,12 +7,17 @@ import type { RenderView, Viewport } from './render-view.ts';
 import type { Theme } from './theme.ts';
 import type { ViewOptions } from './view-options.ts';
 
+type Size = Pick<Viewport, 'width' | 'height'>;
+
 /** Everything that passes read to draw one picture. */
 export interface Frame {
   readonly characters: readonly CharacterView[];
   readonly options: ViewOptions;
   readonly theme: Theme;
   readonly viewport: Viewport;
+  readonly detail: Detail;
+  /** The picture's pixels per pixel of the view, along one side. */
+  readonly scale: number;
   /** The camera's place in the scene, and the distance before it at which things are cut off. */
   readonly eye: vec3;
   readonly near: number;
@@ -19,11 +25,22 @@ export interface Frame {
   readonly uniforms: Readonly<Record<string, UniformValue>>;
 }
 
+/** The size of a picture of a view. */
+export function pictureSize({ width, height }: Size, detail: Detail): Size {
+  const scale = scaleOf(detail);
+  return { width: Math.ceil(width * scale), height: Math.ceil(height * scale) };
+}
+
+function scaleOf(detail: Detail): number {
+  return detail === 'draft' ? 0.5 : 1;
+}
+
 export function createFrame(
   characters: readonly CharacterView[],
   options: ViewOptions,
   theme: Theme,
   { camera, viewport }: RenderView,
+  detail: Detail = 'full',
 ): Frame {
   const { width, height } = viewport;
   const eye = eyeOf(camera);
@@ -34,5 +51,15 @@ export function createFrame(
     backdropTop: theme.backdropTop,
     backdropBottom: theme.backdropBottom,
   };
-  return { characters, options, theme, viewport, eye, near: nearOf(camera), uniforms };
+  return {
+    characters,
+    options,
+    theme,
+    viewport,
+    detail,
+    scale: scaleOf(detail),
+    eye,
+    near: nearOf(camera),
+    uniforms,
+  };
 }

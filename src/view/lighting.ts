@@ -23,6 +23,7 @@ export class Lighting {
   private readonly clipFromScene = new Float32Array(16);
   private keyShadowStep = 0;
   private shown = '';
+  private shownContact = '';
 
   constructor(gpu: Gpu, programs: Programs) {
     this.gl = gpu.gl;
@@ -41,14 +42,18 @@ export class Lighting {
     ];
     const versions = frame.characters.map(({ revision }) => revision);
     const shadows = `${showSkin} ${key.direction.join()} ${versions.join()}`;
+    const evaluations = frame.characters.map(({ evaluation }) => evaluation);
+    const casters = showSkin ? frame.characters : [];
     if (shadows !== this.shown) {
       this.shown = shadows;
-      const casters = showSkin ? frame.characters : [];
-      const subject = subjectOf(frame.characters.map(({ evaluation }) => evaluation));
+      const subject = subjectOf(evaluations);
       mat4.copy(this.clipFromScene, keyClipFromScene(subject, key.direction));
       this.keyShadowStep = (3.5 * 2 * subject.radius) / keyShadowSize;
       this.drawKeyShadow(casters);
-      this.contactShadow.draw(casters, subject);
+    }
+    if (shadows !== this.shownContact && frame.detail === 'full') {
+      this.shownContact = shadows;
+      this.contactShadow.draw(casters, subjectOf(evaluations));
     }
     this.keyShadow.bind(keyShadowUnit);
     this.contactShadow.texture.bind(contactShadowUnit);
@@ -64,6 +69,8 @@ export class Lighting {
       keyShadow: keyShadowUnit,
       contactShadow: contactShadowUnit,
       contactSquare: this.contactShadow.square,
+      // A draft has no contact shadow if the pose has changed since it was drawn.
+      contactStrength: this.shownContact === shadows ? 1 : 0,
     };
   }
 

@@ -1,5 +1,5 @@
 import { type Actor, skinInUse } from '../document/scene.ts';
-import type { SkinDevice } from '../document/session.ts';
+import type { Detail, SkinDevice } from '../document/session.ts';
 import type { Skin } from '../core/skin.ts';
 import type { Evaluation } from '../evaluation/evaluation.ts';
 import { Gpu, GpuLimitError } from '../gl/gpu.ts';
@@ -32,7 +32,7 @@ export class Renderer {
   private readonly layout: LayoutChoice;
   private readonly onImage: OnImage;
   private views: ReadonlyMap<Evaluation, CharacterView> = new Map();
-  private target: RenderTarget | null = null;
+  private readonly targets = new Map<Detail, RenderTarget>();
   /**
    * The reasons why the GPU can't draw characters, by their skins, so that it does not try again
    * for every picture.
@@ -74,15 +74,25 @@ export class Renderer {
     return this.refusals.get(skinInUse(state)) ?? null;
   }
 
-  /** Draws frames, each in its own part of a picture, which can then be shown or read. */
-  draw(frames: readonly Frame[], width: number, height: number): RenderTarget {
-    if (this.target?.width !== width || this.target.height !== height) {
-      this.target?.dispose();
-      this.target = null;
-      this.target = new RenderTarget(this.gpu, width, height);
+  /**
+   * Draws frames, each in its own part of a picture, which can then be shown or read. A draft has
+   * one sample per pixel.
+   */
+  draw(
+    frames: readonly Frame[],
+    width: number,
+    height: number,
+    detail: Detail = 'full',
+  ): RenderTarget {
+    let target = this.targets.get(detail);
+    if (target?.width !== width || target.height !== height) {
+      target?.dispose();
+      this.targets.delete(detail);
+      target = new RenderTarget(this.gpu, width, height, detail === 'draft' ? 0 : 4);
+      this.targets.set(detail, target);
     }
-    this.drawInto(this.target, frames);
-    return this.target;
+    this.drawInto(target, frames);
+    return target;
   }
 
   /**
@@ -103,7 +113,7 @@ export class Renderer {
     for (const pass of this.instances.values()) pass.dispose();
     for (const lighting of this.lightings) lighting.dispose();
     this.programs.dispose();
-    this.target?.dispose();
+    for (const target of this.targets.values()) target.dispose();
   }
 
   private createView(evaluation: Evaluation): CharacterView | null {

@@ -3,13 +3,15 @@ import { assert } from '../core/assert.ts';
 import type { Bounds } from '../core/bounds.ts';
 import type { Actor } from '../document/scene.ts';
 import { selectedActor } from '../document/selected-actor.ts';
-import type { Session, SkinDevice } from '../document/session.ts';
+import type { Detail, Session, SkinDevice } from '../document/session.ts';
 import type { Store } from '../document/store.ts';
 import type { Evaluations } from '../evaluation/evaluations.ts';
+import type { Gpu } from '../gl/gpu.ts';
 import type { VertexStreams } from '../skinning/method.ts';
 import { deformationOf } from '../skinning/registry.ts';
 import { type Camera, frameBox } from './camera.ts';
-import { createFrame, type Frame } from './frame.ts';
+import { imageProblem } from './image-problem.ts';
+import { createFrame, type Frame, pictureSize } from './frame.ts';
 import type { Pass } from './pass.ts';
 import { firstPasses } from './passes/first.ts';
 import { sceneBounds } from '../evaluation/scene-bounds.ts';
@@ -22,6 +24,14 @@ import { viewOptionsOf } from './view-options.ts';
 export interface CaptureSize {
   readonly width: number;
   readonly height: number;
+}
+
+/** Learns what the view does, and decides the session's detail. */
+export interface Pace {
+  /** Something in the picture changed, other than its detail. */
+  changed(): void;
+  /** A picture was handed to the GPU; drawing began at this time, in milliseconds. */
+  drawn(begin: number, gpu: Gpu): void;
 }
 
 /**
@@ -49,6 +59,8 @@ export class Viewer {
    * context is lost.
    */
   readonly available = signal(false);
+  /** Makes drafts of slow pictures; without it every picture is drawn in full. */
+  pace: Pace | null = null;
   /** Whether there ever was a context, which distinguishes a lost one from none. */
   hadContext = false;
   /** The reason why the selected character can't be drawn, or null. */
@@ -66,6 +78,8 @@ export class Viewer {
   private readonly evaluations: Evaluations;
   private readonly session: Session;
   private readonly onFrame: () => void;
+  /** The detail that the effect below saw last. */
+  private seenDetail: Detail = 'full';
   private renderer: Renderer | null = null;
   private frameRequest = 0;
   /** The camera that was fitted to a box, to fit it again when the view's size changes. */
@@ -85,7 +99,10 @@ export class Viewer {
     this.evaluations = evaluations;
     this.onFrame = onFrame;
     effect(() => {
-      this.readState();
+      const { detail } = this.readState();
+      // A change of detail is no movement.
+      if (detail === this.seenDetail) this.pace?.changed();
+      this.seenDetail = detail;
       this.requestFrame();
     });
   }
@@ -194,7 +211,10 @@ export class Viewer {
     const begin = (): void => {
       this.hadContext = true;
       this.renderer = new Renderer(gl, layout, (image, fault) => {
-        if (fault !== null) this.reportImage(image.name, fault);
+        if (fault !== null) {
+          const { problems } = this.session;
+          problems.value = [...problems.value, imageProblem(image.name, fault)];
+        }
         this.requestFrame();
       });
       this.available.value = true;
@@ -206,21 +226,6 @@ export class Viewer {
     });
     this.canvas.addEventListener('webglcontextrestored', begin);
     begin();
-  }
-
-  private reportImage(file: string, found: string): void {
-    const { problems } = this.session;
-    problems.value = [
-      ...problems.value,
-      {
-        severity: 'warning',
-        code: 'image/unknown',
-        file,
-        expected: 'a picture for a surface',
-        found,
-        effect: 'the surface is shown without it',
-      },
-    ];
   }
 
   private readBack(state: Actor): VertexStreams {
@@ -251,14 +256,25 @@ export class Viewer {
       this.evaluations.keepOnly([]);
       return;
     }
-    const { width, height } = this.size.value;
-    const frames = this.createFrames(sideBySide(this.contents, width, height), true);
-    this.present().draw(frames, width, height).show();
+    const begin = performance.now();
+    const { contents } = this;
+    // Views that are compared are compared in full.
+    const detail = contents.length > 1 ? 'full' : this.session.detail.value;
+    const { width, height } = pictureSize(this.size.value, detail);
+    const frames = this.createFrames(sideBySide(contents, width, height), true, detail);
+    const renderer = this.present();
+    renderer.draw(frames, width, height, detail).show();
+    if (contents.length === 1) this.pace?.drawn(begin, renderer.gpu);
     this.onFrame();
   }
 
-  private createFrames(views: readonly RenderView[], showStudio: boolean): Frame[] {
-    const { selected, device, options, theme } = this.readState();
+  private createFrames(
+    views: readonly RenderView[],
+    showStudio: boolean,
+    detail: Detail = 'full',
+  ): Frame[] {
+    const { selected, device, options: own, theme } = this.readState();
+    const options = { ...own, showStudio };
     const renderer = this.present();
     renderer.passes = this.passes.peek();
     const shown = views.map(({ overrides }) => this.evaluations.all(overrides));
@@ -268,7 +284,7 @@ export class Viewer {
     const [first] = selected ? renderer.viewsOf([this.evaluations.of(selected)]) : [];
     if (first) this.poseMilliseconds.value = first.poseMilliseconds;
     return views.map((view, index) =>
-      createFrame(renderer.viewsOf(shown[index]!), { ...options, showStudio }, themes[theme], view),
+      createFrame(renderer.viewsOf(shown[index]!), options, themes[theme], view, detail),
     );
   }
 
@@ -282,6 +298,7 @@ export class Viewer {
       device: session.skinDevice.value,
       options: viewOptionsOf(session),
       theme: this.theme.value,
+      detail: session.detail.value,
       contents: this.contents,
       size: this.size.value,
       available: this.available.value,

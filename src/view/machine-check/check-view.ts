@@ -58,6 +58,7 @@ export async function checkView(
 ): Promise<ViewReport> {
   const view = await createOwnView(pictureSize);
   const { gl, store, viewer } = view;
+  const gpu = new Gpu(gl);
   const step: Step = async (label, fraction) => {
     onProgress(label, fraction);
     await nextTask();
@@ -65,16 +66,16 @@ export async function checkView(
     if (gl.isContextLost()) throw new Failure('The GPU was reset while it was checked');
   };
   try {
-    const programs = await linkAll(gl, step);
+    const programs = await linkAll(gpu, step);
     store.dispatch(openCharacter(null, character, 'linear-blend'));
     viewer.frameAll();
     const { id } = store.scene.value.actors[0]!;
     const parity = await compareKernels(view, id, step);
 
     await step('timing frames', 0.6);
-    const posed = await timeFrames(gl, poser(view, id), signal);
+    const posed = await timeFrames(gpu, poser(view, id), signal);
     await step('timing frames', 0.8);
-    const camera = await timeFrames(gl, turner(view), signal);
+    const camera = await timeFrames(gpu, turner(view), signal);
     const { vertexCount: vertices, indices } = character.mesh;
     return {
       machine: machineFacts(gl),
@@ -87,9 +88,9 @@ export async function checkView(
   }
 }
 
-async function linkAll(gl: WebGL2RenderingContext, step: Step): Promise<LinkedProgram[]> {
+async function linkAll(gpu: Gpu, step: Step): Promise<LinkedProgram[]> {
   const methods = await Promise.all(kernels.map(({ load }) => load()));
-  const links = programLinks(new Gpu(gl), methods);
+  const links = programLinks(gpu, methods);
   const linked: LinkedProgram[] = [];
   for (const link of links) {
     await step('linking programs', (0.4 * linked.length) / links.length);

@@ -1,4 +1,5 @@
 import { gpuDone } from '../../gl/fence.ts';
+import type { Gpu } from '../../gl/gpu.ts';
 
 /** The times of frames of one kind, in milliseconds. */
 export interface FrameTimes {
@@ -20,7 +21,7 @@ const enoughMilliseconds = 1500;
  * @param draw changes the scene or the camera and draws the picture; it gets the frame's number
  */
 export async function timeFrames(
-  gl: WebGL2RenderingContext,
+  gpu: Gpu,
   draw: (frame: number) => void,
   signal: AbortSignal,
 ): Promise<FrameTimes> {
@@ -30,7 +31,7 @@ export async function timeFrames(
     signal.throwIfAborted();
     const begin = performance.now();
     draw(frame);
-    await gpuDone(gl);
+    await gpuDone(gpu);
     if (frame === 0) continue;
     const time = performance.now() - begin;
     all.push(time);

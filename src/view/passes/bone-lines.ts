@@ -37,8 +37,8 @@ export const boneLinesPass: Pass = {
         gl.depthMask(false);
         gl.enable(gl.BLEND);
         gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
-        drawBoth(gl.GREATER, options.translucent ? innerOpacity : hiddenOpacity);
-        drawBoth(gl.LEQUAL, 1);
+        drawBoth(frame, gl.GREATER, options.translucent ? innerOpacity : hiddenOpacity);
+        drawBoth(frame, gl.LEQUAL, 1);
         gl.disable(gl.BLEND);
         gl.depthMask(true);
         gl.depthFunc(gl.LESS);
@@ -58,11 +58,11 @@ export const boneLinesPass: Pass = {
       );
     }
 
-    function drawBoth(depthFunction: number, opacity: number): void {
+    function drawBoth({ scale }: Frame, depthFunction: number, opacity: number): void {
       gl.depthFunc(depthFunction);
-      program.set({ opacity, wrapped: false, lineWidth: boneWidth });
+      program.set({ opacity, wrapped: false, lineWidth: boneWidth * scale });
       bones.draw();
-      program.set({ wrapped: true, lineWidth: gridWidth });
+      program.set({ wrapped: true, lineWidth: gridWidth * scale });
       lit.draw();
     }
   },
