@@ -4,6 +4,46 @@ import { pureGlMatrix } from './tools/vite-gl-matrix.ts';
 import { shortShaders } from './tools/vite-glsl.ts';
 import { wasmKernel } from './tools/vite-kernel.ts';
 
+/**
+ * Modules that the first picture needs come in few scripts, because they take fewer requests and
+ * are smaller when they are packed together. `ground` is what the page and the readers share.
+ */
+const firstScripts = [
+  {
+    name: 'ground',
+    priority: 1,
+    test: modules(
+      'preload-helper',
+      'esm/(common|mat4|vec4|quat)',
+      'core/(assert|bounds|coordinate-hinges|diagnostics|display-boxes|failure|float32)',
+      'core/(forward-kinematics|joint-transforms|limits|mesh|morph|pose|skeleton|skin)',
+      'core/vertex-normals',
+      'formats/(extensions|file-entry|text/(decode-text|head-tokens|line-ends))',
+    ),
+  },
+  {
+    name: 'reading',
+    test: modules(
+      'app/bundled-pose',
+      'core/(bones|build-[a-z]+|coincident-joints|corner-values|equal-tuples|report-rows)',
+      'core/split-corners',
+      'formats/(axis-values|ball-values|json/decoder|junk|pose-json|read-characters|registry)',
+      'formats/(mit|cse169|mmd)/(shape|recognize)',
+      'formats/mit/(attach|joint-names|reader|skel)',
+      'formats/obj/(continued|face-list|plain-[a-z]+|read-obj|resolve-index)',
+      'formats/obj/(triangulate|triangulate-faces|tuple-stream)',
+      'formats/belonging/group-files',
+      'formats/text/(byte-words|check-[a-z0-9]+|growable|lfs-pointer|line-[a-z]+|open-text)',
+      'formats/text/(plain-numbers|read-number)',
+    ),
+  },
+];
+
+/** Matches modules by the ends of their paths, without extension. */
+function modules(...paths: readonly string[]): RegExp {
+  return new RegExp(`/(${paths.join('|')})\\.(ts|js)$`);
+}
+
 const jsx = { runtime: 'automatic', importSource: 'preact' } as const;
 
 export default defineConfig({
@@ -20,6 +60,7 @@ export default defineConfig({
     modulePreload: false,
     // Small files are not inlined, because a strict content policy allows no data: addresses.
     assetsInlineLimit: 0,
+    rolldownOptions: { output: { codeSplitting: { groups: firstScripts } } },
   },
   worker: { format: 'es', plugins: () => [pureGlMatrix()] },
 });

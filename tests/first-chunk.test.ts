@@ -34,8 +34,8 @@ it('the first script contains what draws the first picture, and little more', as
   const size = chunks.reduce((sum, { code }) => sum + gzipSync(code, { level: 9 }).length, 0);
 
   // The browser test measures everything that is loaded before the first picture; this test names
-  // the module that grew.
-  expect(size, `gzipped bytes; the largest modules: ${largest.join(', ')}`).toBeLessThan(38_000);
+  // the module that grew. What the page shares with the readers is among these scripts.
+  expect(size, `gzipped bytes; the largest modules: ${largest.join(', ')}`).toBeLessThan(41_000);
   const later = /^src\/(cli|ui\/(panels|controls|tools)|formats\/(mit|cse169|mmd|obj|zip|json))\//;
   expect(modules.map(({ path }) => path).filter((path) => later.test(path))).toEqual([]);
   expect(modules.some(({ path }) => path === 'src/view/viewer.ts')).toBe(true);

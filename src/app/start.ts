@@ -57,6 +57,8 @@ export async function start(root: HTMLElement): Promise<void> {
   listenToDrops(opening);
   listenToPaste(opening);
 
+  // An empty picture would only keep the first character waiting.
+  viewer.waiting.value = true;
   const opened = openNamed(opening, catalogue, listed, parameters);
   // Creating a context keeps the page busy for a while, so the character is requested first.
   await listed.catch(() => undefined); // the failure is reported by what opens
@@ -66,6 +68,7 @@ export async function start(root: HTMLElement): Promise<void> {
     influenceTexture: textures.includes('influences'),
   });
   await opened;
+  viewer.waiting.value = false;
   // Without a character or a context there is no first picture to wait for; the rest of the page
   // works all the same.
   if (store.scene.value.actors.length === 0 || !viewer.available.value) firstFrameShown();

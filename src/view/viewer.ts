@@ -59,6 +59,8 @@ export class Viewer {
    * context is lost.
    */
   readonly available = signal(false);
+  /** While this is true no picture is drawn, because what it is to show is still on its way. */
+  readonly waiting = signal(false);
   /** Makes drafts of slow pictures; without it every picture is drawn in full. */
   pace: Pace | null = null;
   /** Whether there ever was a context, which distinguishes a lost one from none. */
@@ -256,6 +258,7 @@ export class Viewer {
       this.evaluations.keepOnly([]);
       return;
     }
+    if (this.waiting.value) return;
     const begin = performance.now();
     const { contents } = this;
     // Views that are compared are compared in full.
@@ -302,6 +305,7 @@ export class Viewer {
       contents: this.contents,
       size: this.size.value,
       available: this.available.value,
+      waiting: this.waiting.value,
     };
   }
 }

@@ -1,9 +1,6 @@
 import type { DiagnosticLog } from '../../core/diagnostics.ts';
 import type { LineReader } from '../text/line-reader.ts';
 
-/** Ignored without a message: they group or shade faces, which has no effect here. */
-const silent = new Set(['g', 'o', 's']);
-
 /** Elements of OBJ other than faces. */
 const elements = new Set(['l', 'p', 'curv', 'curv2', 'surf', 'mtllib', 'vp', 'cstype', 'deg']);
 
@@ -22,7 +19,7 @@ export class IgnoredKeywords {
   }
 
   note(keyword: string): void {
-    if (silent.has(keyword) || this.noted.has(keyword)) return;
+    if (this.noted.has(keyword)) return;
     if (this.noted.size < mostKinds) this.noted.add(keyword);
     const library = keyword === 'mtllib';
     this.log.warn({

@@ -1,16 +1,19 @@
 import type { MeshParts } from '../../core/character-parts.ts';
 import { DiagnosticLog, type Parsed } from '../../core/diagnostics.ts';
+import { loadPart } from '../../core/failure.ts';
 import { defaultLimits, type Limits } from '../../core/limits.ts';
 import { openText } from '../text/open-text.ts';
+import type { CarefulLines } from './careful-lines.ts';
 import { continued } from './continued.ts';
 import { FaceList } from './face-list.ts';
-import { FaceReader } from './face-reader.ts';
-import { IgnoredKeywords } from './ignored-keywords.ts';
 import { PlainLines } from './plain-lines.ts';
 import { triangulateFaces } from './triangulate-faces.ts';
 import { type ObjStreams, TupleStream } from './tuple-stream.ts';
 
 const effect = 'the mesh is not used';
+
+/** Ignored without a message: they group or shade faces, which has no effect here. */
+const silent = new Set(['g', 'o', 's']);
 
 /** About as many bytes as files have for each coordinate and for each corner, rather fewer. */
 const bytesPerCoordinate = 16;
@@ -20,7 +23,8 @@ const bytesPerCorner = 10;
  * Reads a Wavefront OBJ: `v` (with w or color, unused), `vt`, `vn`, faces with slashes, negative
  * indices (counted back from their own line) and any number of corners, `usemtl`, comments and
  * continued lines. Vertices keep their order and number, whether used or not, because the rows of
- * `.attach` count them. Material libraries are recorded, never fetched.
+ * `.attach` count them. Material libraries are recorded, never fetched. Most lines are plain, so what
+ * reads the others is loaded when it is needed.
  */
 export async function readObj(
   file: string,
@@ -56,36 +60,21 @@ export async function readObj(
     }),
   };
   const faces = new FaceList(limits.triangleCount, Math.ceil(bytes.length / bytesPerCorner));
-  const faceReader = new FaceReader(reader, streams, faces, log);
   const plainLines = new PlainLines(reader, streams, faces);
   const runs: { material: string; firstFace: number }[] = [];
-  const ignored = new IgnoredKeywords(reader, log);
+  let careful: CarefulLines | undefined;
+  const loadCareful = async (): Promise<CarefulLines> => {
+    const { CarefulLines } = await loadPart(import('./careful-lines.ts'));
+    return new CarefulLines(reader, streams, faces, log);
+  };
 
-  const parts = [streams.positions, streams.uvs, streams.normals, faceReader];
-  while (!parts.some(({ isFull }) => isFull)) {
+  while (!careful?.isFull) {
     plainLines.read();
     if (!reader.next()) break;
     if (!reader.token()) continue;
     const keyword = reader.text();
-    switch (keyword) {
-      case 'v':
-        streams.positions.read(reader, log);
-        break;
-      case 'vt':
-        streams.uvs.read(reader, log);
-        break;
-      case 'vn':
-        streams.normals.read(reader, log);
-        break;
-      case 'f':
-        faceReader.read();
-        break;
-      case 'usemtl':
-        runs.push({ material: reader.rest(), firstFace: faces.count });
-        break;
-      default:
-        ignored.note(keyword);
-    }
+    if (keyword === 'usemtl') runs.push({ material: reader.rest(), firstFace: faces.count });
+    else if (!silent.has(keyword)) (careful ??= await loadCareful()).read(keyword);
   }
   const positions = streams.positions.finish();
   const { corners, firstTriangles, degenerateCount } = await triangulateFaces(
@@ -94,9 +83,8 @@ export async function readObj(
     runs.map(({ firstFace }) => firstFace),
   );
   if (!log.failed) checkCounts(positions, corners.cornerPoints, log);
-  faceReader.reportOddities(degenerateCount);
-  streams.uvs.reportOddities(log);
-  streams.normals.reportOddities(log);
+  if (degenerateCount > 0) careful ??= await loadCareful();
+  careful?.reportOddities(degenerateCount);
   const submeshes = runs
     .map(({ material }, index) => ({ material, firstTriangle: firstTriangles[index]! }))
     // Of consecutive ones without a triangle between them, the last one counts.
