@@ -39,6 +39,7 @@ test('a click on a box selects its joint, whose number then shows in the picture
   await field.press('Enter');
   await expect(page().locator('.active-dof')).toHaveText(`${joint} X 0.200 (11.5°)`);
   await page().mouse.move(5, 5);
+  await page().evaluate(() => window.sinew.settled());
   expectPicture('insect-dof-text', await page().locator('main.view').screenshot());
   await page().keyboard.press('Escape');
   await page().getByRole('button', { name: 'Reset all' }).click();

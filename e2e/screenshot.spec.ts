@@ -59,6 +59,7 @@ async function decode(download: Download): Promise<PNG> {
 
 /** Returns the pixels that the browser shows in place of the canvas. */
 async function shownPixels(page: Page): Promise<PNG> {
+  await page.evaluate(() => window.sinew.settled());
   const canvas = page.locator('canvas');
   const box = (await canvas.boundingBox())!;
   const shown = PNG.sync.read(await page.screenshot({ clip: box, scale: 'device' }));

@@ -74,7 +74,7 @@ test.describe('with fingers only', () => {
     const changes = async (gesture: () => Promise<unknown>): Promise<void> => {
       const before = await capture(page);
       await gesture();
-      expect(await capture(page)).not.toEqual(before);
+      await expect.poll(async () => before.equals(await capture(page))).toBe(false);
     };
     const controls = page.getByRole('button', { name: 'Controls', exact: true });
     await controls.waitFor();

@@ -10,10 +10,10 @@ export interface CatalogueEntry extends BundledCharacter {
 }
 
 /** The address of the app's data, whatever sub-path the app is served from. */
-const dataUrl = new URL('data/', document.baseURI);
+const dataUrl = (): URL => new URL('data/', document.baseURI);
 
 export async function fetchCatalogue(): Promise<readonly CatalogueEntry[]> {
-  const response = await fetchChecked(new URL('catalogue.json', dataUrl));
+  const response = await fetchChecked(new URL('catalogue.json', dataUrl()));
   try {
     return (await response.json()) as CatalogueEntry[];
   } catch {
@@ -27,5 +27,5 @@ export function fetchBundled(
   signal: AbortSignal,
 ): Promise<LooseFile[]> {
   const paths = pose === undefined ? files : [...files, pose];
-  return Promise.all(paths.map((path) => fetchFile(new URL(path, dataUrl), signal)));
+  return Promise.all(paths.map((path) => fetchFile(new URL(path, dataUrl()), signal)));
 }

@@ -1,8 +1,9 @@
+import { effect } from '@preact/signals-core';
 import type { Diagnostic } from '../core/diagnostics.ts';
 import { bindClip, removeActor, setMorphWeight, setPose } from '../document/edits.ts';
 import type { Actor } from '../document/scene.ts';
 import { selectedActor } from '../document/selected-actor.ts';
-import type { SkinDevice } from '../document/session.ts';
+import type { Session, SkinDevice } from '../document/session.ts';
 import type { Verification } from '../document/verification.ts';
 import { memoryFile } from '../formats/file-entry.ts';
 import type { FileEntry } from '../formats/format.ts';
@@ -72,7 +73,7 @@ export interface Scripting {
   /** (vertices × 3) posed positions, in the file's order and units. */
   vertices(device: SkinDevice, actor?: ActorName): Float32Array;
   verify(actor?: ActorName): Verification | null;
-  /** Settles when everything that is being read or decoded has been drawn. */
+  /** Settles when everything that is being read or decoded has been drawn, not as a draft. */
   settled(): Promise<void>;
   /** Returns the view's pixels as a file, or those of the same view at another size. */
   capture(options?: CaptureOptions): Promise<Blob>;
@@ -154,7 +155,10 @@ export function createScripting(editor: Editor, ready: Promise<void>): Scripting
       const actor = find(name);
       return actor ? viewer.vertices(actor, device) : new Float32Array(0);
     },
-    settled,
+    async settled() {
+      await settled();
+      await drawnInFull(session);
+    },
     verify: (name) => verifyShown(find(name), viewer),
     async capture({ format = 'png', width, height, background = true, views } = {}) {
       await settled();
@@ -210,4 +214,17 @@ function entriesOf(
       return memoryFile(path, bytes);
     }),
   );
+}
+
+/** Resolves when pictures are no drafts. While a clip plays they may stay drafts. */
+function drawnInFull({ detail, playing }: Session): Promise<void> {
+  return new Promise((resolve) => {
+    const stop = effect(() => {
+      if (detail.value === 'draft' && !playing.value) return;
+      requestAnimationFrame(() => {
+        stop();
+        resolve();
+      });
+    });
+  });
 }

@@ -41,7 +41,14 @@ export class FramePace {
 
   /** Something in the picture changed, other than its detail. */
   changed(): void {
-    if (this.session.detail.peek() === 'draft') this.waitForRest();
+    const { detail } = this.session;
+    // Slow pictures alone make no draft: the view may have come to rest with them.
+    const isSlow = this.slowInRow >= slowPictures;
+    if (isSlow && this.clock.now() - this.doneAt <= restMilliseconds) {
+      this.slowInRow = 0;
+      detail.value = 'draft';
+    }
+    if (detail.peek() === 'draft') this.waitForRest();
   }
 
   /**
@@ -75,10 +82,6 @@ export class FramePace {
   private judge(milliseconds: number): void {
     this.doneAt = this.clock.now();
     this.slowInRow = milliseconds > slowMilliseconds ? this.slowInRow + 1 : 0;
-    if (this.slowInRow < slowPictures) return;
-    this.slowInRow = 0;
-    this.session.detail.value = 'draft';
-    this.waitForRest();
   }
 
   private waitForRest(): void {

@@ -56,7 +56,7 @@ test('two slow pictures in a row make drafts, and rest makes full pictures', () 
   picture(80);
   expect(session.detail.value).toBe('full');
   picture(80);
-  expect(session.detail.value).toBe('draft');
+  expect(session.detail.value, 'nothing has moved since').toBe('full');
   for (let i = 0; i < 10; i++) {
     pace.changed();
     clock.pass(140);
@@ -85,14 +85,25 @@ test('slow pictures of a view that rests stay full', () => {
 });
 
 test('a full picture after a rest needs two slow ones again to become a draft', () => {
-  const { clock, session, picture } = createPace();
+  const { clock, session, pace, picture } = createPace();
   picture(80);
   picture(80);
   clock.pass(1000);
   picture(80);
+  pace.changed();
   expect(session.detail.value).toBe('full');
   picture(80);
+  pace.changed();
   expect(session.detail.value).toBe('draft');
+});
+
+test('a view that comes to rest with slow pictures never becomes a draft', () => {
+  const { clock, session, pace, picture } = createPace();
+  picture(80);
+  picture(80);
+  clock.pass(200);
+  pace.changed();
+  expect(session.detail.value).toBe('full');
 });
 
 test('one picture at a time is measured, and none of the others is forgotten', () => {
