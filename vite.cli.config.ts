@@ -1,4 +1,5 @@
-import { defineConfig } from 'vite';
+import { defineConfig, type Plugin } from 'vite';
+import { compileKernel } from './tools/compile-kernel.ts';
 import { sourcesHash } from './tools/sources-hash.mjs';
 import { pureGlMatrix } from './tools/vite-gl-matrix.ts';
 
@@ -7,7 +8,7 @@ import { pureGlMatrix } from './tools/vite-gl-matrix.ts';
  * the sources translates every module first.
  */
 export default defineConfig({
-  plugins: [pureGlMatrix()],
+  plugins: [embeddedKernel(), pureGlMatrix()],
   publicDir: false,
   ssr: { noExternal: true },
   build: {
@@ -23,3 +24,16 @@ export default defineConfig({
     },
   },
 });
+
+/** Puts the compiled kernel in the place of its compiler, which a single file does not have. */
+function embeddedKernel(): Plugin {
+  return {
+    name: 'embedded-kernel',
+    enforce: 'pre',
+    async load(id) {
+      if (!id.endsWith('/tools/compile-kernel.ts')) return null;
+      const text = Buffer.from(await compileKernel()).toString('base64');
+      return `export const compileKernel = async () => new Uint8Array(Buffer.from('${text}', 'base64'));`;
+    },
+  };
+}
