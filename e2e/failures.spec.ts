@@ -1,18 +1,8 @@
-import { expect, test as base, type Page } from '@playwright/test';
+import { expect, type Page } from '@playwright/test';
 import { convertTargets, labelOf } from '../src/formats/registry.ts';
 import { choose, controlRow, openApp } from './support/app.ts';
 import { madeCharacter } from './support/made-character.ts';
-
-// A failure outside of Sinew ends in a message, and nothing is thrown. The browser logs what it
-// could not load, so these tests check everything that support/test.ts checks except the console.
-const test = base.extend({
-  page: async ({ page }, use) => {
-    const thrown: string[] = [];
-    page.on('pageerror', (error) => thrown.push(error.stack ?? error.message));
-    await use(page);
-    expect(thrown).toEqual([]);
-  },
-});
+import { failureTest as test } from './support/test.ts';
 
 test.use({ viewport: { width: 860, height: 480 } });
 

@@ -1,18 +1,8 @@
-import { expect, type Page, test as base } from '@playwright/test';
+import { expect, type Page } from '@playwright/test';
 import { chooseKernel, openSmallView, setPose, verify } from './support/app.ts';
 import { wildPose } from './support/poses.ts';
+import { failureTest as test } from './support/test.ts';
 import { watchWasmKernel } from './support/wasm-kernel.ts';
-
-// The browser logs what it could not load, so these tests check everything that support/test.ts
-// checks except the console.
-const test = base.extend({
-  page: async ({ page }, use) => {
-    const thrown: string[] = [];
-    page.on('pageerror', (error) => thrown.push(error.stack ?? error.message));
-    await use(page);
-    expect(thrown).toEqual([]);
-  },
-});
 
 const causes = {
   'is missing on the server': (page) =>

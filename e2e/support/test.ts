@@ -20,6 +20,19 @@ export const test = base.extend({
   },
 });
 
+/**
+ * Playwright's `test` for failures outside of Sinew, which must end in a message: it checks only that
+ * nothing is thrown, because the browser logs what it could not load.
+ */
+export const failureTest = base.extend({
+  page: async ({ page }, use) => {
+    const thrown: string[] = [];
+    page.on('pageerror', (error) => thrown.push(error.stack ?? error.message));
+    await use(page);
+    expect(thrown).toEqual([]);
+  },
+});
+
 /** A page that the tests of a file use one after the other, with the same checks. */
 export function sharedPage(prepare: (page: Page) => Promise<void>): () => Page {
   let page: Page | undefined;

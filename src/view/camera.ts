@@ -20,6 +20,15 @@ export interface Camera {
   readonly fieldOfView: number;
 }
 
+/** The camera of an empty scene, until a workspace or a character sets another one. */
+export const startCamera: Camera = {
+  target: [0, 0.5, 0],
+  distance: 2.5,
+  azimuth: 0,
+  elevation: 0,
+  fieldOfView: 0.5,
+};
+
 /** The largest angle at which a camera looks up or down; it never turns over. */
 export const highest = (89 * Math.PI) / 180;
 const [nearest, farthest] = [0.02, 40];

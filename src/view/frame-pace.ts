@@ -1,6 +1,6 @@
 import type { Session } from '../document/session.ts';
 import { Fence } from '../gl/fence.ts';
-import type { Pace } from './viewer.ts';
+import type { Pace } from './pace.ts';
 
 /** A picture that was handed to the GPU. */
 export interface PictureInWork {

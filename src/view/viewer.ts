@@ -6,12 +6,12 @@ import { selectedActor } from '../document/selected-actor.ts';
 import type { Detail, Session, SkinDevice } from '../document/session.ts';
 import type { Store } from '../document/store.ts';
 import type { Evaluations } from '../evaluation/evaluations.ts';
-import type { Gpu } from '../gl/gpu.ts';
 import type { VertexStreams } from '../skinning/method.ts';
 import { deformationOf } from '../skinning/registry.ts';
-import { type Camera, frameBox } from './camera.ts';
+import { type Camera, frameBox, startCamera } from './camera.ts';
 import { imageProblem } from './image-problem.ts';
 import { createFrame, type Frame, pictureSize } from './frame.ts';
+import type { Pace } from './pace.ts';
 import type { Pass } from './pass.ts';
 import { firstPasses } from './passes/first.ts';
 import { sceneBounds } from '../evaluation/scene-bounds.ts';
@@ -26,27 +26,13 @@ export interface CaptureSize {
   readonly height: number;
 }
 
-/** Learns what the view does, and decides the session's detail. */
-export interface Pace {
-  /** Something in the picture changed, other than its detail. */
-  changed(): void;
-  /** A picture was handed to the GPU; drawing began at this time, in milliseconds. */
-  drawn(begin: number, gpu: Gpu): void;
-}
-
 /**
  * Shows the document on a canvas. It is the only path from state to pixels. A picture is drawn when
  * something it depends on changed, and never otherwise. Without a WebGL context, at first or for a
  * while, everything else continues to work.
  */
 export class Viewer {
-  readonly camera = signal<Camera>({
-    target: [0, 0.5, 0],
-    distance: 2.5,
-    azimuth: 0,
-    elevation: 0,
-    fieldOfView: 0.5,
-  });
+  readonly camera = signal(startCamera);
   readonly theme = signal<ThemeName>('light');
   /** The passes in the order of drawing; a page may start with few. */
   readonly passes = signal<readonly Pass[]>(firstPasses);
