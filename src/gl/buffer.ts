@@ -1,5 +1,11 @@
 import { type Gpu, GpuLimitError } from './gpu.ts';
 
+/**
+ * In bytes. After a smaller buffer there is no question whether there was room, since the answer
+ * makes the page wait for the GPU. If there was none, the next larger buffer learns of it.
+ */
+const questionedSize = 1024 * 1024;
+
 type BufferTarget = 'vertex' | 'index' | 'uniform';
 
 /** Bytes on the GPU. Whoever creates the buffer owns it and disposes of it. */
@@ -28,7 +34,7 @@ export class Buffer {
     if (typeof content === 'number') gl.bufferData(this.target, content, gl.DYNAMIC_COPY);
     else gl.bufferData(this.target, content, gl.STATIC_DRAW);
     gl.bindBuffer(this.target, null);
-    if (gl.getError() === gl.OUT_OF_MEMORY) {
+    if (this.byteLength >= questionedSize && gl.getError() === gl.OUT_OF_MEMORY) {
       this.dispose();
       throw new GpuLimitError(`the GPU has no room for a buffer of ${this.byteLength} bytes`);
     }

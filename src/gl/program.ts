@@ -19,7 +19,10 @@ interface Uniform {
   readonly staging: Float32Array;
 }
 
-/** A linked program. Uniforms are set and attributes are found by name. */
+/**
+ * A program. Uniforms are set and attributes are found by name. It is compiled and linked beside the
+ * page, which waits for the result at the program's first use and not before.
+ */
 export class Program {
   readonly name: string;
   private readonly gl: WebGL2RenderingContext;
@@ -27,6 +30,8 @@ export class Program {
   private readonly untrack: () => void;
   private readonly uniforms = new Map<string, Uniform>();
   private readonly attributes = new Map<string, number>();
+  /** The stages, until it is known that they were linked. */
+  private stages: readonly Stage[];
 
   constructor(gpu: Gpu, sources: ProgramSources) {
     const { gl } = gpu;
@@ -34,29 +39,25 @@ export class Program {
     this.name = sources.name;
     this.handle = gl.createProgram();
     this.untrack = gpu.track('program');
-    const stages = [
+    this.stages = [
       compile(gl, gl.VERTEX_SHADER, sources.vertex, `${sources.name} (vertex)`),
       compile(gl, gl.FRAGMENT_SHADER, sources.fragment, `${sources.name} (fragment)`),
     ];
-    for (const stage of stages) gl.attachShader(this.handle, stage);
+    for (const { shader } of this.stages) gl.attachShader(this.handle, shader);
     if (sources.feedback) {
       gl.transformFeedbackVaryings(this.handle, [...sources.feedback], gl.SEPARATE_ATTRIBS);
     }
     gl.linkProgram(this.handle);
-    for (const stage of stages) gl.deleteShader(stage);
-    if (!gl.getProgramParameter(this.handle, gl.LINK_STATUS) && !gl.isContextLost()) {
-      throw new Error(`${sources.name} does not link: ${gl.getProgramInfoLog(this.handle) ?? ''}`);
-    }
-    this.findUniforms();
-    this.findAttributes();
   }
 
   use(): void {
+    this.finish();
     this.gl.useProgram(this.handle);
   }
 
   /** The attribute's location, or -1 if the program does not read it. */
   attribute(name: string): number {
+    this.finish();
     return this.attributes.get(name) ?? -1;
   }
 
@@ -76,8 +77,27 @@ export class Program {
   }
 
   dispose(): void {
+    this.deleteStages();
     this.gl.deleteProgram(this.handle);
     this.untrack();
+  }
+
+  /** Waits until the program is linked, which a driver may do beside the page's own work. */
+  finish(): void {
+    if (this.stages.length === 0) return;
+    const { gl, handle, name } = this;
+    if (!gl.getProgramParameter(handle, gl.LINK_STATUS) && !gl.isContextLost()) {
+      for (const stage of this.stages) expectCompiled(gl, stage);
+      throw new Error(`${name} does not link: ${gl.getProgramInfoLog(handle) ?? ''}`);
+    }
+    this.deleteStages();
+    this.findUniforms();
+    this.findAttributes();
+  }
+
+  private deleteStages(): void {
+    for (const { shader } of this.stages) this.gl.deleteShader(shader);
+    this.stages = [];
   }
 
   private setUniform({ location, type, staging }: Uniform, value: UniformValue): void {
@@ -143,19 +163,24 @@ function floatsOf(gl: WebGL2RenderingContext, type: number): number {
   }
 }
 
-function compile(
-  gl: WebGL2RenderingContext,
-  type: number,
-  source: string,
-  name: string,
-): WebGLShader {
+interface Stage {
+  /** The name for error messages. */
+  readonly name: string;
+  readonly shader: WebGLShader;
+  readonly source: string;
+}
+
+/** Begins to compile; whether that succeeds is asked only if the program does not link. */
+function compile(gl: WebGL2RenderingContext, type: number, source: string, name: string): Stage {
   const shader = gl.createShader(type);
   if (!shader) throw new Error(`${name}: the context is lost`);
   gl.shaderSource(shader, source);
   gl.compileShader(shader);
-  if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS) && !gl.isContextLost()) {
-    const numbered = source.split('\n').map((line, index) => `${index + 1}: ${line}`);
-    throw new Error(`${name}: ${gl.getShaderInfoLog(shader) ?? ''}\n${numbered.join('\n')}`);
-  }
-  return shader;
+  return { name, shader, source };
+}
+
+function expectCompiled(gl: WebGL2RenderingContext, { name, shader, source }: Stage): void {
+  if (gl.getShaderParameter(shader, gl.COMPILE_STATUS)) return;
+  const numbered = source.split('\n').map((line, index) => `${index + 1}: ${line}`);
+  throw new Error(`${name}: ${gl.getShaderInfoLog(shader) ?? ''}\n${numbered.join('\n')}`);
 }

@@ -9,6 +9,7 @@ import type { Frame } from './frame.ts';
 import { GpuPools } from './gpu-pools.ts';
 import { Lighting } from './lighting.ts';
 import type { Pass, PassInstance } from './pass.ts';
+import { firstPrograms } from './passes/first.ts';
 import { Programs } from './programs.ts';
 import type { LayoutChoice } from './skinned-mesh.ts';
 import type { OnImage } from './surface-textures.ts';
@@ -44,6 +45,7 @@ export class Renderer {
     this.gpu = new Gpu(gl);
     this.layout = layout;
     this.programs = new Programs(this.gpu);
+    for (const name of firstPrograms) this.programs.pass(name);
     gl.enable(gl.DEPTH_TEST);
   }
 

@@ -46,7 +46,9 @@ function link(name: string, create: () => Program): LinkedProgram {
   const begin = performance.now();
   let problem: string | null = null;
   try {
-    create().dispose();
+    const program = create();
+    program.finish();
+    program.dispose();
   } catch (error) {
     problem = error instanceof Error ? error.message : String(error);
   }
