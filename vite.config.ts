@@ -1,5 +1,6 @@
 import { defineConfig, type Connect, type Plugin } from 'vite';
 import { contentPolicy } from './tools/vite-content-policy.ts';
+import { earlyRequests } from './tools/vite-early-requests.ts';
 import { pureGlMatrix } from './tools/vite-gl-matrix.ts';
 import { shortShaders } from './tools/vite-glsl.ts';
 import { wasmKernel } from './tools/vite-kernel.ts';
@@ -51,13 +52,24 @@ export default defineConfig({
   base: './',
   // There is one page. An unknown address gives error 404 instead of the page.
   appType: 'mpa',
-  plugins: [shortShaders(), wasmKernel(), pureGlMatrix(), contentPolicy(), packedAsTheyAre()],
+  plugins: [
+    shortShaders(),
+    wasmKernel(),
+    pureGlMatrix(),
+    contentPolicy(),
+    earlyRequests(),
+    packedAsTheyAre(),
+  ],
   oxc: { jsx },
   optimizeDeps: { entries: ['index.html'], rolldownOptions: { transform: { jsx } } },
   build: {
     target: 'es2022',
     sourcemap: false,
-    modulePreload: false,
+    // The scripts that the first one imports are requested with it, and others when they are wanted.
+    modulePreload: {
+      polyfill: false,
+      resolveDependencies: (_file, scripts, { hostType }) => (hostType === 'html' ? scripts : []),
+    },
     // Small files are not inlined, because a strict content policy allows no data: addresses.
     assetsInlineLimit: 0,
     rolldownOptions: { output: { codeSplitting: { groups: firstScripts } } },

@@ -29,11 +29,12 @@ export async function fetchFile(
   };
 }
 
-/** Fetches from the page's own server only; a redirect to another server fails. */
+/** Fetches from the page's own server only; a redirect fails. */
 export async function fetchChecked(url: URL, signal?: AbortSignal): Promise<Response> {
   let response: Response;
   try {
-    response = await fetch(url, { mode: 'same-origin', ...(signal && { signal }) });
+    // The mode is that of what the page requests early, which would be requested twice otherwise.
+    response = await fetch(url, { mode: 'cors', redirect: 'error', ...(signal && { signal }) });
   } catch {
     throw new Failure(`${url.pathname} could not be fetched`);
   }

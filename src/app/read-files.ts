@@ -36,7 +36,7 @@ export type ReadHere = (
 export async function loadReadHere(names: readonly string[] = []): Promise<ReadHere> {
   const { loadReaders, readCharacters } = await loadPart(import('../formats/read-characters.ts'));
   await loadReaders(names.map((name) => name.replace(/\.gz$/, '')));
-  return (files, onProgress) => readCharacters(files.map(asEntry), onProgress);
+  return (files, onProgress) => readCharacters(files.map(asPatientEntry), onProgress);
 }
 
 async function readInWorker(
@@ -70,6 +70,16 @@ async function copyInSteps(bytes: Uint8Array): Promise<Uint8Array<ArrayBuffer>> 
     copy.set(bytes.subarray(at, at + copyStep), at);
   }
   return copy;
+}
+
+/** A file before which the page gets its turn, so that it answers between two files. */
+function asPatientEntry(file: LooseFile): FileEntry {
+  const entry = asEntry(file);
+  const bytes = async (): Promise<Uint8Array> => {
+    await new Promise((resolve) => setTimeout(resolve));
+    return entry.bytes();
+  };
+  return { ...entry, bytes };
 }
 
 function asEntry({ path, bytes }: LooseFile): FileEntry {

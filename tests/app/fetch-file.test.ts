@@ -61,10 +61,10 @@ describe('fetchFile', () => {
     expect(fetched).not.toHaveBeenCalled();
   });
 
-  it('follows no redirect to another server', async () => {
+  it('follows no redirect', async () => {
     answer('');
     await fileAt('a.obj');
-    expect(fetched.mock.calls[0]![1]).toMatchObject({ mode: 'same-origin' });
+    expect(fetched.mock.calls[0]![1]).toMatchObject({ redirect: 'error' });
   });
 
   it('accepts as many bytes as the limit, and requests no more', async () => {
