@@ -48,7 +48,8 @@ export function meshParts(
   cornerPoints: Uint32Array,
   { materials, submeshes }: PmdMaterials,
 ): MeshParts {
-  const corners = new Int32Array(cornerPoints);
+  // The same bytes, which are indices below 2^31: normals and uvs are those of the points.
+  const corners = new Int32Array(cornerPoints.buffer);
   return {
     file,
     positions,
