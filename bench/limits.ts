@@ -27,7 +27,8 @@ export const limits: Readonly<Record<string, string>> = {
   info: 'Node loads and compiles the command line, then reads three files',
   'memory-obj': 'numbers are collected in arrays that grow',
   'memory-skin': 'numbers are collected in arrays that grow',
-  'memory-pmd': 'numbers of two bytes become four, and the engine reserves some megabytes for itself',
+  'memory-pmd':
+    'numbers of two bytes become four, and the engine reserves some megabytes for itself',
   'first-scripts': 'the viewer, the store and the reader of the first character',
   'first-frame': firstVisit,
   heap: 'numbers that functions return are boxed',

@@ -14,7 +14,9 @@ export function earlyRequests(): Plugin {
     transformIndexHtml: {
       order: 'post',
       handler(_html, { bundle }) {
-        const reading = Object.values(bundle ?? {}).find(({ name }) => name === readingScript);
+        const reading = Object.values(bundle ?? {}).find(
+          (output) => output.type === 'chunk' && output.name === readingScript,
+        );
         if (!reading) throw new Error(`no script is named ${readingScript}`);
         const list = { rel: 'preload', as: 'fetch', href: './data/catalogue.json' };
         const script = { rel: 'modulepreload', href: `./${reading.fileName}` };
