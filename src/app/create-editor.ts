@@ -27,7 +27,7 @@ export function createEditor(opening: Opening): Editor {
     ...opening,
     transport: new Transport(store, session),
     ballAngles: new BallAngles(),
-    helpOpen: signal(false),
+    dialog: signal(null),
     letterKeys: signal(true),
     drawer: signal<Drawer | null>(null),
     fileExtensions: [...new Set([...readableExtensions, '.json', '.png'])],

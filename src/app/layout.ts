@@ -9,6 +9,7 @@ export interface Layout {
   /** This covers the view and holds progress, messages and the buttons for the drawers. */
   readonly overlay: HTMLElement;
   readonly foot: HTMLElement;
+  readonly dialogs: HTMLElement;
   /** Keeps the picture at the size of the view, in device pixels. */
   follow(viewer: Viewer, pixelRatio?: number): void;
 }
@@ -37,6 +38,7 @@ export function createLayout(root: HTMLElement): Layout {
     right,
     overlay,
     foot,
+    dialogs: append(root, 'div', 'dialogs'),
     follow(viewer, pixelRatio) {
       const fit = (): void => {
         const ratio = pixelRatio ?? Math.min(devicePixelRatio, largestPixelRatio);

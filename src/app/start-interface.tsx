@@ -5,6 +5,7 @@ import { render } from 'preact';
 import type { Opening } from '../ui/editor.ts';
 import { listenToKeys } from '../ui/keys.ts';
 import { nameView } from '../ui/name-view.ts';
+import { Dialogs } from '../ui/panels/dialogs.tsx';
 import { LeftPanel } from '../ui/panels/left-panel.tsx';
 import { RightPanel } from '../ui/panels/right-panel.tsx';
 import { Sections } from '../ui/panels/sections.tsx';
@@ -35,6 +36,7 @@ export function startInterface(
   render(<RightPanel editor={editor} />, layout.right);
   render(<ViewOverlay editor={editor} />, layout.overlay);
   render(<Sections editor={editor} place="foot" />, layout.foot);
+  render(<Dialogs editor={editor} />, layout.dialogs);
   listenToKeys(editor);
   runClock(editor.session, editor.transport);
   listenToPointer(layout.canvas, editor);

@@ -22,6 +22,9 @@ export interface BundledCharacter {
 /** The theme: the system's, or the user's choice. */
 export type ThemeChoice = 'system' | 'light' | 'dark';
 
+/** A sheet over the page; dialogs.ts has the contents. */
+export type DialogId = 'keys';
+
 /** The panel that is open on narrow pages, where panels are drawers. */
 export type Drawer = 'left' | 'right';
 
@@ -104,7 +107,8 @@ export interface Telling {
 /** The state of the page itself, apart from the scene. */
 export interface PageState {
   readonly theme: Signal<ThemeChoice>;
-  readonly helpOpen: Signal<boolean>;
+  /** The dialog that is open, or null. */
+  readonly dialog: Signal<DialogId | null>;
   /** Whether single-letter keys act; users of speech input, for example, may turn them off. */
   readonly letterKeys: Signal<boolean>;
   readonly drawer: Signal<Drawer | null>;

@@ -56,12 +56,6 @@ export const sections: readonly Section[] = [
     load: async () => (await loadPart(import('./panels/bone-panel.tsx'))).BonePanel,
   },
   {
-    id: 'help',
-    place: 'left',
-    when: ({ helpOpen }) => helpOpen.value,
-    load: async () => (await loadPart(import('./panels/help-sheet.tsx'))).HelpSheet,
-  },
-  {
     id: 'timeline',
     place: 'foot',
     // The timeline stays while a character without clips is selected, so that the view keeps its

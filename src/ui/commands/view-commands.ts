@@ -55,8 +55,8 @@ export const viewCommands = [
     label: 'Show all keys',
     short: 'Keys',
     keys: [{ key: '?' }],
-    isOn: ({ helpOpen }) => helpOpen.value,
-    run: ({ helpOpen }) => toggle(helpOpen),
+    isOn: ({ dialog }) => dialog.value === 'keys',
+    run: ({ dialog }) => void (dialog.value = dialog.value === 'keys' ? null : 'keys'),
   },
 ] as const satisfies readonly Command[];
 

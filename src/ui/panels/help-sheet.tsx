@@ -1,35 +1,16 @@
 import { Fragment } from 'preact';
-import { useEffect, useRef } from 'preact/hooks';
 import type { PageState } from '../editor.ts';
 import { contexts, keyRows, pointerRows } from '../commands/contexts.ts';
 
-/** Lists all keys and the actions of the pointer, while it is open. */
+/** Lists all keys and the actions of the pointer. */
 export function HelpSheet({ editor }: { readonly editor: PageState }) {
-  const { helpOpen, letterKeys } = editor;
-  const dialog = useRef<HTMLDialogElement>(null);
-  useEffect(() => {
-    const sheet = dialog.current;
-    sheet?.showModal();
-    // Closing returns the focus to where it was.
-    return () => sheet?.close();
-  }, []);
+  const { letterKeys } = editor;
   const sections = [
     { label: '', rows: pointerRows },
     ...contexts.map(({ id, label }) => ({ label, rows: keyRows(id) })).reverse(),
   ];
-  // The event comes with the next frame, when this sheet may be gone and another one open.
-  const close = () => {
-    if (dialog.current) helpOpen.value = false;
-  };
   return (
-    <dialog ref={dialog} aria-labelledby="help-title" onClose={close}>
-      {/* The button comes first, so that the focus and the scroll position start at the top. */}
-      <header>
-        <h2 id="help-title">Keys and pointer</h2>
-        <button type="button" onClick={() => (helpOpen.value = false)}>
-          Close
-        </button>
-      </header>
+    <>
       <table>
         <tbody>
           {sections.map(({ label: title, rows }, section) => (
@@ -61,6 +42,6 @@ export function HelpSheet({ editor }: { readonly editor: PageState }) {
         />
         Single letters act
       </label>
-    </dialog>
+    </>
   );
 }

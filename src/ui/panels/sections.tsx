@@ -1,7 +1,6 @@
-import { useEffect, useState } from 'preact/hooks';
-import { attempt } from '../attempt.ts';
 import type { Editor } from '../editor.ts';
-import { type Section, type SectionComponent, sections } from '../sections.ts';
+import { type Section, sections } from '../sections.ts';
+import { Loaded } from './loaded.tsx';
 
 interface SectionsProperties {
   readonly editor: Editor;
@@ -16,20 +15,9 @@ export function Sections({ editor, place }: SectionsProperties) {
         .filter((section) => section.place === place)
         .map((section) =>
           section.when(editor) ? (
-            <LoadedSection key={section.id} editor={editor} section={section} />
+            <Loaded key={section.id} editor={editor} load={section.load} />
           ) : null,
         )}
     </>
   );
-}
-
-function LoadedSection({ editor, section }: { editor: Editor; section: Section }) {
-  const [shown, setShown] = useState<{ readonly Component: SectionComponent }>();
-  useEffect(() => {
-    attempt(
-      editor,
-      section.load().then((Component) => setShown({ Component })),
-    );
-  }, [editor, section]);
-  return shown ? <shown.Component editor={editor} /> : null;
 }
