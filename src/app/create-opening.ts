@@ -1,5 +1,6 @@
 import { computed, type Signal, signal } from '@preact/signals-core';
 import { loadPart } from '../core/failure.ts';
+import { setLook } from '../document/edits.ts';
 import { selectActor } from '../document/reconcile.ts';
 import { selectedActor } from '../document/selected-actor.ts';
 import type { Session } from '../document/session.ts';
@@ -8,7 +9,7 @@ import type { Evaluations } from '../evaluation/evaluations.ts';
 import type { ReadCharacter } from '../formats/read-characters.ts';
 import { failureText } from '../ui/attempt.ts';
 import type { Opening, ThemeChoice } from '../ui/editor.ts';
-import type { WorkspaceId } from '../ui/workspace.ts';
+import type { Workspace, WorkspaceId } from '../ui/workspace.ts';
 import type { Viewer } from '../view/viewer.ts';
 import type { CatalogueEntry } from './catalogue.ts';
 import { FileOpener, type OpenOutcome } from './open-files.ts';
@@ -29,8 +30,9 @@ export function createOpening(
   viewer: Viewer,
   catalogue: Signal<readonly CatalogueEntry[]>,
 ): Opening {
-  const opener = new FileOpener(store, session, evaluations);
   const workspaceId = signal<WorkspaceId>(workspaces[0]!.id);
+  const workspaceNow = () => workspaces.find(({ id }) => id === workspaceId.value)!;
+  const opener = new FileOpener(store, session, evaluations, () => workspaceNow().actorLook);
   const openedId = computed(() => {
     const source = selectedActor(store, session)?.source;
     return source?.kind === 'bundled' ? source.id : null;
@@ -144,18 +146,29 @@ export function createOpening(
     setWorkspace(id) {
       const workspace = workspaces.find((each) => each.id === id);
       if (!workspace) return;
-      const changed = workspaceId.value !== id;
       workspaceId.value = id;
-      viewer.camera.value = workspace.camera;
-      if (workspace.framed) viewer.frameAll();
-      if (changed) session.show(workspace.look);
+      opening.resetCamera();
+      session.show(workspace.look);
+      dressSelected(workspace);
+    },
+
+    resetCamera() {
+      const { camera, framed } = workspaceNow();
+      viewer.camera.value = camera;
+      if (framed) viewer.frameAll();
     },
 
     frameOpened() {
-      if (workspaces.find(({ id }) => id === workspaceId.value)?.framed) viewer.frameAll();
+      if (workspaceNow().framed) viewer.frameAll();
     },
   };
   return opening;
+
+  /** Draws the selected character as a workspace does; this is a step of undo, unlike the rest. */
+  function dressSelected({ label, actorLook }: Workspace): void {
+    const actor = selectedActor(store, session);
+    if (actor) store.dispatch(setLook(actor.id, actorLook, `${label} look`));
+  }
 
   function entryOf(id: string): CatalogueEntry | undefined {
     return catalogue.value.find((each) => each.id === id);

@@ -1,6 +1,7 @@
 import type { Character } from '../core/character.ts';
 import { loadPart } from '../core/failure.ts';
 import { openCharacter, openCharacters } from '../document/open-characters.ts';
+import type { ActorLook } from '../document/actor-look.ts';
 import type { Actor, KeptState, Source } from '../document/scene.ts';
 import { dropJoints } from '../document/reconcile.ts';
 import { selectedActor } from '../document/selected-actor.ts';
@@ -49,10 +50,18 @@ export class FileOpener {
   readonly store: Store;
   readonly session: Session;
   private readonly evaluations: Evaluations;
+  /** How new characters are drawn, as far as the workspace says. */
+  private readonly newLook: () => Partial<ActorLook>;
   /** The files of each opened character, so that later drops can complete or update it. */
   private readonly filesOf = new WeakMap<Character, readonly FileEntry[]>();
 
-  constructor(store: Store, session: Session, evaluations: Evaluations) {
+  constructor(
+    store: Store,
+    session: Session,
+    evaluations: Evaluations,
+    newLook: () => Partial<ActorLook>,
+  ) {
+    this.newLook = newLook;
     this.store = store;
     this.session = session;
     this.evaluations = evaluations;
@@ -120,6 +129,7 @@ export class FileOpener {
     const actors = shown.map(({ character }, index) => ({
       character,
       method: this.methodFor(character),
+      look: this.newLook(),
       kept: {
         source,
         transform: kept ?? places[index]!,

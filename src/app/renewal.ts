@@ -48,7 +48,7 @@ export function renews(
 
 /** The state that an actor passes on to its successor when its files are read again. */
 export function keptState(before: Actor, character: Character): KeptState {
-  const { q, morphWeights, normalizeWeights, clip, transform } = before;
+  const { q, morphWeights, normalizeWeights, clip, transform, look } = before;
   const { clips } = before;
   const { morphs } = before.character;
   const weights = new Map(morphs.map(({ name }, index) => [name, morphWeights[index]!]));
@@ -59,6 +59,7 @@ export function keptState(before: Actor, character: Character): KeptState {
     morphWeights: Float64Array.from(character.morphs, ({ name }) => weights.get(name) ?? 0),
     clip: bound === -1 ? null : bound,
     normalizeWeights,
+    look,
   };
 }
 

@@ -9,7 +9,6 @@ const skinAlone: Look = {
   skeletonStyle: 'sticks',
   showAxes: false,
   translucent: false,
-  shading: 'smooth',
 };
 
 /** All workspaces; a first visit opens the first one. */
@@ -25,7 +24,8 @@ export const workspaces: readonly Workspace[] = [
       fieldOfView: 28 * degrees,
     },
     framed: true,
-    look: { ...skinAlone, shading: 'smooth' },
+    look: skinAlone,
+    actorLook: { shading: 'smooth' },
   },
   {
     id: '6.837',
@@ -40,7 +40,8 @@ export const workspaces: readonly Workspace[] = [
       fieldOfView: 50 * degrees,
     },
     framed: false,
-    look: { ...skinAlone, shading: 'faceted' },
+    look: skinAlone,
+    actorLook: { shading: 'faceted' },
   },
   {
     id: 'cse169',
@@ -54,6 +55,7 @@ export const workspaces: readonly Workspace[] = [
     },
     framed: true,
     look: { ...skinAlone, showSkin: false, showSkeleton: true, skeletonStyle: 'boxes' },
+    actorLook: { shading: 'smooth' },
   },
   {
     id: 'mannequin',
@@ -67,5 +69,6 @@ export const workspaces: readonly Workspace[] = [
     },
     framed: true,
     look: { ...skinAlone, showSkeleton: true, skeletonStyle: 'lines', translucent: true },
+    actorLook: { shading: 'smooth' },
   },
 ];

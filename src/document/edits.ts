@@ -2,6 +2,7 @@ import { assert } from '../core/assert.ts';
 import { jointRange } from '../core/pose.ts';
 import type { NormalsId } from '../core/skin.ts';
 import type { MethodId } from '../skinning/method.ts';
+import type { ActorLook } from './actor-look.ts';
 import type { Actor, ActorId, Scene, Transform } from './scene.ts';
 
 /** An edit: a pure function from scene to scene, with a name for the Undo button. */
@@ -88,6 +89,11 @@ export function setNormals(id: ActorId, normals: NormalsId): Edit {
 export function setNormalizeWeights(id: ActorId, normalizeWeights: boolean): Edit {
   const label = normalizeWeights ? 'Normalize weights' : 'Use weights as in the file';
   return editActor(id, label, (actor) => ({ ...actor, normalizeWeights }));
+}
+
+/** Changes some of how an actor is drawn. */
+export function setLook(id: ActorId, change: Partial<ActorLook>, label: string): Edit {
+  return editActor(id, label, (actor) => ({ ...actor, look: { ...actor.look, ...change } }));
 }
 
 /** Removes an actor from the scene. */

@@ -1,13 +1,16 @@
 import type { Character } from '../core/character.ts';
 import type { MethodId } from '../skinning/method.ts';
 import type { Edit } from './edits.ts';
-import { type ActorId, createActor, freeId, type KeptState } from './scene.ts';
+import { type ActorLook, nextClay, plainLook } from './actor-look.ts';
+import { type Actor, type ActorId, createActor, freeId, type KeptState } from './scene.ts';
 
 /** The parts of an actor that is to be opened. */
 export interface NewActor {
   readonly character: Character;
   readonly method: MethodId;
-  readonly kept?: KeptState;
+  readonly kept?: Omit<KeptState, 'look'>;
+  /** What is known of its look; it gets the next clay unless this names one. */
+  readonly look?: Partial<ActorLook>;
 }
 
 /**
@@ -22,10 +25,13 @@ export function openCharacters(replaced: ActorId | null, opened: readonly NewAct
     label: `${replaced === null ? 'Add' : 'Open'} ${name}`,
     apply(scene) {
       const first = freeId(scene);
-      const actors = opened.map(({ character, method, kept }, index) =>
-        createActor(first + index, character, method, kept),
-      );
-      return { ...scene, actors: [...scene.actors.filter(({ id }) => id !== replaced), ...actors] };
+      const actors: Actor[] = scene.actors.filter(({ id }) => id !== replaced);
+      for (const [index, { character, method, kept, look }] of opened.entries()) {
+        const clay = nextClay(actors.map((actor) => actor.look));
+        const full = { ...kept, look: { ...plainLook, clay, ...look } };
+        actors.push(createActor(first + index, character, method, full));
+      }
+      return { ...scene, actors };
     },
   };
 }
@@ -34,7 +40,9 @@ export function openCharacter(
   replaced: ActorId | null,
   character: Character,
   method: MethodId,
-  kept?: KeptState,
+  kept: KeptState = {},
 ): Edit {
-  return openCharacters(replaced, [{ character, method, ...(kept && { kept }) }]);
+  return openCharacters(replaced, [
+    { character, method, kept, ...(kept.look && { look: kept.look }) },
+  ]);
 }

@@ -5,6 +5,7 @@ import { normalizeSkin, type Skin } from '../core/skin.ts';
 import type { NormalsId } from '../core/skin.ts';
 import type { MethodId } from '../skinning/method.ts';
 import { defaultDeformation } from '../skinning/registry.ts';
+import { type ActorLook, plainLook } from './actor-look.ts';
 
 /**
  * Everything that is saved and undone, as a value. It is never changed in place, so that older
@@ -52,6 +53,7 @@ export interface Actor {
    * unchanged.
    */
   readonly normalizeWeights: boolean;
+  readonly look: ActorLook;
 }
 
 /** The state of an actor that may differ from what its character's files give. */
@@ -66,6 +68,7 @@ export type KeptState = Partial<
     | 'clip'
     | 'normals'
     | 'normalizeWeights'
+    | 'look'
   >
 >;
 
@@ -94,6 +97,7 @@ export function createActor(
     method,
     normals: kept.normals ?? defaultDeformation(character).normals,
     normalizeWeights: kept.normalizeWeights ?? false,
+    look: kept.look ?? plainLook,
   };
 }
 
@@ -123,13 +127,19 @@ export function sameScene(a: Scene, b: Scene): boolean {
 
 function sameActor(a: Actor, b: Actor): boolean {
   if (a === b) return true;
-  const { q, morphWeights, transform, ...others } = a;
+  const { q, morphWeights, transform, look, ...others } = a;
   return (
-    Object.entries(others).every(([key, value]) => b[key as keyof Actor] === value) &&
+    sameFields(others, b) &&
     sameNumbers(q, b.q) &&
     sameNumbers(morphWeights, b.morphWeights) &&
-    sameNumbers(numbersOf(transform), numbersOf(b.transform))
+    sameNumbers(numbersOf(transform), numbersOf(b.transform)) &&
+    sameFields(look, b.look)
   );
+}
+
+/** Whether `b` has all fields of `a`, with the same values. */
+function sameFields<T extends object>(a: T, b: T): boolean {
+  return Object.entries(a).every(([key, value]) => b[key as keyof T] === value);
 }
 
 function numbersOf({ position, rotation, scale }: Transform): number[] {

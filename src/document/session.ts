@@ -6,7 +6,6 @@ import type { KernelId } from '../skinning/method.ts';
 import type { PlayMode } from '../posing/playhead.ts';
 import type { Verification } from './verification.ts';
 
-export type Shading = 'smooth' | 'faceted';
 /** The processor that skins the vertices. */
 export type SkinDevice = 'gpu' | 'cpu';
 
@@ -58,7 +57,6 @@ export interface Look {
   readonly showAxes: boolean;
   /** Whether the skin is translucent, so that the bones inside are visible. */
   readonly translucent: boolean;
-  readonly shading: Shading;
 }
 
 /** The state that is neither saved nor undone: the way in which the scene is viewed. */
@@ -68,7 +66,6 @@ export class Session {
   readonly skeletonStyle = signal<SkeletonStyle>('sticks');
   readonly showAxes = signal(false);
   readonly translucent = signal(false);
-  readonly shading = signal<Shading>('smooth');
   /** A kernel that is shown next to each actor's own for comparison, or null. */
   readonly comparedKernel = signal<KernelId | null>(null);
   readonly skinDevice = signal<SkinDevice>('gpu');
@@ -116,6 +113,5 @@ export class Session {
     this.skeletonStyle.value = look.skeletonStyle;
     this.showAxes.value = look.showAxes;
     this.translucent.value = look.translucent;
-    this.shading.value = look.shading;
   }
 }

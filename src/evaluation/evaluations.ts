@@ -52,6 +52,11 @@ export class Evaluations {
     return this.store.scene.value.actors.map((actor) => this.of(actor, overrides));
   }
 
+  /** The evaluations of the actors that are not hidden. */
+  visible(overrides?: Overrides): readonly Evaluation[] {
+    return this.all(overrides).filter(({ state }) => state.look.visible);
+  }
+
   /** Disposes of the evaluators of actors and overrides that are no longer shown. */
   keepOnly(shown: readonly Evaluation[]): void {
     for (const [key, evaluator] of this.evaluators) {

@@ -93,7 +93,10 @@ export interface Working {
 export interface Courses {
   readonly workspaces: readonly Workspace[];
   readonly workspaceId: ReadonlySignal<WorkspaceId>;
+  /** Shows the page as a workspace does, and draws the selected character so. */
   setWorkspace(id: WorkspaceId): void;
+  /** Moves the camera to the workspace's position. */
+  resetCamera(): void;
   /** Frames the new characters of the scene, if the workspace does that. */
   frameOpened(): void;
 }

@@ -1,3 +1,4 @@
+import type { ActorLook } from '../document/actor-look.ts';
 import type { Look } from '../document/session.ts';
 import type { Camera } from '../view/camera.ts';
 
@@ -11,4 +12,6 @@ export interface Workspace {
   /** Whether the camera's distance and target are fitted to the character, or used unchanged. */
   readonly framed: boolean;
   readonly look: Look;
+  /** How the selected character and new ones are drawn. */
+  readonly actorLook: Partial<ActorLook>;
 }

@@ -58,7 +58,7 @@ export function characterRayAt({ evaluations, viewer }: Looking, { x, y }: PickP
  */
 export function boneAt(look: Looking, place: PickPlace): BoneTarget | null {
   let nearest: Hit | null = null;
-  for (const evaluation of look.evaluations.all()) {
+  for (const evaluation of look.evaluations.visible()) {
     const hit = hitOf(evaluation, look, place);
     if (hit && hit.sceneDistance < (nearest?.sceneDistance ?? Infinity)) nearest = hit;
   }

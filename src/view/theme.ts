@@ -21,23 +21,33 @@ export function linearChannel(encoded: number): number {
 
 export const themes: Readonly<Record<ThemeName, Theme>> = {
   light: {
-    backdropTop: linear('#c9d2dd'),
-    backdropBottom: linear('#efece6'),
-    floorLight: linear('#ece9e2'),
-    floorDark: linear('#dbd8d1'),
+    backdropTop: linear('#b9c6d4'),
+    backdropBottom: linear('#e3eaf1'),
+    floorLight: linear('#dbe4ed'),
+    floorDark: linear('#cfd9e4'),
     shadowStrength: 1,
   },
   dark: {
-    backdropTop: linear('#17191d'),
-    backdropBottom: linear('#2b2d31'),
-    floorLight: linear('#34363a'),
-    floorDark: linear('#2b2d31'),
+    backdropTop: linear('#13171d'),
+    backdropBottom: linear('#242b34'),
+    floorLight: linear('#2d3641'),
+    floorDark: linear('#262e38'),
     shadowStrength: 1.2,
   },
 };
 
 export const palette = {
-  clay: linear('#a5a29c'),
+  /** Warm to dark; an actor's look has the index of one. */
+  clays: [
+    '#b4927a',
+    '#a5a29c',
+    '#b17761',
+    '#94a08a',
+    '#8798ab',
+    '#9d8aa3',
+    '#75665b',
+    '#55565c',
+  ].map(linear),
   bone: linear('#e4dccb'),
   boneLine: linear('#2f5d8c'),
   litBone: linear('#d9480f'),

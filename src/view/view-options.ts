@@ -12,7 +12,6 @@ export interface ViewOptions {
   readonly translucent: boolean;
   /** Shows floor and backdrop; without them the picture is transparent around the characters. */
   readonly showStudio: boolean;
-  readonly faceted: boolean;
   readonly selectedActorId: ActorId | null;
   /** The selected joint of the selected actor, or null. */
   readonly selectedJoint: number | null;
@@ -33,7 +32,6 @@ export function viewOptionsOf(session: Session): ViewOptions {
     showTextures: session.showTextures.value,
     showAxes: session.showAxes.value,
     translucent: session.translucent.value,
-    faceted: session.shading.value === 'faceted',
     selectedActorId: session.selectedActorId.value,
     selectedJoint: session.selectedJoint.value,
     hoveredJoint: session.hoveredJoint.value,

@@ -132,7 +132,7 @@ export class Viewer {
 
   /** Changes the camera's distance and target so that all characters are in the picture. */
   frameAll(): void {
-    this.frame(sceneBounds(this.evaluations.all()));
+    this.frame(sceneBounds(this.evaluations.visible()));
   }
 
   /**
@@ -266,7 +266,7 @@ export class Viewer {
     const options = { ...own, showStudio };
     const renderer = this.present();
     renderer.passes = this.passes.peek();
-    const shown = views.map(({ overrides }) => this.evaluations.all(overrides));
+    const shown = views.map(({ overrides }) => this.evaluations.visible(overrides));
     this.evaluations.keepOnly(shown.flat());
     renderer.sync(shown.flat(), device);
     this.refusal.value = selected ? renderer.refusalOf(selected) : null;

@@ -16,7 +16,7 @@ import { bytesOf, readOne } from '../support/files.ts';
 async function open() {
   const session = new Session();
   const store = new Store((before, after) => reconcile(session, before, after));
-  const opener = new FileOpener(store, session, new Evaluations(store, session));
+  const opener = new FileOpener(store, session, new Evaluations(store, session), () => ({}));
   store.dispatch(openCharacter(null, await readOne({ 'a.skel': courseSkel }), 'linear-blend'));
   const [scene, problems] = [store.scene.value, session.problems.value];
   const current = new AbortController();

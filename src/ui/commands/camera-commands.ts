@@ -23,14 +23,14 @@ export const cameraCommands = [
     keys: [{ key: ' ' }],
     run: (editor) => {
       if (editor.transport.isBound) editor.transport.togglePlay();
-      else resetCamera(editor);
+      else editor.resetCamera();
     },
   },
   {
     id: 'reset-camera',
     label: "Reset the camera to the workspace's position",
     short: 'Reset camera',
-    run: resetCamera,
+    run: (editor) => editor.resetCamera(),
   },
   {
     id: 'orbit-left',
@@ -85,10 +85,6 @@ export const cameraCommands = [
     run: (editor) => step(editor, 0, 1),
   },
 ] as const satisfies readonly Command[];
-
-function resetCamera(editor: Editor): void {
-  editor.setWorkspace(editor.workspaceId.value);
-}
 
 function turn({ viewer: { camera } }: Editor, right: number, up: number): void {
   camera.value = orbit(camera.value, right * orbitStep, up * orbitStep);

@@ -3,6 +3,7 @@ import GUI from 'lil-gui';
 import '../../../node_modules/lil-gui/dist/lil-gui.min.css';
 import type { Editor } from '../editor.ts';
 import { addBoneFolder } from './bone-folder.ts';
+import { addLookFolder } from './look-folder.ts';
 import { addLightsFolder } from './lights-folder.ts';
 import { addMorphFolder } from './morph-folder.ts';
 import { addPictureFolder } from './picture-folder.ts';
@@ -20,6 +21,7 @@ const folders: readonly ((gui: GUI, editor: Editor) => void)[] = [
   addMorphFolder,
   addBoneFolder,
   addPlaceFolder,
+  addLookFolder,
   addSkinFolder,
   addViewFolder,
   addLightsFolder,

@@ -2,7 +2,7 @@ import { effect } from '@preact/signals-core';
 import type { GUI } from 'lil-gui';
 import { setMethod, setNormalizeWeights, setNormals } from '../../document/edits.ts';
 import { selectedActor } from '../../document/selected-actor.ts';
-import type { Session, Shading, SkinDevice } from '../../document/session.ts';
+import type { Session, SkinDevice } from '../../document/session.ts';
 import type { NormalsId } from '../../core/skin.ts';
 import type { KernelId, MethodId } from '../../skinning/method.ts';
 import { kernels, methods, normalWays } from '../../skinning/registry.ts';
@@ -43,12 +43,6 @@ export function addSkinFolder(gui: GUI, editor: Editor): void {
     set compared(kernel: KernelId | 'none') {
       session.comparedKernel.value = kernel === 'none' ? null : kernel;
     },
-    get shading(): Shading {
-      return session.shading.value;
-    },
-    set shading(shading: Shading) {
-      session.shading.value = shading;
-    },
     get device(): SkinDevice {
       return session.skinDevice.value;
     },
@@ -62,8 +56,7 @@ export function addSkinFolder(gui: GUI, editor: Editor): void {
     folder.add(bound, 'method', choicesOf(methods)).name('Method'),
     folder.add(bound, 'normals', choicesOf(normalWays)).name('Normals'),
     folder.add(bound, 'compared', { Nothing: 'none', ...choicesOf(kernels) }).name('Compare with'),
-    folder.add(bound, 'shading', { Smooth: 'smooth', Faceted: 'faceted' }).name('Shading'),
-    folder.add(bound, 'device', { GPU: 'gpu', CPU: 'cpu' }).name('Skin on'),
+    folder.add(bound, 'device', { GPU: 'gpu', CPU: 'cpu' }).name('Computed on'),
     folder.add(bound, 'normalize').name('Normalize weights'),
   ];
   addCommandRow(folder, editor, 'verify');
@@ -72,8 +65,8 @@ export function addSkinFolder(gui: GUI, editor: Editor): void {
   result.className = 'verification';
   folder.$children.append(result);
 
-  const { shading, skinDevice, comparedKernel } = session;
-  watch([store.scene, session.selectedActorId, shading, skinDevice, comparedKernel], () => {
+  const { skinDevice, comparedKernel } = session;
+  watch([store.scene, session.selectedActorId, skinDevice, comparedKernel], () => {
     for (const row of rows) row.updateDisplay();
   });
   effect(() => {

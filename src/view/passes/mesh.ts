@@ -1,5 +1,6 @@
 import { vec3 } from 'gl-matrix';
 import type { Submesh } from '../../core/mesh.ts';
+import type { ActorLook } from '../../document/actor-look.ts';
 import type { Program } from '../../gl/program.ts';
 import type { Defines } from '../../gl/shader-library.ts';
 import type { CharacterView } from '../character-view.ts';
@@ -12,7 +13,6 @@ const translucentOpacity = 0.42;
 
 const textureUnit = 4;
 const white = [1, 1, 1];
-const clay = { albedo: palette.clay };
 /** A surface with less opacity is invisible and must not hide anything. */
 const leastOpacity = 0.002;
 
@@ -51,11 +51,13 @@ export const meshPass: Pass = {
 
     function drawSurfaces(frame: Frame, view: CharacterView, opacity: number): void {
       const { surfaces, textures } = view;
+      const { look } = view.state;
       const isDressed = surfaces.some(({ albedo, texture }) => albedo ?? textures.find(texture));
       if (!frame.options.showTextures || !isDressed) {
-        const program = programs.pass('mesh', definesOf(frame, false));
+        const polish = polishOf(look);
+        const program = programs.pass('mesh', definesOf(look, polish.shininess > 0));
         useProgram(program, frame, view);
-        program.set({ ...clay, opacity });
+        program.set({ albedo: palette.clays[look.clay]!, ...polish, opacity });
         for (const { submesh } of surfaces) drawOpaque(frame, view, program, submesh);
         return;
       }
@@ -64,14 +66,14 @@ export const meshPass: Pass = {
         if (alpha * opacity < leastOpacity) continue;
         const texture = textures.find(name);
         const defines = definesOf(
-          frame,
+          look,
           gloss.specular.some((channel) => channel > 0),
         );
         const program = programs.pass(texture ? 'mesh-textured' : 'mesh', defines);
         if (program !== used) useProgram((used = program), frame, view);
         texture?.bind(textureUnit);
         program.set({
-          albedo: albedo ?? (texture ? white : palette.clay),
+          albedo: albedo ?? (texture ? white : palette.clays[look.clay]!),
           ...gloss,
           opacity: alpha * opacity,
         });
@@ -114,8 +116,17 @@ export const meshPass: Pass = {
 };
 
 /** The variant of a program; a look that is not needed costs nothing. */
-function definesOf({ options }: Frame, isGlossy: boolean): Defines {
-  return { ...(options.faceted && { FACETED: 1 }), ...(isGlossy && { GLOSSY: 1 }) };
+function definesOf({ shading }: ActorLook, isGlossy: boolean): Defines {
+  return { ...(shading === 'faceted' && { FACETED: 1 }), ...(isGlossy && { GLOSSY: 1 }) };
+}
+
+/** The highlight of clay: matte has none, and what is smoother has a smaller and brighter one. */
+function polishOf({ roughness }: ActorLook): { specular: number[]; shininess: number } {
+  const polish = 1 - roughness;
+  return {
+    specular: [0, 0, 0].fill(0.35 * polish),
+    shininess: polish === 0 ? 0 : 2 ** (2 + 6 * polish),
+  };
 }
 
 function useProgram(program: Program, frame: Frame, view: CharacterView): void {
