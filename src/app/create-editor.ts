@@ -1,7 +1,7 @@
 import { signal } from '@preact/signals-core';
 import { loadPart } from '../core/failure.ts';
 import { BallAngles } from '../document/ball-angles.ts';
-import { removeActor, resetPose } from '../document/edits.ts';
+import { removeActor, removeActors, resetPose } from '../document/edits.ts';
 import { openCharacter } from '../document/open-characters.ts';
 import { selectActor } from '../document/reconcile.ts';
 import { selectedActor } from '../document/selected-actor.ts';
@@ -29,11 +29,17 @@ export function createEditor(opening: Opening): Editor {
     ballAngles: new BallAngles(),
     dialog: signal(null),
     letterKeys: signal(true),
+    tab: signal('pose'),
     drawer: signal<Drawer | null>(null),
     fileExtensions: [...new Set([...readableExtensions, '.json', '.png'])],
 
     select(id) {
       selectActor(session, store.scene.value, id);
+    },
+
+    clearScene() {
+      store.dispatch(removeActors());
+      notice.value = 'New scene';
     },
 
     removeSelected() {

@@ -1,12 +1,15 @@
 import type { Viewer } from '../view/viewer.ts';
 
-/** The elements of the page: the view in the middle, with panels around it. */
+/** The elements of the page: the view in the middle, with bars and panels around it. */
 export interface Layout {
   readonly root: HTMLElement;
+  readonly top: HTMLElement;
   readonly canvas: HTMLCanvasElement;
   readonly left: HTMLElement;
   readonly right: HTMLElement;
-  /** This covers the view and holds progress, messages and the buttons for the drawers. */
+  /** On a phone, the buttons that open the panels. */
+  readonly phone: HTMLElement;
+  /** This covers the view and holds tools, switches, progress and messages. */
   readonly overlay: HTMLElement;
   readonly foot: HTMLElement;
   readonly dialogs: HTMLElement;
@@ -18,12 +21,16 @@ export interface Layout {
 const largestPixelRatio = 2;
 
 export function createLayout(root: HTMLElement): Layout {
+  const top = append(root, 'header', 'top');
   const left = append(root, 'aside', 'left');
   const view = append(root, 'main', 'view');
   const right = append(root, 'aside', 'right');
+  const phone = append(root, 'nav', 'phone');
   const foot = append(root, 'div', 'foot');
+  right.id = 'inspector';
+  phone.setAttribute('aria-label', 'Panels');
   left.setAttribute('aria-label', 'Characters and joints');
-  right.setAttribute('aria-label', 'Controls');
+  right.setAttribute('aria-label', 'Inspector');
   const canvas = view.appendChild(document.createElement('canvas'));
   canvas.className = 'scene';
   canvas.tabIndex = 0;
@@ -33,9 +40,11 @@ export function createLayout(root: HTMLElement): Layout {
   const overlay = append(view, 'div', 'overlay');
   return {
     root,
+    top,
     canvas,
     left,
     right,
+    phone,
     overlay,
     foot,
     dialogs: append(root, 'div', 'dialogs'),

@@ -16,6 +16,7 @@ export const workspaces: readonly Workspace[] = [
   {
     id: 'studio',
     label: 'Studio',
+    listsJoints: false,
     camera: {
       target: [0, 0.5, 0],
       distance: 2.4,
@@ -29,7 +30,9 @@ export const workspaces: readonly Workspace[] = [
   },
   {
     id: '6.837',
-    label: 'MIT 6.837',
+    label: '6.837',
+    format: 'mit',
+    listsJoints: true,
     // The camera of the course's program looks at the middle of a character 0.9 tall from a
     // distance of 1.5.
     camera: {
@@ -45,7 +48,9 @@ export const workspaces: readonly Workspace[] = [
   },
   {
     id: 'cse169',
-    label: 'UCSD CSE169',
+    label: 'CSE169',
+    format: 'cse169',
+    listsJoints: true,
     camera: {
       target: [0, 0.5, 0],
       distance: 2.4,
@@ -59,7 +64,9 @@ export const workspaces: readonly Workspace[] = [
   },
   {
     id: 'mannequin',
-    label: 'Virtual Mannequin',
+    label: 'Mannequin',
+    format: 'mmd',
+    listsJoints: false,
     camera: {
       target: [0, 0.5, 0],
       distance: 2.4,

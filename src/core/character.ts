@@ -58,4 +58,6 @@ export interface CharacterExtra {
 /** Facts about the files that a character came from, for writers; other code does not read them. */
 export interface CharacterMeta {
   readonly fileSpace: FileSpace;
+  /** The format of its files, for display alone. */
+  readonly format?: string;
 }

@@ -104,6 +104,11 @@ export function removeActor({ id, character }: Actor): Edit {
   };
 }
 
+/** Removes all actors from the scene. */
+export function removeActors(): Edit {
+  return { label: 'New scene', apply: (scene) => ({ ...scene, actors: [] }) };
+}
+
 /** Moves, rotates or scales an actor in the scene. */
 export function setTransform(id: ActorId, transform: Transform, label: string): Edit {
   return editActor(id, label, (actor) => ({ ...actor, transform }));

@@ -58,7 +58,7 @@ export async function readCharacters(
     const reader = await loadReader();
     for (const group of await reader.group(own)) {
       for (const file of group.files) used.add(file);
-      const read = await readGroup(reader, group, limits, diagnostics);
+      const read = await readGroup(reader, group, limits, diagnostics, id);
       if (!read) continue;
       const dressed = await withImages(read, files);
       for (const file of dressed.used) used.add(file);
@@ -113,6 +113,7 @@ async function readGroup(
   group: FileGroup,
   limits: Limits,
   diagnostics: Diagnostic[],
+  format: string,
 ): Promise<ReadGroup | undefined> {
   const parsed = await reader.read(group, limits);
   diagnostics.push(...group.diagnostics, ...parsed.diagnostics);
@@ -121,7 +122,8 @@ async function readGroup(
   diagnostics.push(...built.diagnostics);
   const meshFile = parsed.value.mesh?.file;
   const from = group.files.find(({ path }) => baseName(path) === meshFile) ?? group.files[0]!;
-  return built.value && { character: built.value, from };
+  if (!built.value) return undefined;
+  return { character: { ...built.value, meta: { ...built.value.meta, format } }, from };
 }
 
 /**

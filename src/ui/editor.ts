@@ -10,6 +10,7 @@ import type { FileEntry } from '../formats/format.ts';
 import type { ReadCharacter, ReadProgress } from '../formats/read-characters.ts';
 import type { PictureFormat } from '../view/picture.ts';
 import type { CaptureSize, Viewer } from '../view/viewer.ts';
+import type { TabId } from './tabs.ts';
 import type { Workspace, WorkspaceId } from './workspace.ts';
 
 /** A character that is bundled with the app. */
@@ -25,7 +26,7 @@ export type ThemeChoice = 'system' | 'light' | 'dark';
 /** A sheet over the page; dialogs.ts has the contents. */
 export type DialogId = 'keys';
 
-/** The panel that is open on narrow pages, where panels are drawers. */
+/** The panel that is open on narrow pages: a sheet on phones; on tablets, the unfolded outliner. */
 export type Drawer = 'left' | 'right';
 
 /** The current activity of reading, and the fraction that is done (0 to 1). */
@@ -114,6 +115,7 @@ export interface PageState {
   readonly dialog: Signal<DialogId | null>;
   /** Whether single-letter keys act; users of speech input, for example, may turn them off. */
   readonly letterKeys: Signal<boolean>;
+  readonly tab: Signal<TabId>;
   readonly drawer: Signal<Drawer | null>;
   /** The file extensions that the file dialog offers. */
   readonly fileExtensions: readonly string[];
@@ -130,6 +132,8 @@ export interface Posing {
 export interface Actions {
   /** Selects an actor of the scene. */
   select(id: ActorId): void;
+  /** Removes all characters, as one step of undo. */
+  clearScene(): void;
   removeSelected(): void;
   /** Adds a copy of the selected actor, in the same pose, next to the others. */
   duplicateSelected(): void;

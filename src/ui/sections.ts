@@ -2,47 +2,35 @@ import type { FunctionComponent } from 'preact';
 import { loadPart } from '../core/failure.ts';
 import { selectedActor } from '../document/selected-actor.ts';
 import type { Editor } from './editor.ts';
-import { CharactersPanel } from './panels/characters-panel.tsx';
+import { addAllJointsFolder } from './controls/all-joints-folder.ts';
+import { guiSection } from './controls/gui-section.tsx';
+import { addSelectedJointFolder } from './controls/selected-joint-folder.ts';
 import { JointTree } from './panels/joint-tree.tsx';
+import { Outliner } from './panels/outliner.tsx';
 import { StatusLine } from './panels/status-line.tsx';
-import { WorkspacePanel } from './panels/workspace-panel.tsx';
+import { Subject } from './panels/subject.tsx';
+import type { TabId } from './tabs.ts';
 
 export type SectionComponent = FunctionComponent<{ readonly editor: Editor }>;
 
 /** A part of the page next to the view. To add one, write a file and add a row below. */
 export interface Section {
   readonly id: string;
-  readonly place: 'left' | 'foot';
-  /** Whether the section has something to show; it is loaded when it first has. */
-  readonly when: (editor: Editor) => boolean;
+  /** The outliner on the left, the inspector on the right, or the foot of the page. */
+  readonly place: 'left' | 'right' | 'foot';
+  /** The tabs in which the section stands; all, if absent. */
+  readonly tabs?: readonly TabId[];
+  /** Whether the section has something to show; always, if absent. It is loaded when it first has. */
+  readonly when?: (editor: Editor) => boolean;
   readonly load: () => Promise<SectionComponent>;
 }
-
-const always = (): boolean => true;
 
 /**
  * Every section, each place's from top to bottom. Sections that every visit shows are loaded at
  * once.
  */
 export const sections: readonly Section[] = [
-  {
-    id: 'characters',
-    place: 'left',
-    when: always,
-    load: () => Promise.resolve(CharactersPanel),
-  },
-  {
-    id: 'problems',
-    place: 'left',
-    when: ({ session }) => session.problems.value.length > 0,
-    load: async () => (await loadPart(import('./panels/problems-panel.tsx'))).ProblemsPanel,
-  },
-  {
-    id: 'workspace',
-    place: 'left',
-    when: always,
-    load: () => Promise.resolve(WorkspacePanel),
-  },
+  { id: 'outliner', place: 'left', load: () => Promise.resolve(Outliner) },
   {
     id: 'joints',
     place: 'left',
@@ -50,26 +38,126 @@ export const sections: readonly Section[] = [
     load: () => Promise.resolve(JointTree),
   },
   {
+    id: 'problems',
+    place: 'right',
+    when: ({ session }) => session.problems.value.length > 0,
+    load: async () => (await loadPart(import('./panels/problems-panel.tsx'))).ProblemsPanel,
+  },
+  { id: 'subject', place: 'right', load: () => Promise.resolve(Subject) },
+  {
+    id: 'all-joints-first',
+    place: 'right',
+    tabs: ['pose'],
+    when: (editor) => listsJoints(editor) && jointCount(editor) > 0,
+    load: () => Promise.resolve(openJoints),
+  },
+  {
+    id: 'joint',
+    place: 'right',
+    tabs: ['pose', 'animate'],
+    when: (editor) => !listsJoints(editor),
+    load: () => Promise.resolve(selectedJoint),
+  },
+  {
+    id: 'morphs',
+    place: 'right',
+    tabs: ['pose', 'animate'],
+    load: async () =>
+      guiSection((await loadPart(import('./controls/morph-folder.ts'))).addMorphFolder),
+  },
+  {
+    id: 'pose',
+    place: 'right',
+    tabs: ['pose', 'animate'],
+    load: async () =>
+      guiSection((await loadPart(import('./controls/pose-folder.ts'))).addPoseFolder),
+  },
+  {
+    id: 'method',
+    place: 'right',
+    tabs: ['deform'],
+    load: async () =>
+      guiSection((await loadPart(import('./controls/skin-folder.ts'))).addSkinFolder),
+  },
+  {
+    id: 'drag',
+    place: 'right',
+    tabs: ['pose'],
+    load: async () =>
+      guiSection((await loadPart(import('./controls/bone-folder.ts'))).addBoneFolder),
+  },
+  {
+    id: 'place',
+    place: 'right',
+    tabs: ['pose'],
+    load: async () =>
+      guiSection((await loadPart(import('./controls/place-folder.ts'))).addPlaceFolder),
+  },
+  {
+    id: 'all-joints',
+    place: 'right',
+    tabs: ['pose'],
+    when: (editor) => !listsJoints(editor) && jointCount(editor) > 0,
+    load: () => Promise.resolve(foldedJoints),
+  },
+  {
     id: 'bone',
-    place: 'left',
+    place: 'right',
+    tabs: ['pose', 'deform'],
     when: (editor) => jointCount(editor) > 1,
     load: async () => (await loadPart(import('./panels/bone-panel.tsx'))).BonePanel,
   },
   {
+    id: 'surface',
+    place: 'right',
+    tabs: ['deform'],
+    load: async () =>
+      guiSection((await loadPart(import('./controls/look-folder.ts'))).addLookFolder),
+  },
+  {
+    id: 'camera',
+    place: 'right',
+    load: async () =>
+      guiSection((await loadPart(import('./controls/camera-folder.ts'))).addCameraFolder),
+  },
+  {
+    id: 'view',
+    place: 'right',
+    load: async () =>
+      guiSection((await loadPart(import('./controls/view-folder.ts'))).addViewFolder),
+  },
+  {
+    id: 'lights',
+    place: 'right',
+    load: async () =>
+      guiSection((await loadPart(import('./controls/lights-folder.ts'))).addLightsFolder),
+  },
+  {
+    id: 'picture',
+    place: 'right',
+    load: async () =>
+      guiSection((await loadPart(import('./controls/picture-folder.ts'))).addPictureFolder),
+  },
+  {
     id: 'timeline',
     place: 'foot',
+    tabs: ['animate'],
     // The timeline stays while a character without clips is selected, so that the view keeps its
     // height.
     when: ({ store }) => store.scene.value.actors.some(({ clips }) => clips.length > 0),
     load: async () => (await loadPart(import('./panels/timeline.tsx'))).Timeline,
   },
-  {
-    id: 'status',
-    place: 'foot',
-    when: always,
-    load: () => Promise.resolve(StatusLine),
-  },
+  { id: 'status', place: 'foot', load: () => Promise.resolve(StatusLine) },
 ];
+
+const selectedJoint = guiSection(addSelectedJointFolder);
+const openJoints = guiSection((gui, editor) => addAllJointsFolder(gui, editor, { first: true }));
+const foldedJoints = guiSection((gui, editor) => addAllJointsFolder(gui, editor, { first: false }));
+
+/** Whether the workspace shows the numbers of all joints at once, instead of the selected one's. */
+function listsJoints({ workspaces, workspaceId }: Editor): boolean {
+  return workspaces.find(({ id }) => id === workspaceId.value)?.listsJoints === true;
+}
 
 function jointCount({ store, session }: Editor): number {
   return selectedActor(store, session)?.character.skeleton.jointCount ?? 0;

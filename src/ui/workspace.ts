@@ -1,5 +1,6 @@
 import type { ActorLook } from '../document/actor-look.ts';
 import type { Look } from '../document/session.ts';
+import type { FormatId } from '../formats/registry.ts';
 import type { Camera } from '../view/camera.ts';
 
 export type WorkspaceId = 'studio' | '6.837' | 'cse169' | 'mannequin';
@@ -11,6 +12,10 @@ export interface Workspace {
   readonly camera: Camera;
   /** Whether the camera's distance and target are fitted to the character, or used unchanged. */
   readonly framed: boolean;
+  /** The format whose characters offer this look, if it is a course's. */
+  readonly format?: FormatId;
+  /** Whether the inspector shows the numbers of all joints at once. */
+  readonly listsJoints: boolean;
   readonly look: Look;
   /** How the selected character and new ones are drawn. */
   readonly actorLook: Partial<ActorLook>;

@@ -36,18 +36,21 @@ export const themes: Readonly<Record<ThemeName, Theme>> = {
   },
 };
 
+/** The studio's clays as the display's #rrggbb, warm to dark; a look has the index of one. */
+export const clayColors = [
+  '#b3998a',
+  '#a5a29c',
+  '#b17761',
+  '#94a08a',
+  '#8798ab',
+  '#9d8aa3',
+  '#75665b',
+  '#55565c',
+] as const;
+
 export const palette = {
-  /** Warm to dark; an actor's look has the index of one. */
-  clays: [
-    '#b4927a',
-    '#a5a29c',
-    '#b17761',
-    '#94a08a',
-    '#8798ab',
-    '#9d8aa3',
-    '#75665b',
-    '#55565c',
-  ].map(linear),
+  /** The linear light of `clayColors`. */
+  clays: clayColors.map(linear),
   bone: linear('#e4dccb'),
   boneLine: linear('#2f5d8c'),
   litBone: linear('#d9480f'),

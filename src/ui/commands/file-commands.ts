@@ -4,6 +4,13 @@ import type { Command } from './command.ts';
 /** Commands that read or write files. */
 export const fileCommands = [
   {
+    id: 'new-scene',
+    label: 'New, empty scene',
+    short: 'New',
+    isEnabled: ({ store }) => store.scene.value.actors.length > 0,
+    run: (editor) => editor.clearScene(),
+  },
+  {
     id: 'open-files',
     label: 'Open files',
     short: 'Open files…',

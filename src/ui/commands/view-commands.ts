@@ -20,6 +20,20 @@ export const viewCommands = [
     run: cycleDrawn,
   },
   {
+    id: 'skin',
+    label: 'Show or hide the skin',
+    short: 'Skin',
+    isOn: ({ session }) => session.showSkin.value,
+    run: ({ session }) => toggle(session.showSkin),
+  },
+  {
+    id: 'skeleton',
+    label: 'Show or hide the skeleton',
+    short: 'Skeleton',
+    isOn: ({ session }) => session.showSkeleton.value,
+    run: ({ session }) => toggle(session.showSkeleton),
+  },
+  {
     id: 'translucent',
     label: 'Translucent skin',
     short: 'Translucent',

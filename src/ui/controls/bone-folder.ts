@@ -1,20 +1,19 @@
 import type { GUI } from 'lil-gui';
 import type { BoneDrag } from '../../document/session.ts';
 import type { Editor } from '../editor.ts';
+import { watch } from '../watch.ts';
 import { addCommandRow } from './command-row.ts';
 import { signalField } from './signal-field.ts';
-import { watch } from '../watch.ts';
 
-/** Controls for what dragging does in the view. */
+/** Adds controls for what dragging a limb does. */
 export function addBoneFolder(gui: GUI, editor: Editor): void {
   const { boneDrag } = editor.session;
-  const folder = gui.addFolder('Drag');
+  const folder = gui.addFolder('Dragging').close();
   const ways: Record<string, BoneDrag> = {
-    'Under the pointer': 'follow',
-    'As CS354’s program': 'course',
+    'follows the pointer': 'follow',
+    'as in CS354': 'course',
   };
+  const way = folder.add(signalField(boneDrag), 'value', ways).name('Dragging');
   addCommandRow(folder, editor, 'bone-mode');
-  const way = folder.add(signalField(boneDrag), 'value', ways).name('A bone turns');
-  addCommandRow(folder, editor, 'first-person');
   watch([boneDrag], () => void way.updateDisplay());
 }

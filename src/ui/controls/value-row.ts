@@ -14,6 +14,8 @@ export interface ValueRowOptions {
   readonly minimum: number;
   readonly maximum: number;
   readonly isAngle: boolean;
+  /** The axis whose color it has, if any. */
+  readonly axis?: 0 | 1 | 2;
   /** Whether its limits allow only one value, so that it is shown but can't be changed. */
   readonly locked: boolean;
   /** The range of numbers that can be typed. */
@@ -73,6 +75,7 @@ export function addValueRow(folder: GUI, options: ValueRowOptions): ValueRow {
   const row = controller.domElement;
   const field = row.querySelector('input')!;
   const slider = row.querySelector<HTMLElement>('.lil-slider')!;
+  if (options.axis !== undefined) row.classList.add(`axis-${'xyz'[options.axis]!}`);
   const degrees = document.createElement('span');
   degrees.className = 'degrees';
   if (options.isAngle) row.querySelector('.lil-widget')!.append(degrees);

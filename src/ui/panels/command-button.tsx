@@ -1,13 +1,16 @@
 import { runCommand, titleOf } from '../commands/command.ts';
 import { type CommandId, commandOf } from '../commands/registry.ts';
 import type { Editor } from '../editor.ts';
+import { Icon, type IconId } from './icon.tsx';
 
 interface CommandButtonProperties {
   readonly editor: Editor;
   readonly command: CommandId;
   readonly class?: string;
-  /** A symbol instead of text; the command's label is then its accessible name. */
+  /** A symbol or an icon instead of text; the command's label is then its accessible name. */
   readonly sign?: string;
+  readonly icon?: IconId;
+  readonly role?: 'menuitem';
   /** Runs before the command does. */
   readonly onRun?: () => void;
 }
@@ -20,17 +23,23 @@ export function CommandButton({
   editor,
   command: id,
   sign,
+  icon,
+  role,
   onRun,
   ...rest
 }: CommandButtonProperties) {
   const command = commandOf(id);
-  const isPressed = sign === undefined ? command.isOn?.(editor) : undefined;
+  const hasText = sign === undefined && icon === undefined;
+  // What says in its name what it would do next is no toggle.
+  const isPressed = command.describe || role ? undefined : command.isOn?.(editor);
   return (
     <button
       type="button"
       class={rest.class}
+      role={role}
+      data-command={id}
       title={titleOf(command, editor)}
-      aria-label={sign === undefined ? undefined : (command.describe?.(editor) ?? command.label)}
+      aria-label={hasText ? undefined : (command.describe?.(editor) ?? command.label)}
       aria-pressed={isPressed}
       disabled={command.isEnabled?.(editor) === false}
       onClick={() => {
@@ -38,7 +47,7 @@ export function CommandButton({
         runCommand(command, editor);
       }}
     >
-      {sign ?? command.short ?? command.label}
+      {icon ? <Icon id={icon} /> : (sign ?? command.short ?? command.label)}
     </button>
   );
 }

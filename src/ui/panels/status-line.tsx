@@ -1,40 +1,50 @@
+import { useState } from 'preact/hooks';
 import { printable } from '../../core/diagnostics.ts';
 import { selectedActor } from '../../document/selected-actor.ts';
 import type { Actor } from '../../document/scene.ts';
 import { kernelById, kernelOf } from '../../skinning/registry.ts';
 import type { Editor } from '../editor.ts';
-import { CommandButton } from './command-button.tsx';
 
-/** One line about what is shown, and about the last action. */
+/** One line: the last message, the count of problems, and figures for who wants them. */
 export function StatusLine({ editor }: { readonly editor: Editor }) {
-  const { session, viewer, notice } = editor;
-  const state = selectedActor(editor.store, editor.session);
+  const [open, setOpen] = useState(false);
+  const { session, notice, drawer } = editor;
   const problems = session.problems.value.length;
-  const found = session.verification.value;
   return (
     <footer class="status">
-      {state && (
-        <>
-          <strong>{printable(state.character.name, 80)}</strong>
-          <span>{state.character.skeleton.jointCount} joints</span>
-          <span>{state.character.mesh.pointCount.toLocaleString('en')} vertices</span>
-          <span>{methodText(editor, state)}</span>
-          <span>pose {viewer.poseMilliseconds.value.toFixed(1)} ms</span>
-        </>
-      )}
-      {found && (
-        <span>|GPU − CPU| {found.position === 0 ? '0' : found.position.toExponential(1)}</span>
-      )}
-      {problems > 0 && (
-        <span class="warning">
-          {problems} {problems === 1 ? 'problem' : 'problems'}
-        </span>
-      )}
       <output class="notice" title={notice.value}>
         {notice.value}
       </output>
-      <CommandButton editor={editor} command="bone-mode" class="bone-mode" />
+      {problems > 0 && (
+        <button type="button" class="warning" onClick={() => (drawer.value = 'right')}>
+          {problems} {problems === 1 ? 'problem' : 'problems'}
+        </button>
+      )}
+      {open && <Figures editor={editor} />}
+      <button type="button" aria-expanded={open} onClick={() => setOpen(!open)}>
+        Figures
+      </button>
     </footer>
+  );
+}
+
+/** What is shown, in numbers. */
+function Figures({ editor }: { readonly editor: Editor }) {
+  const { session, viewer } = editor;
+  const state = selectedActor(editor.store, session);
+  const found = session.verification.value;
+  if (!state) return null;
+  return (
+    <span class="figures">
+      <strong>{printable(state.character.name, 80)}</strong>
+      <span>{state.character.skeleton.jointCount} joints</span>
+      <span>{state.character.mesh.pointCount.toLocaleString('en')} vertices</span>
+      <span>{methodText(editor, state)}</span>
+      <span>pose {viewer.poseMilliseconds.value.toFixed(1)} ms</span>
+      {found && (
+        <span>|GPU − CPU| {found.position === 0 ? '0' : found.position.toExponential(1)}</span>
+      )}
+    </span>
   );
 }
 

@@ -4,8 +4,9 @@ import type { ActiveDof } from '../../document/session.ts';
 import { kernelById, kernelOf } from '../../skinning/registry.ts';
 import { ancestorsOf } from '../joint-rows.ts';
 import { formatDegrees } from '../angle-text.ts';
-import type { Drawer, Editor, Looking, PageState, Posing } from '../editor.ts';
+import type { Editor, Looking, Posing } from '../editor.ts';
 import { CommandButton } from './command-button.tsx';
+import { ViewControls } from './view-controls.tsx';
 
 /** The number of ancestors that are named, the nearest ones. */
 const longestChain = 4;
@@ -17,32 +18,13 @@ const longestChain = 4;
 export function ViewOverlay({ editor }: { readonly editor: Editor }) {
   return (
     <>
-      <DrawerButtons editor={editor} />
+      <ViewControls editor={editor} />
       <ProgressBox editor={editor} />
       <ViewMessage editor={editor} />
       <ComparedMethods editor={editor} />
       <ActiveDofText editor={editor} />
       <LitBoneLabel editor={editor} />
     </>
-  );
-}
-
-/** On narrow pages the panels are drawers; on wide pages these buttons are hidden. */
-function DrawerButtons({ editor: { drawer } }: { readonly editor: PageState }) {
-  const button = (side: Drawer, label: string) => (
-    <button
-      type="button"
-      aria-expanded={drawer.value === side}
-      onClick={() => (drawer.value = drawer.value === side ? null : side)}
-    >
-      {label}
-    </button>
-  );
-  return (
-    <div class="drawer-buttons">
-      {button('left', 'Characters')}
-      {button('right', 'Controls')}
-    </div>
   );
 }
 

@@ -1,0 +1,30 @@
+import GUI from 'lil-gui';
+// lil-gui's package does not export its style sheet, and injecting it would write innerHTML.
+import '../../../node_modules/lil-gui/dist/lil-gui.min.css';
+import { useEffect, useRef } from 'preact/hooks';
+import type { Editor } from '../editor.ts';
+import type { SectionComponent } from '../sections.ts';
+import { addSliderRoles } from './slider-role.ts';
+
+/**
+ * Returns a section whose numbers and switches are rows of lil-gui.
+ *
+ * @param add adds a folder, and returns what ends its effects if the section can be removed
+ */
+export function guiSection(
+  add: (gui: GUI, editor: Editor) => void | (() => void),
+): SectionComponent {
+  return function GuiSection({ editor }) {
+    const container = useRef<HTMLDivElement>(null);
+    useEffect(() => {
+      const gui = new GUI({ container: container.current!, injectStyles: false });
+      const end = add(gui, editor);
+      addSliderRoles(gui);
+      return () => {
+        end?.();
+        gui.destroy();
+      };
+    }, [editor]);
+    return <div class="controls" ref={container} />;
+  };
+}

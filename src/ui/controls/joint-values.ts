@@ -1,0 +1,70 @@
+import type { GUI } from 'lil-gui';
+import { diagonal } from '../../core/bounds.ts';
+import { type Edit, setPose, setValue } from '../../document/edits.ts';
+import type { Actor } from '../../document/scene.ts';
+import type { Looking, Posing } from '../editor.ts';
+import { axisNames, type JointValue, jointValues, valueName } from '../joint-values.ts';
+import { addValueRow, type ValueRow } from './value-row.ts';
+
+/** A row with one value of a joint. */
+export interface JointValueRow extends ValueRow {
+  /** "Left knee X", "Hips Move Y". */
+  readonly fullName: string;
+}
+
+export function jointName({ character: { skeleton } }: Actor, joint: number): string {
+  return skeleton.names[joint]!;
+}
+
+export function fullNameOf(state: Actor, joint: number, value: JointValue): string {
+  return `${jointName(state, joint)} ${valueName(value)}`;
+}
+
+/** Adds a row for each value of a joint: its slides, hinges, or the three angles of its ball. */
+export function addJointValues(
+  folder: GUI,
+  editor: Looking & Posing,
+  state: Actor,
+  joint: number,
+): readonly JointValueRow[] {
+  const { store, session, evaluations, ballAngles } = editor;
+  const { id, character } = state;
+  const { skeleton } = character;
+  /** (qCount) the pose that is shown. */
+  const shown = (): Float64Array => evaluations.selected()?.pose.q ?? state.q;
+  const read = ({ index, axis, ofBall }: JointValue, q: Float64Array): number =>
+    ofBall ? ballAngles.of(skeleton, q, index)[axis] : (q[index] ?? 0);
+  const write = ({ index, axis, ofBall }: JointValue, number: number, label: string): Edit =>
+    ofBall
+      ? setPose(id, ballAngles.withAngle(skeleton, shown(), index, axis, number), label)
+      : setValue(id, shown(), index, number, label);
+
+  return jointValues(skeleton, joint).map((value) => {
+    const { isAngle, axis, index, ofBall } = value;
+    const reach = isAngle ? Math.PI : diagonal(character.bounds);
+    const fullName = fullNameOf(state, joint, value);
+    const label = `${isAngle ? 'Turn' : 'Move'} ${jointName(state, joint)} ${axisNames[axis]}`;
+    const [least, most] = ofBall
+      ? [-Infinity, Infinity]
+      : [skeleton.qMin[index]!, skeleton.qMax[index]!];
+    const row = addValueRow(folder, {
+      name: valueName(value),
+      fullName,
+      axis,
+      locked: least === most,
+      minimum: Math.max(least, -reach),
+      maximum: Math.min(most, reach),
+      isAngle,
+      legal: [least, most],
+      read: () => read(value, shown()),
+      begin: () => {
+        const active = { name: fullName, index, isAngle };
+        session.activeDof.value = ofBall ? { ...active, ballAxis: axis } : active;
+        return store.begin(label);
+      },
+      preview: (gesture, number) => gesture.preview(write(value, number, label)),
+      reset: () => store.dispatch(write(value, read(value, skeleton.qRest), `Reset ${fullName}`)),
+    });
+    return { ...row, fullName };
+  });
+}

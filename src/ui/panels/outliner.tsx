@@ -1,0 +1,87 @@
+import { printable } from '../../core/diagnostics.ts';
+import { setLook } from '../../document/edits.ts';
+import type { Actor } from '../../document/scene.ts';
+import { clayColors } from '../../view/theme.ts';
+import type { Editor } from '../editor.ts';
+import { CommandButton } from './command-button.tsx';
+import { Icon } from './icon.tsx';
+
+/** The characters of the scene, one of them selected, and what adds more. */
+export function Outliner({ editor }: { readonly editor: Editor }) {
+  const { actors } = editor.store.scene.value;
+  const { drawer } = editor;
+  const names = numberedNames(actors.map(({ character }) => character.name));
+  return (
+    <section class="outliner" aria-labelledby="characters-title">
+      <header>
+        <h2 id="characters-title">Characters</h2>
+        <button
+          type="button"
+          class="unfold"
+          aria-expanded={drawer.value === 'left'}
+          aria-label="Characters and joints"
+          title="Characters and joints"
+          onClick={() => (drawer.value = drawer.value === 'left' ? null : 'left')}
+        >
+          <Icon id="list" />
+        </button>
+        <CommandButton editor={editor} command="add-files" class="add" />
+      </header>
+      <ul class="actors">
+        {actors.map((actor, index) => (
+          <ActorRow key={actor.id} editor={editor} actor={actor} name={names[index]!} />
+        ))}
+      </ul>
+      {actors.length === 0 && (
+        <p class="hint">Drop files anywhere, or add a character. Files never leave this machine.</p>
+      )}
+    </section>
+  );
+}
+
+interface ActorRowProperties {
+  readonly editor: Editor;
+  readonly actor: Actor;
+  readonly name: string;
+}
+
+function ActorRow({ editor, actor: { id, look }, name }: ActorRowProperties) {
+  const isSelected = id === editor.session.selectedActorId.value;
+  const label = look.visible ? `Hide ${name}` : `Show ${name}`;
+  return (
+    <li class={isSelected ? 'selected' : ''}>
+      <button
+        type="button"
+        class="name"
+        title={name}
+        aria-pressed={isSelected}
+        onClick={() => editor.select(id)}
+      >
+        <span class="clay" style={{ background: clayColors[look.clay] }} />
+        <span class="text">{name}</span>
+      </button>
+      {isSelected && (
+        <>
+          <CommandButton editor={editor} command="duplicate-character" icon="copy" />
+          <CommandButton editor={editor} command="remove-character" icon="remove" />
+        </>
+      )}
+      <button
+        type="button"
+        title={label}
+        aria-label={label}
+        onClick={() => editor.store.dispatch(setLook(id, { visible: !look.visible }, label))}
+      >
+        <Icon id={look.visible ? 'eye' : 'hidden'} />
+      </button>
+    </li>
+  );
+}
+
+/** Numbers repeated names ("human", "human 2"), so that copies can be told apart. */
+function numberedNames(names: readonly string[]): string[] {
+  return names.map((name, index) => {
+    const before = names.slice(0, index).filter((other) => other === name).length;
+    return `${printable(name, 80)}${before === 0 ? '' : ` ${before + 1}`}`;
+  });
+}

@@ -1,0 +1,25 @@
+import type { Editor } from '../editor.ts';
+import { CommandButton } from './command-button.tsx';
+
+/** The tools at the left edge of the view, the switches at its top right, the camera below them. */
+export function ViewControls({ editor }: { readonly editor: Editor }) {
+  return (
+    <>
+      <div class="view-tools" role="group" aria-label="Tools">
+        <CommandButton editor={editor} command="bone-mode" icon="pose" />
+        <CommandButton editor={editor} command="first-person" icon="walk" />
+      </div>
+      <div class="view-switches" role="group" aria-label="What is shown">
+        <CommandButton editor={editor} command="skin" icon="skin" />
+        <CommandButton editor={editor} command="skeleton" icon="skeleton" />
+        <CommandButton editor={editor} command="translucent" icon="translucent" />
+        <CommandButton editor={editor} command="axes" icon="axes" />
+        <CommandButton editor={editor} command="compare" icon="compare" />
+      </div>
+      <div class="view-camera" role="group" aria-label="Camera">
+        <CommandButton editor={editor} command="frame" icon="frame" />
+        <CommandButton editor={editor} command="reset-camera" icon="home" />
+      </div>
+    </>
+  );
+}
