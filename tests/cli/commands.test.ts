@@ -292,7 +292,7 @@ describe('convert', () => {
 
   it.each([
     [['--to', 'mit', '--out', 'o'], 'expected files'],
-    [['a.skel', '--to', 'pmd', '--out', 'o'], 'expected --to'],
+    [['a.skel', '--to', 'pmx', '--out', 'o'], 'expected --to'],
     [['a.skel', '--to', 'mit'], 'expected --out'],
   ])('is used wrongly as %j', async (words, message) => {
     await expect(run('convert', files, ...words).code).rejects.toThrow(message);
