@@ -3,9 +3,12 @@ import { shiftJisBytes } from '../text/shift-jis.ts';
 /** Stands for a character that Shift-JIS does not have. */
 const substitute = '?';
 
-/** What `decodeName` gives for a character that the end of its field cuts in two. */
-const cutCharacter = '\uFFFD';
-const anyLeadByte = 0x81;
+/**
+ * What `decodeName` gives for bytes that are not Shift-JIS, such as half a character at the end of a
+ * field. It is written as such a byte, so that the name stays the same.
+ */
+const undecodable = '\uFFFD';
+const undecodableByte = 0xff;
 
 const padding = 0xfd;
 
@@ -29,23 +32,21 @@ export function fittedText(text: string, size: number): string {
   return encode(text, size).text;
 }
 
-/**
- * Encodes as many whole characters as have room. A name that was read from a full field may end in
- * half a character; half a character is written again, so that the name stays the same.
- */
+/** Encodes as many whole characters as have room. */
 function encode(text: string, size: number): Encoded {
   const bytes: number[] = [];
   let written = '';
   for (const character of text) {
-    if (character === cutCharacter && bytes.length === size - 1) {
-      return { text: written + cutCharacter, bytes: [...bytes, anyLeadByte] };
-    }
-    // A NUL would end the text.
-    const own = character === '\0' ? undefined : shiftJisBytes(character);
-    const next = own ?? shiftJisBytes(substitute)!;
+    const own = bytesOf(character);
+    const next = own ?? bytesOf(substitute)!;
     if (bytes.length + next.length > size) break;
     bytes.push(...next);
     written += own ? character : substitute;
   }
   return { text: written, bytes };
+}
+
+function bytesOf(character: string): readonly number[] | undefined {
+  if (character === undecodable) return [undecodableByte];
+  return character === '\0' ? undefined : shiftJisBytes(character); // a NUL would end the text
 }
