@@ -2,8 +2,8 @@ import { fittedText } from './encode-name.ts';
 
 /**
  * Returns names as fields of `size` bytes can hold them, in the same order. Names that were
- * different stay different: "a long name of a joint" and "a long name of a bone" become "a long name
- * of a joi" and "a long name of a (2)". Names that were equal stay equal.
+ * different stay different: of two names that are equal as far as the field holds them, the second becomes
+ * "a long name of a (2)". Names that were equal stay equal.
  */
 export function fittedNames(names: readonly string[], size: number): string[] {
   const fitted = names.map((name) => fittedText(name, size));
