@@ -135,7 +135,8 @@ describeWithShared('KAITO of the Virtual Mannequin', [data, `${reference}/KAITO.
   });
 
   it('can be written as if it came from another course, with the same vertices', async () => {
-    const { extra: _, ...foreign } = character;
+    const { extra, ...foreign } = character;
+    expect(extra).toBeDefined();
     const { files, losses } = writeMmd(foreign);
     expect(losses).toEqual([]);
     const again = (await readContents({ 'a.pmd': files[0]!.bytes })).characters[0]!.character;
