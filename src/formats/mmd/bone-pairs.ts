@@ -1,5 +1,7 @@
 import type { Character } from '../../core/character.ts';
-import { noJoint } from '../../core/skin.ts';
+import { assert } from '../../core/assert.ts';
+import { largestInfluenceCount, noJoint } from '../../core/skin.ts';
+import { mmdShape } from './shape.ts';
 
 /** The weights of a file, which are hundredths of two bones. */
 export interface BonePairs {
@@ -20,6 +22,7 @@ const smallestChange = 1e-6;
  * negative weight becomes 0. A mesh without weights follows the first bone.
  */
 export function bonePairs({ mesh, skin, skeleton }: Character): BonePairs {
+  assert(largestInfluenceCount(skin) <= mmdShape.influences, 'at most two influences a vertex');
   const bones = new Uint16Array(mesh.vertexCount * 2);
   const weights = new Uint8Array(mesh.vertexCount).fill(100);
   if (skin.paletteJoint.includes(noJoint)) {
