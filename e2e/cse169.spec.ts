@@ -224,11 +224,12 @@ test('a skin, a morph and a clip that are dropped later complete a skeleton', as
   expect(await page().evaluate(() => window.sinew.clips.length)).toBe(1);
 });
 
-test('the insect can be saved as the files of either course, and the page lists what is lost', async () => {
+test('the insect can be saved as the files of each course, and the page lists what is lost', async () => {
   await insectOf();
   for (const [label, name] of [
     ['UCSD CSE169', 'insect-cse169.zip'],
     ['MIT 6.837', 'insect-mit.zip'],
+    ['MikuMikuDance', 'insect-pmd.zip'],
   ] as const) {
     const saving = page().waitForEvent('download');
     await page().getByRole('button', { name: label }).click();

@@ -1,4 +1,6 @@
+import { readFileSync } from 'node:fs';
 import { expect } from '@playwright/test';
+import { unzipSync } from 'fflate';
 import { quaternionOf } from '../src/formats/ball-values.ts';
 import {
   capture,
@@ -9,6 +11,7 @@ import {
   openJoint,
   openView,
   setPose,
+  vertices,
   verify,
 } from './support/app.ts';
 import { madeBones, madePmd } from './support/made-pmd.ts';
@@ -72,6 +75,45 @@ test.describe('materials', () => {
       found: expect.stringMatching(/^the end of the file after \d+ of 256 pixels$/),
     });
   });
+});
+
+test('a character of another course is saved as PMD, and opens again with its shape', async ({
+  page,
+}) => {
+  await openApp(page, 'model=tube&workspace=mannequin');
+  await setPose(page, { joints: { '#2': [0, 0.5, 1] } });
+  const before = await vertices(page, 'cpu');
+  const saving = page.waitForEvent('download');
+  await page.getByRole('button', { name: 'MikuMikuDance' }).click();
+  const saved = await saving;
+  expect(saved.suggestedFilename()).toBe('tube-pmd.zip');
+  await expect(page.locator('.notice')).toHaveText('Saved; what got lost is under Problems');
+  await expect(page.locator('.problems')).toContainText('weights in hundredths');
+  const files = Object.entries(unzipSync(readFileSync(await saved.path())));
+  expect(files.map(([name]) => name)).toEqual(['tube.pmd', 'tube.pose.json']);
+  await drop(
+    page,
+    files.map(([name, bytes]) => ({ name, content: bytes })),
+  );
+  await expect(page.locator('.notice')).toContainText('tube opened');
+  const after = await vertices(page, 'cpu');
+  const change = before.map((value, i) => Math.abs(value - after[i]!));
+  // A weight changes by up to half a hundredth, and the tube is two units long.
+  expect(Math.max(...change)).toBeLessThan(0.02);
+  expect(Math.max(...change)).toBeGreaterThan(0);
+});
+
+test('a mesh with more vertices than a PMD can number is not saved, and the page says why', async ({
+  page,
+}) => {
+  await openApp(page, 'model=tube');
+  let isSaved = false;
+  page.on('download', () => (isSaved = true));
+  await drop(page, [{ name: 'many.obj', content: `${'v 0 0 0\n'.repeat(65_536)}f 1 2 3\n` }]);
+  await page.getByRole('button', { name: 'MikuMikuDance' }).click();
+  await expect(page.locator('.notice')).toHaveText('Not saved; Problems says why');
+  await expect(page.locator('.problems')).toContainText('at most 65535 vertices');
+  expect(isSaved).toBe(false);
 });
 
 test.describe('joints and bones', () => {

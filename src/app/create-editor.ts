@@ -1,4 +1,5 @@
 import { signal } from '@preact/signals-core';
+import { hasErrors } from '../core/diagnostics.ts';
 import { loadPart } from '../core/failure.ts';
 import { BallAngles } from '../document/ball-angles.ts';
 import { removeActor, removeActors, resetPose } from '../document/edits.ts';
@@ -91,8 +92,9 @@ export function createEditor(opening: Opening): Editor {
       const { saveAs } = await loadPart(import('./save-as.ts'));
       const losses = await saveAs(shown.state.character, pose, format);
       session.problems.value = losses;
-      notice.value =
-        losses.length > 0 ? 'Saved; what got lost is under Problems' : 'Saved, with nothing lost';
+      if (hasErrors(losses)) notice.value = 'Not saved; Problems says why';
+      else if (losses.length > 0) notice.value = 'Saved; what got lost is under Problems';
+      else notice.value = 'Saved, with nothing lost';
     },
 
     async exportMesh() {

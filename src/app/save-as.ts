@@ -1,16 +1,16 @@
 import { zipSync } from 'fflate';
 import type { Character } from '../core/character.ts';
-import type { Diagnostic } from '../core/diagnostics.ts';
+import { type Diagnostic, hasErrors } from '../core/diagnostics.ts';
 import type { Pose } from '../core/pose.ts';
 import { convertCharacter } from '../formats/convert.ts';
-import { type ConvertTarget, loadWriter, shapeOf } from '../formats/registry.ts';
+import { type ConvertTarget, loadWriter, shapeOf, writtenWord } from '../formats/registry.ts';
 import { savedFiles } from '../formats/saved-files.ts';
 import { poseToJson } from '../formats/write-pose-json.ts';
 import { download } from './download.ts';
 
 /**
  * Downloads an archive with the character in a course's format, the matching pose, and the images
- * of its materials.
+ * of its materials; nothing if the format can't hold the character.
  *
  * @returns what the format can't hold
  */
@@ -22,6 +22,7 @@ export async function saveAs(
   const converted = convertCharacter(character, format, pose);
   const write = await loadWriter(format);
   const { files, losses } = write(converted.character);
+  if (hasErrors(losses)) return losses;
   const { skeleton } = converted.character;
   const poseJson = `${JSON.stringify(poseToJson(skeleton, converted.pose), null, 2)}\n`;
   const poseFile = {
@@ -31,6 +32,6 @@ export async function saveAs(
   const images = shapeOf(format).textures ? character.images : [];
   const saved = savedFiles([...files, poseFile], images);
   const archive = zipSync(Object.fromEntries(saved.map(({ path, bytes }) => [path, bytes])));
-  download(`${character.name}-${format}.zip`, archive, 'application/zip');
+  download(`${character.name}-${writtenWord(format)}.zip`, archive, 'application/zip');
   return [...converted.losses, ...losses];
 }

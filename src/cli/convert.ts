@@ -10,7 +10,7 @@ import type { OutputFile } from '../formats/format.ts';
 import { poseToJson } from '../formats/write-pose-json.ts';
 import { readCharacters } from '../formats/read-characters.ts';
 import { readPoseJson } from '../formats/read-pose-json.ts';
-import { type ConvertTarget, convertTargets, loadWriter } from '../formats/registry.ts';
+import { convertTargets, loadWriter, writtenWord } from '../formats/registry.ts';
 import { savedFiles } from '../formats/saved-files.ts';
 import type { Command } from './command.ts';
 import { existingPath } from './existing-path.ts';
@@ -18,7 +18,8 @@ import { printDiagnostics, readFiles, unreadable, unwritable, userPath } from '.
 import { parseWords } from './parse-words.ts';
 import { UsageError } from './usage-error.ts';
 
-const usage = `convert FILES --to ${convertTargets.join('|')} --out DIR [--pose POSE.json]`;
+const words = convertTargets.map(writtenWord);
+const usage = `convert FILES --to ${words.join('|')} --out DIR [--pose POSE.json]`;
 
 /** `convert FILES --to FORMAT --out DIR [--pose POSE.json]` writes the files of another format. */
 export const convert: Command = {
@@ -42,6 +43,7 @@ export const convert: Command = {
     const write = await loadWriter(options.to);
     const { files: written, losses } = write(converted.character);
     printDiagnostics([...found, ...converted.losses, ...losses]);
+    if (hasErrors(losses)) return 1;
     const poseFile = writtenPose(options.pose, converted.character, converted.pose);
     return writeAll(options.out, [...written, ...poseFile]) ? 0 : 1;
   },
@@ -61,15 +63,10 @@ function parseOptions(words: readonly string[]) {
   );
   const { to, out, pose } = values;
   if (files.length === 0) throw new UsageError('expected files, found none');
-  if (!isTarget(to)) {
-    throw new UsageError(`expected ${convertTargets.map((id) => `--to ${id}`).join(' or ')}`);
-  }
+  const target = convertTargets.find((id) => writtenWord(id) === to);
+  if (!target) throw new UsageError(`expected ${words.map((word) => `--to ${word}`).join(' or ')}`);
   if (out === undefined) throw new UsageError('expected --out with a folder');
-  return { files, to, out, pose };
-}
-
-function isTarget(id: string | undefined): id is ConvertTarget {
-  return convertTargets.some((target) => target === id);
+  return { files, to: target, out, pose };
 }
 
 /** The given pose, in the angles of the input files; without one, the pose of those files. */

@@ -1,14 +1,23 @@
-import type { CharacterParts, DofParts, JointParts, MeshParts } from '../core/character-parts.ts';
+import type {
+  CharacterParts,
+  DofParts,
+  JointParts,
+  MeshParts,
+  MorphParts,
+} from '../core/character-parts.ts';
 import type { Character } from '../core/character.ts';
+import type { Morph } from '../core/morph.ts';
 import { noParent } from '../core/skeleton.ts';
 import { noJoint } from '../core/skin.ts';
-import { ballHinges, rootSlides } from './cse169/joint-dofs.ts';
+import { quaternionOf } from './ball-values.ts';
+import { ballDof, ballHinges, rootSlides } from './cse169/joint-dofs.ts';
 import { uniqueNames } from './unique-names.ts';
-import { oneWord } from './cse169/write-skel.ts';
 import { bindMatrix } from './cse169/write-skin.ts';
 import { jointNames } from './mit/joint-names.ts';
 import type { FormatShape } from './format.ts';
 import type { Target } from './solve-pose.ts';
+import { type Influence, influencesOf, strongestInfluences } from './strongest-influences.ts';
+import { writtenNames } from './written-names.ts';
 
 /**
  * Returns loose parts in the shape of the other format. A point of the new mesh is a render vertex
@@ -17,9 +26,9 @@ import type { Target } from './solve-pose.ts';
  * @param restAngles (jointCount × 3) the file's pose, if the format has one
  */
 export function convertParts(
-  { name, skeleton, mesh, skin, materials, missing }: Character,
+  { name, skeleton, mesh, skin, materials, morphs, missing }: Character,
   shape: FormatShape,
-  { product, frames, insertRoot, bound }: Target,
+  { product, turnsByBall, frames, insertRoot, bound }: Target,
   restAngles: Float64Array | null,
 ): CharacterParts {
   const shift = insertRoot ? 1 : 0;
@@ -32,13 +41,14 @@ export function convertParts(
       : skeleton.sourceIndex[parent]! + shift;
   });
   const allParents = insertRoot ? [noParent, ...parents] : parents;
-  // Names as the files will give them, so that a pose refers to the right joints: one-word names,
-  // or none.
-  const fileNames = Array.from(skeleton.jointOfSource, (joint) => oneWord(skeleton.names[joint]!));
-  const names = shape.jointNames ? uniqueNames(fileNames) : jointNames(allParents);
+  // Names as the files will give them, so that a pose refers to the right joints.
+  const ownNames = Array.from(skeleton.jointOfSource, (joint) => skeleton.names[joint]!);
+  const names = shape.jointNames
+    ? uniqueNames(writtenNames(ownNames, shape.jointNames))
+    : jointNames(allParents);
   const joints: JointParts[] = Array.from(skeleton.jointOfSource, (joint, source) => {
     const parent = parents[source]!;
-    const dofs = hinges(restAngles ? tripleAt(restAngles, joint) : [0, 0, 0]);
+    const dofs = turns(restAngles ? tripleAt(restAngles, joint) : [0, 0, 0]);
     return {
       name: names[source + shift]!,
       ...(shape.jointNames ? { fileName: names[source]! } : {}),
@@ -48,7 +58,7 @@ export function convertParts(
     };
   });
   if (insertRoot) {
-    const dofs = [...rootSlides, ...hinges([0, 0, 0])];
+    const dofs = [...rootSlides, ...turns([0, 0, 0])];
     joints.unshift({ name: names[0]!, parent: noParent, restOffset: [0, 0, 0], dofs });
   }
   return {
@@ -56,10 +66,12 @@ export function convertParts(
     skeleton: { file: `${name}.skel`, joints },
     ...(mesh.pointCount > 0 ? { mesh: meshParts() } : {}),
     ...(skin.paletteJoint.includes(noJoint) ? {} : { skin: skinParts() }),
+    ...(shape.morphs ? { morphs: morphs.map(morphParts) } : {}),
     missing,
   };
 
-  function hinges(angles: readonly [number, number, number]): DofParts[] {
+  function turns(angles: [number, number, number]): DofParts[] {
+    if (turnsByBall) return [{ ...ballDof, rest: quaternionOf(angles) }];
     const outermostZ = ballHinges(angles, []);
     return product === 'zyx' ? outermostZ : outermostZ.toReversed();
   }
@@ -90,14 +102,11 @@ export function convertParts(
 
   function skinParts() {
     const start = new Uint32Array(mesh.vertexCount + 1);
-    const influences: number[] = [];
+    const influences: Influence[] = [];
     mesh.pointOf.forEach((point, vertex) => {
-      for (let i = skin.start[point]!; i < skin.start[point + 1]!; i++) influences.push(i);
+      influences.push(...strongestInfluences(influencesOf(skin, point), shape.influences));
       start[vertex + 1] = influences.length;
     });
-    const sourceOf = (i: number): number => {
-      return skeleton.sourceIndex[skin.paletteJoint[skin.entries[i]!]!]! + shift;
-    };
     const binds = {
       jointFromBind: new Float64Array(skeleton.jointCount * 16),
       bindFromJoint: new Float64Array(skeleton.jointCount * 16),
@@ -111,12 +120,25 @@ export function convertParts(
     return {
       file: `${name}.attach`,
       start,
-      joints: Uint16Array.from(influences, sourceOf),
-      weights: Float32Array.from(influences, (i) => skin.weights[i]!),
+      joints: Uint16Array.from(influences, ({ entry }) => {
+        return skeleton.sourceIndex[skin.paletteJoint[entry]!]! + shift;
+      }),
+      weights: Float32Array.from(influences, ({ weight }) => weight),
       normals: shape.normals,
       ...(shape.bindings ? binds : {}),
     };
   }
+}
+
+/** The same morph with the render vertices as points. */
+function morphParts({
+  parts,
+  vertices,
+  offsets,
+  normalVertices,
+  normalOffsets,
+}: Morph): MorphParts {
+  return { ...parts, points: vertices, offsets, normalPoints: normalVertices, normalOffsets };
 }
 
 export function tripleAt(values: Float64Array, index: number): [number, number, number] {

@@ -1,12 +1,12 @@
 import { mat4 } from 'gl-matrix';
 import { buildCharacter } from '../core/build-character.ts';
 import type { Character } from '../core/character.ts';
-import { assert } from '../core/assert.ts';
 import type { Diagnostic } from '../core/diagnostics.ts';
 import { jointMatrices } from '../core/forward-kinematics.ts';
 import type { Pose } from '../core/pose.ts';
 import { DofKind, firstRoot, type Skeleton } from '../core/skeleton.ts';
 import { noJoint } from '../core/skin.ts';
+import { ballValue, quaternionOf } from './ball-values.ts';
 import { partsLost } from './convert-losses.ts';
 import { convertParts, tripleAt } from './convert-parts.ts';
 import { bindMatrix } from './cse169/write-skin.ts';
@@ -29,7 +29,7 @@ export interface Converted {
  * returned unchanged.
  *
  * If the format has its own bindings (CSE169), the frames of the joints stay, and the rest of the
- * source file becomes the pose of the new file. Otherwise (6.837) every joint is bound without
+ * source file becomes the pose of the new file. Otherwise (6.837, PMD) every joint is bound without
  * rotation where the mesh is: frames are taken from the binding, and the rotation of the joints
  * since then is the pose.
  */
@@ -38,11 +38,11 @@ export function convertCharacter(character: Character, to: ConvertTarget, pose: 
   const losses: Diagnostic[] = [];
   const shape = shapeOf(to);
   if (skeleton.jointCount === 0 || fitsShape(character, shape)) return { character, pose, losses };
-  assert(shape.turns !== 'ball', 'a format whose joints turn by angles');
   const insertRoot = !shape.firstJointWeights && firstJointHasWeight(character);
   const bound = bindPlaces(character);
   const target: Target = {
-    product: shape.turns,
+    product: shape.turns === 'ball' ? 'xyz' : shape.turns,
+    turnsByBall: shape.turns === 'ball',
     frames: shape.bindings ? 'joint' : 'bind',
     insertRoot,
     bound,
@@ -103,7 +103,10 @@ function poseOf(
   const q = built.qRest.slice();
   for (let joint = 0; joint < skeleton.jointCount; joint++) {
     const target = built.jointOfSource[skeleton.sourceIndex[joint]! + Number(insertRoot)]!;
-    setValues(target, DofKind.hinge, tripleAt(solved.angles, joint));
+    const angles = tripleAt(solved.angles, joint);
+    const ball = ballValue(built, target);
+    if (ball >= 0) q.set(quaternionOf(angles), ball);
+    else setValues(target, DofKind.hinge, angles);
   }
   setValues(firstRoot(built), DofKind.slide, solved.root);
   return q;

@@ -1,5 +1,6 @@
 import type { Character } from '../core/character.ts';
 import { DofKind, noParent, type Skeleton } from '../core/skeleton.ts';
+import { largestInfluenceCount } from '../core/skin.ts';
 import type { FormatShape } from './format.ts';
 
 /** Whether the character already has the shape of that format's files. */
@@ -8,6 +9,7 @@ export function fitsShape({ skeleton, skin }: Character, shape: FormatShape): bo
     if (!jointFits(skeleton, joint, shape)) return false;
   }
   if (!shape.bindings && skin.bindFromJoint) return false;
+  if (largestInfluenceCount(skin) > shape.influences) return false;
   return shape.restPose || isUnposed(skeleton);
 }
 

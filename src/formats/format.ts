@@ -35,7 +35,7 @@ export interface OutputFile {
 
 export interface Written {
   readonly files: readonly OutputFile[];
-  /** What the character has but the files can't hold. */
+  /** What the character has but the files can't hold; with an error, no files are written. */
   readonly losses: readonly Diagnostic[];
 }
 
@@ -65,7 +65,10 @@ export interface FormatShape {
   /** Whether the files have a pose of their own; otherwise it is zero or the identity. */
   readonly restPose: boolean;
   readonly limits: boolean;
-  readonly jointNames: boolean;
+  /**
+   * How the files name joints: not at all, by one word each, or in fields of 20 bytes in Shift-JIS.
+   */
+  readonly jointNames: false | 'words' | 'fields';
   readonly jointBoxes: boolean;
   /**
    * Whether the files have bindings of their own; otherwise the mesh is bound to the joints at

@@ -25,6 +25,8 @@ export interface FormatEntry {
   readonly recognizes?: (file: FileEntry) => boolean;
   readonly loadReader: () => Promise<FormatReader>;
   readonly loadWriter?: () => Promise<FormatWriter>;
+  /** What `convert --to` and the names of archives call the written files; the id if absent. */
+  readonly writtenAs?: string;
 }
 
 export type FormatId = keyof typeof formatExtensions;
@@ -51,6 +53,8 @@ const entries = [
     label: 'MikuMikuDance',
     shape: mmdShape,
     loadReader: async () => (await loadPart(import('./mmd/reader.ts'))).mmdReader,
+    loadWriter: async () => (await loadPart(import('./mmd/write-character.ts'))).writeMmd,
+    writtenAs: 'pmd',
   },
 ] as const satisfies readonly FormatEntry[];
 
@@ -66,6 +70,11 @@ export type ConvertTarget = Extract<
 export const convertTargets: readonly ConvertTarget[] = entries.flatMap((entry) =>
   'loadWriter' in entry ? [entry.id] : [],
 );
+
+/** The word for a format that can be written, on the command line and in names of archives. */
+export function writtenWord(id: ConvertTarget): string {
+  return formats.find((each) => each.id === id)!.writtenAs ?? id;
+}
 
 export function labelOf(id: FormatId): string {
   return formats.find((each) => each.id === id)!.label;

@@ -7,7 +7,9 @@ import { noJoint, type Skin } from '../core/skin.ts';
 
 /** The skeleton for which angles are solved. */
 export interface Target {
+  /** The order of its hinges; of a ball, whose quaternion is made from them, any. */
   readonly product: EulerProduct;
+  readonly turnsByBall: boolean;
   /** Whether joints keep their own frames, or are without rotation where the mesh is bound. */
   readonly frames: 'joint' | 'bind';
   /** Whether a new root at the origin is added above the others. */

@@ -1,4 +1,4 @@
-import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { gzipSync } from 'node:zlib';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
@@ -290,9 +290,34 @@ describe('convert', () => {
     expect(Object.keys(pose.joints)).toContain('joint 02');
   });
 
+  it('writes a PMD and the matching pose, by quaternions', async () => {
+    const words = [...names, '--to', 'pmd', '--out', 'new', '--pose', 'p.json'];
+    const { folder, code } = run('convert', files, ...words);
+    expect(await code).toBe(0);
+    expect(out).toEqual(['a.pmd', 'p.json'].map((name) => join('new', name)));
+    expect(errors.join('\n')).toContain('a.pmd: expected materials without names');
+    const pose = readFileSync(join(folder, 'new/p.json'), 'utf8');
+    const { joints } = JSON.parse(pose) as { joints: Record<string, number[]> };
+    expect(joints['joint 01']!.map((value) => Math.abs(Math.round(value * 1e9)))).toEqual([
+      ...[0, 0, 1e9, 0],
+    ]);
+    const posing = ['new/a.pmd', '--pose', 'new/p.json', '--out', 'o.obj'];
+    expect(await commands.find(({ name }) => name === 'pose')!.run(posing)).toBe(0);
+  });
+
+  it('exits with 1, and writes nothing, if the files can’t hold the character', async () => {
+    const obj = `${'v 0 0 0\n'.repeat(65_536)}f 1 2 3\n`;
+    const words = ['a.obj', '--to', 'pmd', '--out', 'new'];
+    const { folder, code } = run('convert', { 'a.obj': obj }, ...words);
+    expect(await code).toBe(1);
+    expect(out).toEqual([]);
+    expect(errors.at(-1)).toContain('at most 65535 vertices');
+    expect(existsSync(join(folder, 'new'))).toBe(false);
+  });
+
   it.each([
     [['--to', 'mit', '--out', 'o'], 'expected files'],
-    [['a.skel', '--to', 'pmd', '--out', 'o'], 'expected --to'],
+    [['a.skel', '--to', 'pmx', '--out', 'o'], 'expected --to'],
     [['a.skel', '--to', 'mit'], 'expected --out'],
   ])('is used wrongly as %j', async (words, message) => {
     await expect(run('convert', files, ...words).code).rejects.toThrow(message);

@@ -5,8 +5,11 @@ import { buildSkeleton } from '../../src/core/build-skeleton.ts';
 import type { Character } from '../../src/core/character.ts';
 import { DiagnosticLog } from '../../src/core/diagnostics.ts';
 import { jointMatrices } from '../../src/core/forward-kinematics.ts';
+import type { Pose } from '../../src/core/pose.ts';
 import { computeVertexNormals } from '../../src/core/vertex-normals.ts';
+import type { OutputFile } from '../../src/formats/format.ts';
 import { mmdOf } from '../../src/formats/mmd/mmd-parts.ts';
+import { writeMmd } from '../../src/formats/mmd/write-character.ts';
 import { poseFromJson } from '../../src/formats/pose-json.ts';
 import { largestBindError } from '../../src/skinning/bind-error.ts';
 import { linearBlend } from '../../src/skinning/linear-blend.ts';
@@ -53,6 +56,16 @@ describeWithShared('KAITO of the Virtual Mannequin', [data, `${reference}/KAITO.
     expect(characters[0]!.files.map(({ path }) => path)).toContain('textures/EYEKT.BMP');
     expected = sharedJson(`${reference}/KAITO.json`) as Kaito;
   });
+
+  function poseOf(which: number): Pose {
+    const pose = expected.poses[which]!;
+    const joints = pose.angles_xyz.map(([x, y, z], index) => [`#${index}`, [-x!, -y!, z]]);
+    const [x, y, z] = pose.root_translation ?? [0, 0, 0];
+    const json = { joints: Object.fromEntries(joints) as object, root: [x, y, -z!] };
+    const { value, diagnostics } = poseFromJson('pose', json, character.skeleton);
+    expect(diagnostics).toEqual([]);
+    return value!;
+  }
 
   it('is read whole: vertices, triangles, and the bones with all three roots', () => {
     expectSound(character);
@@ -101,15 +114,47 @@ describeWithShared('KAITO of the Virtual Mannequin', [data, `${reference}/KAITO.
     expect(along.filter((cosine) => cosine > 0).length).toBeGreaterThan(0.98 * mesh.pointCount);
   });
 
+  it('is equal in every section when it is written and read again', async () => {
+    const { files, losses } = writeMmd(character);
+    expect(losses).toEqual([]);
+    const [{ bytes }] = files as [OutputFile];
+    const { characters } = await readContents({
+      'KAITO.pmd': bytes,
+      'textures/EYEKT.BMP': new Uint8Array(1),
+    });
+    expect(characters[0]!.character).toEqual(character);
+    expect(writeMmd(characters[0]!.character).files[0]!.bytes).toEqual(bytes);
+    // Of the bytes, only the signs of some zeros change, and what pads a field behind its text.
+    const original = sharedBytes(data);
+    expect(bytes).toHaveLength(original.length);
+    const changes = Array.from(bytes).flatMap((byte, i) => {
+      return byte === original[i] ? [] : [`${original[i]!} to ${byte}`];
+    });
+    expect([...new Set(changes)]).toEqual(['128 to 0', '0 to 253']);
+    expect(changes.filter((change) => change === '128 to 0')).toHaveLength(27);
+  });
+
+  it('can be written as if it came from another course, with the same vertices', async () => {
+    const { extra, ...foreign } = character;
+    expect(extra).toBeDefined();
+    const { files, losses } = writeMmd(foreign);
+    expect(losses).toEqual([]);
+    const again = (await readContents({ 'a.pmd': files[0]!.bytes })).characters[0]!.character;
+    const posed = [again, character].map((each) => {
+      return skinVertices(each, each.skin, poseOf(0), linearBlend).positions;
+    });
+    expect(largestDifference(posed[0]!, posed[1]!)).toBeLessThan(tolerances.mannequinFiles);
+    expect(again.skeleton.fileNames).toEqual(character.skeleton.fileNames);
+    expect(again.materials.map(({ colors }) => colors)).toEqual(
+      character.materials.map(({ colors }) => colors),
+    );
+    expect(again.morphs.map(({ vertices, offsets }) => [vertices, offsets])).toEqual(
+      character.morphs.map(({ vertices, offsets }) => [vertices, offsets]),
+    );
+  });
+
   it.each([0, 1])('has every vertex where the reference has it: pose %i', (which) => {
-    const { skeleton, skin } = character;
-    const pose = expected.poses[which]!;
-    const joints = pose.angles_xyz.map(([x, y, z], index) => [`#${index}`, [-x!, -y!, z]]);
-    const [x, y, z] = pose.root_translation ?? [0, 0, 0];
-    const json = { joints: Object.fromEntries(joints) as object, root: [x, y, -z!] };
-    const { value, diagnostics } = poseFromJson('pose', json, skeleton);
-    expect(diagnostics).toEqual([]);
-    const { positions } = skinVertices(character, skin, value!, linearBlend);
+    const { positions } = skinVertices(character, character.skin, poseOf(which), linearBlend);
     const wanted = sharedFloats(`${reference}/KAITO.pose${which}.lbs.f32`);
     expect(wanted).toHaveLength(expected.vertices * 3);
     const error = largestDifference(mirrored(positions), wanted);

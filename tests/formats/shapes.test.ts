@@ -27,7 +27,8 @@ describe.each(formats)('the shape of $id', ({ id, shape }) => {
         clips: clips.length > 0,
       };
       for (const [part, isThere] of Object.entries(found)) {
-        if (isThere) expect([part, shape[part as keyof typeof found]]).toEqual([part, true]);
+        if (isThere)
+          expect([part, Boolean(shape[part as keyof typeof found])]).toEqual([part, true]);
       }
     },
   );

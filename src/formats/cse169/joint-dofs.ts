@@ -14,6 +14,9 @@ const axes: readonly Triple[] = [
  */
 export const rootSlides: readonly DofParts[] = axes.map((axis) => ({ kind: DofKind.slide, axis }));
 
+/** A joint that turns as a ball, by a quaternion. */
+export const ballDof: DofParts = { kind: DofKind.ball, axis: [0, 0, 0] };
+
 /**
  * The hinges of a ball joint of CSE169: L = T(offset) · Rz · Ry · Rx, with x applied first.
  *

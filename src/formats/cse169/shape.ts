@@ -8,7 +8,7 @@ export const cse169Shape: FormatShape = {
   restRotations: false,
   restPose: true,
   limits: true,
-  jointNames: true,
+  jointNames: 'words',
   jointBoxes: true,
   bindings: true,
   firstJointWeights: true,

@@ -1,20 +1,17 @@
 import type {
   CharacterParts,
-  DofParts,
   JointParts,
   MeshParts,
   SkinParts,
 } from '../../core/character-parts.ts';
 import type { DiagnosticLog } from '../../core/diagnostics.ts';
 import { MmdBoneType } from './mmd-parts.ts';
-import { DofKind, noParent } from '../../core/skeleton.ts';
-import { rootSlides } from '../cse169/joint-dofs.ts';
+import { noParent } from '../../core/skeleton.ts';
+import { ballDof, rootSlides } from '../cse169/joint-dofs.ts';
 import { uniqueNames } from '../unique-names.ts';
 import type { PmdBone } from './bones.ts';
 import type { PmdMaterials } from './materials.ts';
 import { type PmdVertices, vertexSize } from './vertices.ts';
-
-const ball: DofParts = { kind: DofKind.ball, axis: [0, 0, 0] };
 
 /** Makes a joint of every bone of the file, including all roots, in the order of the file. */
 export function skeletonParts(
@@ -35,7 +32,7 @@ export function skeletonParts(
       place: { offset: parentOffset },
       parent,
       restOffset: [head[0] - from[0], head[1] - from[1], head[2] - from[2]],
-      dofs: isMovable ? [...rootSlides, ball] : [ball],
+      dofs: isMovable ? [...rootSlides, ballDof] : [ballDof],
     };
   });
   return { file, joints };

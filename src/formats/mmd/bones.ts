@@ -15,8 +15,6 @@ export interface PmdBone extends MmdBone {
   readonly parentOffset: number;
   /** File index as stored, -1 for a root. Whether that bone exists is checked later. */
   readonly parent: number;
-  /** Right-handed, in the model's space and units. */
-  readonly head: readonly [number, number, number];
 }
 
 const size = 39;

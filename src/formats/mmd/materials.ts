@@ -7,10 +7,10 @@ import type {
 import type { DiagnosticLog } from '../../core/diagnostics.ts';
 import type { BinaryReader } from '../binary/binary-reader.ts';
 import type { BinaryRecord } from '../binary/binary-record.ts';
-import { extensionOf } from '../file-entry.ts';
 import { uniqueNames } from '../unique-names.ts';
 import { decodeName } from './decode-name.ts';
 import { Findings } from './findings.ts';
+import { readTextures, textureFieldSize } from './texture-field.ts';
 
 export interface PmdMaterials {
   readonly materials: readonly MaterialParts[];
@@ -111,7 +111,7 @@ function readMaterial(
     ...shadedBy(readColors(records, at, index, findings)),
     toon: toon > 9 ? -1 : toon,
     hasEdge: records.u8(at + 45) !== 0,
-    ...readTextures(decodeName(records.bytes(at + 50, 20))),
+    ...readTextures(decodeName(records.bytes(at + 50, textureFieldSize))),
   };
 }
 
@@ -156,26 +156,4 @@ function readColors(
     colors.add(offset + start, `${found.join(' ')}, material ${index}`);
     return otherwise;
   }
-}
-
-/**
- * In "skin.bmp*shine.spa", the first is an image and the second a sphere map (`.sph` multiplies,
- * `.spa` adds); either may be missing.
- */
-function readTextures(field: string): Pick<MaterialParts, 'texture' | 'sphere'> {
-  const names = field.split('*').filter((name) => name.trim() !== '');
-  const isSphere = (name: string): boolean => ['.sph', '.spa'].includes(extensionOf(name));
-  const texture = names.find((name) => !isSphere(name));
-  const sphere = names.find(isSphere);
-  return {
-    ...(texture === undefined ? {} : { texture }),
-    ...(sphere === undefined
-      ? {}
-      : {
-          sphere: {
-            texture: sphere,
-            blend: extensionOf(sphere) === '.spa' ? 'add' : 'multiply',
-          },
-        }),
-  };
 }

@@ -58,6 +58,8 @@ export interface MmdBone {
    * 9 the percentage of its tail's rotation that it copies.
    */
   readonly ikParent: number;
+  /** Its position at rest, in the model's space and units; single floats, as the file has them. */
+  readonly head: Numbers3;
 }
 
 /** A row per point, as the file has it: data that mesh and skin do not keep. */
@@ -127,13 +129,16 @@ export interface MmdPhysics {
 
 export type Numbers3 = readonly [number, number, number];
 
+/** The shapes of rigid bodies, as the file numbers them. */
+export const bodyShapes = ['sphere', 'box', 'capsule'] as const;
+
 export interface RigidBody {
   readonly name: string;
   readonly bone: number;
   /** 0 to 15, and a mask of the groups with which it collides. */
   readonly group: number;
   readonly mask: number;
-  readonly shape: 'sphere' | 'box' | 'capsule';
+  readonly shape: (typeof bodyShapes)[number];
   /** Radius, height and depth, as the shape uses them, in model units. */
   readonly size: Numbers3;
   /** Relative to the bone, in model units. */

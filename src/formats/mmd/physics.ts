@@ -1,5 +1,11 @@
 import type { DiagnosticLog } from '../../core/diagnostics.ts';
-import type { BodyJoint, MmdPhysics, Numbers3, RigidBody } from './mmd-parts.ts';
+import {
+  type BodyJoint,
+  bodyShapes,
+  type MmdPhysics,
+  type Numbers3,
+  type RigidBody,
+} from './mmd-parts.ts';
 import type { BinaryReader } from '../binary/binary-reader.ts';
 import type { BinaryRecord } from '../binary/binary-record.ts';
 import { decodeName } from './decode-name.ts';
@@ -8,7 +14,6 @@ import { mirrorAngles, mirrorPoint } from './mirror.ts';
 
 const [bodySize, jointSize] = [83, 124];
 const noBone = 0xffff;
-const shapes = ['sphere', 'box', 'capsule'] as const;
 
 /** Reads rigid bodies and the joints between them; entries that refer to nothing are left out. */
 export function readPhysics(
@@ -76,8 +81,8 @@ function readBody(
 
   function shapeOf(): RigidBody['shape'] {
     const shape = records.u8(at + 25);
-    if (shape >= shapes.length) findings.add(records.offset + at + 25, `shape ${shape}`);
-    return shapes[shape] ?? 'sphere';
+    if (shape >= bodyShapes.length) findings.add(records.offset + at + 25, `shape ${shape}`);
+    return bodyShapes[shape] ?? 'sphere';
   }
 }
 

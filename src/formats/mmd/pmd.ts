@@ -50,7 +50,7 @@ export function readPmd(
       kind: 'mmd',
       summary: 'IK chains, lists, physics and names in English',
       ...header,
-      bones: bones.map(({ type, tail, ikParent }) => ({ type, tail, ikParent })),
+      bones: bones.map(({ type, tail, ikParent, head }) => ({ type, tail, ikParent, head })),
       vertices: {
         normals: vertices.normals,
         uvs: vertices.uvs,

@@ -8,7 +8,7 @@ export const mmdShape: FormatShape = {
   restRotations: false,
   restPose: false,
   limits: false,
-  jointNames: true,
+  jointNames: 'fields',
   jointBoxes: false,
   bindings: false,
   firstJointWeights: true,

@@ -270,6 +270,8 @@ describe('a PMD in the files of the courses', () => {
     const { character: other, pose } = converted;
     const now = skinVertices(other, other.skin, pose, linearBlend).positions;
     expect(largestDifference(now, old)).toBeLessThan(1e-5);
+    const names = other.morphs.map(({ name }) => name);
+    expect(names).toEqual(to === 'mit' ? [] : character.morphs.map(({ name }) => name));
     const lost = converted.losses.map(({ found }) => found);
     expect(lost).toContain('IK chains, lists, physics and names in English');
     expect(lost).toContain('colors of materials');
