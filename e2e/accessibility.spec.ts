@@ -1,6 +1,7 @@
 import AxeBuilder from '@axe-core/playwright';
 import { expect, type Page } from '@playwright/test';
-import { drop, openApp, openJoint, setPose } from './support/app.ts';
+import { tabs } from '../src/ui/tabs.ts';
+import { drop, openApp, openJoint, openTab, setPose } from './support/app.ts';
 import { sharedPage, test } from './support/test.ts';
 
 // These tests find what a checker can detect of WCAG 2.2 AA: names, roles, contrast and the order
@@ -44,6 +45,7 @@ test('the page has no violations with an open joint and a listed problem, in lig
 
 test('clips, morphs and a joint with locked angles have no violations', async () => {
   await page().evaluate(() => window.sinew.open('insect'));
+  await openTab(page(), 'animate');
   await expect(page().getByRole('region', { name: 'Timeline' })).toBeVisible();
   await openJoint(page(), 'leg_l1_tibia', 'Z');
   await page().evaluate(() => window.sinew.seek(1));
@@ -51,16 +53,21 @@ test('clips, morphs and a joint with locked angles have no violations', async ()
 });
 
 test('the help sheet has no violations', async () => {
-  await page().getByRole('button', { name: 'Keys' }).click();
+  await page().getByRole('button', { name: 'Show all keys' }).click();
   await expect(page().getByRole('dialog')).toBeVisible();
   expect(await violations(page())).toEqual([]);
 });
 
-test('the drawers of a narrow page have no violations', async () => {
+test('every task, and the sheets of a narrow page, have no violations', async () => {
   await page().keyboard.press('Escape');
+  for (const { id } of tabs) {
+    await openTab(page(), id);
+    expect(await violations(page()), id).toEqual([]);
+  }
   await page().setViewportSize({ width: 390, height: 800 });
-  for (const name of ['Characters', 'Controls']) {
-    await page().getByRole('button', { name, exact: true }).click();
+  const panels = page().getByRole('navigation', { name: 'Panels' });
+  for (const button of await panels.getByRole('button').or(panels.getByRole('tab')).all()) {
+    await button.click();
     expect(await violations(page())).toEqual([]);
   }
 });

@@ -8,15 +8,14 @@ test.use({ viewport: { width: 1000, height: 700 } });
 const page = sharedPage((page) => openApp(page, 'model=human'));
 
 const undo = () => page().getByRole('button', { name: 'Undo' });
-const list = () => page().locator('.scene-list button');
+const list = () => page().locator('.actors .name');
 const names = () => page().evaluate(() => window.sinew.characters.map(({ name }) => name));
 const selected = () =>
   page().evaluate(() => window.sinew.characters.find((each) => each.selected)?.name);
 
 test('characters of three formats stand side by side, and each is posed and undone on its own', async () => {
-  await expect(list()).toHaveCount(0);
-  await page().getByRole('button', { name: 'Add to the scene…' }).click();
-  await page().getByRole('button', { name: 'Add Insect' }).click();
+  await expect(list()).toHaveCount(1);
+  await page().evaluate(() => window.sinew.add('insect'));
   await expect.poll(names).toEqual(['human', 'insect']);
   expect(await selected()).toBe('insect');
   const files = madePmd().map(({ name, content }) => ({
@@ -58,7 +57,7 @@ test('characters of three formats stand side by side, and each is posed and undo
 test('a button or a key removes the selected character, and undo restores it', async () => {
   await list().nth(2).click();
   const before = await names();
-  await page().getByRole('button', { name: 'Remove', exact: true }).click();
+  await page().getByRole('button', { name: 'Remove the character' }).click();
   expect(await names()).toEqual(before.slice(0, 2));
   await undo().click();
   expect(await names()).toEqual(before);

@@ -1,4 +1,5 @@
 import { expect, type Page } from '@playwright/test';
+import { openTab } from './support/app.ts';
 import { test } from './support/test.ts';
 
 // Nothing covers a control, and neither messages nor the selection move the view.
@@ -7,26 +8,29 @@ test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true
 const sizes = [
   { width: 390, height: 844 },
   { width: 360, height: 640 },
-  { width: 960, height: 600 },
+  { width: 820, height: 1180 },
+  { width: 1024, height: 768 },
 ];
 
-test('at every size each visible control can be pressed, with the drawers open and closed', async ({
+test('at every size each visible control can be pressed, with the sheets open and closed', async ({
   page,
 }) => {
   test.setTimeout(90_000);
   await page.goto('./?model=insect');
   await page.evaluate(() => window.sinew.ready);
+  await openTab(page, 'animate');
   await expect(page.getByRole('region', { name: 'Timeline' })).toBeVisible();
   for (const size of sizes) {
     await page.setViewportSize(size);
     await expectNothingCovered(page, `${size.width}`);
     if (size.width >= 720) continue;
-    for (const name of ['Characters', 'Controls']) {
-      const button = page.getByRole('button', { name, exact: true });
+    const panels = page.getByRole('navigation', { name: 'Panels' });
+    for (const name of ['Characters', 'Pose', 'Deform', 'Animate']) {
+      const button = panels.getByText(name);
       await button.tap();
       for (const end of [0, 1e6]) {
-        await page.locator('aside').evaluateAll((drawers, end) => {
-          for (const drawer of drawers) drawer.scrollTo(0, end);
+        await page.locator('aside').evaluateAll((sheets, end) => {
+          for (const sheet of sheets) sheet.scrollTo(0, end);
         }, end);
         await expectNothingCovered(page, `${size.width} ${name} ${end}`);
       }
@@ -36,13 +40,11 @@ test('at every size each visible control can be pressed, with the drawers open a
 
   await test.step('the help sheet opens scrolled to its top', async () => {
     await page.setViewportSize(sizes[1]!);
-    await page.getByRole('button', { name: 'Characters', exact: true }).tap();
-    await page.getByRole('button', { name: 'Keys' }).tap();
+    await page.getByRole('button', { name: 'Show all keys' }).tap();
     const sheet = page.getByRole('dialog');
     await expect(sheet.getByRole('button', { name: 'Close' })).toBeFocused();
     expect(await sheet.evaluate(({ scrollTop }) => scrollTop)).toBe(0);
     await sheet.getByRole('button', { name: 'Close' }).tap();
-    await page.getByRole('button', { name: 'Characters', exact: true }).tap();
   });
 
   await test.step('the view keeps its size whatever the selection and the messages are', async () => {

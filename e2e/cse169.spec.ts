@@ -1,13 +1,26 @@
 import { readFileSync } from 'node:fs';
 import { expect } from '@playwright/test';
 import { leg, legAnim, legSkel } from '../tests/support/cse169-files.ts';
-import { controlRow, drop, getPose, openApp, openJoint, vertices, verify } from './support/app.ts';
+import {
+  chooseFromMenu,
+  controlRow,
+  drop,
+  getPose,
+  openApp,
+  openJoint,
+  openTab,
+  vertices,
+  verify,
+} from './support/app.ts';
 import { drawnOf } from './support/controls.ts';
 import { expectPicture } from './support/pictures.ts';
 import { sharedPage, test } from './support/test.ts';
 
-test.use({ viewport: { width: 900, height: 560 } });
-const page = sharedPage((page) => openApp(page, 'model=insect&workspace=cse169'));
+test.use({ viewport: { width: 1000, height: 560 } });
+const page = sharedPage(async (page) => {
+  await openApp(page, 'model=insect&workspace=cse169');
+  for (const tab of ['deform', 'animate'] as const) await openTab(page, tab);
+});
 
 /**
  * Waits until the insect is open; the status line may still show the notice of an earlier opening.
@@ -61,12 +74,12 @@ test('stepping from joint to joint shows the degrees of freedom of only that joi
   await page().getByRole('treeitem', { name: 'body', exact: true }).click();
   await page().getByRole('button', { name: 'Next joint' }).click();
   await expect(page().locator('.joints .lil-title[aria-expanded="true"]')).toHaveText([
-    'Joints',
+    'All joints',
     'abdomen1',
   ]);
   await page().getByRole('button', { name: 'Previous joint' }).click();
   await expect(page().locator('.joints .lil-title[aria-expanded="true"]')).toHaveText([
-    'Joints',
+    'All joints',
     'body',
   ]);
 });
@@ -232,7 +245,7 @@ test('the insect can be saved as the files of each course, and the page lists wh
     ['MikuMikuDance', 'insect-pmd.zip'],
   ] as const) {
     const saving = page().waitForEvent('download');
-    await page().getByRole('button', { name: label }).click();
+    await chooseFromMenu(page(), `Save as ${label}`);
     const saved = await saving;
     expect(saved.suggestedFilename()).toBe(name);
     await expect(page().locator('.notice')).toHaveText(/^Saved/);

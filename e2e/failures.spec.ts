@@ -1,10 +1,10 @@
 import { expect, type Page } from '@playwright/test';
 import { convertTargets, labelOf } from '../src/formats/registry.ts';
-import { choose, controlRow, openApp } from './support/app.ts';
+import { choose, controlRow, openApp, openTab } from './support/app.ts';
 import { madeCharacter } from './support/made-character.ts';
 import { failureTest as test } from './support/test.ts';
 
-test.use({ viewport: { width: 860, height: 480 } });
+test.use({ viewport: { width: 1000, height: 480 } });
 
 const notice = (page: Page) => page.locator('.status .notice');
 
@@ -14,8 +14,9 @@ test('a missing part, a picture that can’t be encoded and a folder that can’
   await openApp(page, 'model=tube');
 
   // These are all formats that can be written, as the registry lists them.
-  const targets = page.locator('.save-as button');
-  await expect(targets).toHaveText(convertTargets.map(labelOf));
+  await page.getByRole('button', { name: 'File' }).click();
+  const targets = page.getByRole('menuitem', { name: 'Save as' });
+  await expect(targets).toHaveText(convertTargets.map((id) => `Save as ${labelOf(id)}`));
 
   await test.step('a deploy removed a part that is loaded on demand', async () => {
     await page.route(/save-as-/, (route) => route.fulfill({ status: 404, body: 'gone' }));
@@ -25,6 +26,7 @@ test('a missing part, a picture that can’t be encoded and a folder that can’
 
   await test.step('a method does not come: what stands in for it is named, and others open', async () => {
     await page.route(/\/rigid-/, (route) => route.fulfill({ status: 404, body: 'gone' }));
+    await openTab(page, 'deform');
     // `choose` would wait for the method.
     await controlRow(page, 'Method').locator('select').selectOption('Rigid parts');
     await expect(notice(page)).toHaveText(/could not be loaded; reload the page/);

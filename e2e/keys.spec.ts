@@ -3,7 +3,7 @@ import { capture, getPose, openApp, openJoint, setPose } from './support/app.ts'
 import { cameraOf, drawnOf } from './support/controls.ts';
 import { sharedPage, test } from './support/test.ts';
 
-test.use({ viewport: { width: 860, height: 600 } });
+test.use({ viewport: { width: 1000, height: 600 } });
 const page = sharedPage(openApp);
 const press = (...keys: string[]) =>
   keys.reduce((before, key) => before.then(() => page().keyboard.press(key)), Promise.resolve());
@@ -72,7 +72,7 @@ test('"?" shows the keys and what the pointer does, and Escape closes the sheet'
   expect(await getPose(page()), 'letters wait while the sheet is open').toEqual(pose);
   await press('Escape');
   await expect(sheet).toBeHidden();
-  await page().getByRole('button', { name: 'Keys' }).click();
+  await page().getByRole('button', { name: 'Show all keys' }).click();
   await expect(sheet).toBeVisible();
   await sheet.getByRole('button', { name: 'Close' }).click();
   await expect(sheet).toBeHidden();
@@ -104,7 +104,7 @@ test('single-letter keys can be turned off, for users of speech input', async ()
   await press('r', 's', 'a');
   expect(await getPose(page())).toEqual(pose);
   expect(await drawnOf(page())).toEqual(['Skin']);
-  await page().getByRole('button', { name: 'Keys' }).click();
+  await page().getByRole('button', { name: 'Show all keys' }).click();
   await letters.check();
   await sheet.getByRole('button', { name: 'Close' }).click();
 });

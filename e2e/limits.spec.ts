@@ -1,5 +1,5 @@
 import { expect } from '@playwright/test';
-import { drop, openApp } from './support/app.ts';
+import { drop, openApp, openTab } from './support/app.ts';
 import { madeCharacter } from './support/made-character.ts';
 import { test } from './support/test.ts';
 
@@ -49,6 +49,7 @@ test('without WebGL2 the page says what to do, and its panels work', async ({ pa
   await page.evaluate(() => window.sinew.pose({ joints: { '#1': [0, 1, 0] } }));
   expect(await page.evaluate(() => window.sinew.vertices('cpu').length)).toBe(180);
   await page.getByRole('button', { name: 'Save pose' }).click();
+  await openTab(page, 'deform');
   await page.getByRole('button', { name: 'Verify' }).click();
   await expect(page.locator('.notice')).toContainText('nothing on the GPU');
 });

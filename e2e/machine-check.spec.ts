@@ -2,11 +2,11 @@ import { readFileSync } from 'node:fs';
 import { expect } from '@playwright/test';
 import { kernels } from '../src/skinning/registry.ts';
 import type { MachineReport } from '../src/app/check-machine.ts';
-import { openApp } from './support/app.ts';
+import { chooseFromMenu, openApp } from './support/app.ts';
 import { sharedPage, test } from './support/test.ts';
 
 const page = sharedPage(openApp);
-const check = () => page().getByRole('button', { name: 'Check this machine' }).click();
+const check = () => chooseFromMenu(page(), 'Check this machine');
 const notice = () => page().locator('.notice');
 
 test('this machine is checked, the report is saved, and the page stays as it was', async () => {

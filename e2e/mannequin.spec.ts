@@ -12,7 +12,7 @@ import { cameraOf } from './support/controls.ts';
 import { expectPicture } from './support/pictures.ts';
 import { sharedPage, test } from './support/test.ts';
 
-test.use({ viewport: { width: 860, height: 460 } });
+test.use({ viewport: { width: 1000, height: 460 } });
 const page = sharedPage((page) => openApp(page, 'workspace=mannequin'));
 
 const label = () => page().locator('.lit-bone');

@@ -2,7 +2,7 @@ import { writeFileSync } from 'node:fs';
 import { expect, type Page } from '@playwright/test';
 import { courseFiles } from '../bench/data/course-files.ts';
 import { cylinder } from '../bench/data/cylinder.ts';
-import { openApp } from './support/app.ts';
+import { chooseFromMenu, openApp } from './support/app.ts';
 import { expectShortTasks, type LongTask, mainThreadTasks } from './support/main-thread.ts';
 import { test } from './support/test.ts';
 
@@ -26,7 +26,7 @@ test('a very large MIT character opens, poses and orbits', async ({ page }, info
 
   const opening = await tasks.during(async () => {
     const choosing = page.waitForEvent('filechooser');
-    await page.getByRole('button', { name: 'Open files' }).click();
+    await chooseFromMenu(page, 'Open files');
     await (await choosing).setFiles(paths);
     await page.waitForFunction(
       (count) => window.sinew.characters.some(({ vertexCount }) => vertexCount === count),

@@ -4,6 +4,7 @@ import { unzipSync } from 'fflate';
 import { quaternionOf } from '../src/formats/ball-values.ts';
 import {
   capture,
+  chooseFromMenu,
   controlRow,
   drop,
   getPose,
@@ -84,7 +85,7 @@ test('a character of another course is saved as PMD, and opens again with its sh
   await setPose(page, { joints: { '#2': [0, 0.5, 1] } });
   const before = await vertices(page, 'cpu');
   const saving = page.waitForEvent('download');
-  await page.getByRole('button', { name: 'MikuMikuDance' }).click();
+  await chooseFromMenu(page, 'Save as MikuMikuDance');
   const saved = await saving;
   expect(saved.suggestedFilename()).toBe('tube-pmd.zip');
   await expect(page.locator('.notice')).toHaveText('Saved; what got lost is under Problems');
@@ -110,7 +111,7 @@ test('a mesh with more vertices than a PMD can number is not saved, and the page
   let isSaved = false;
   page.on('download', () => (isSaved = true));
   await drop(page, [{ name: 'many.obj', content: `${'v 0 0 0\n'.repeat(65_536)}f 1 2 3\n` }]);
-  await page.getByRole('button', { name: 'MikuMikuDance' }).click();
+  await chooseFromMenu(page, 'Save as MikuMikuDance');
   await expect(page.locator('.notice')).toHaveText('Not saved; Problems says why');
   await expect(page.locator('.problems')).toContainText('at most 65535 vertices');
   expect(isSaved).toBe(false);
@@ -139,7 +140,7 @@ test.describe('joints and bones', () => {
   });
 
   test('a ball joint has three angles, which stay as they were set', async () => {
-    await expect(page().locator('.controls .note')).toHaveText(/^R = Rx · Ry · Rz,/);
+    await expect(page().locator('.selected-joint .note')).toHaveText(/^R = Rx · Ry · Rz,/);
     await type('Y', '90°');
     await type('Z', '0.25');
     const x = await type('X', '4');
@@ -181,6 +182,7 @@ test.describe('joints and bones', () => {
   test('angles can be searched by name; joints that translate have lengths too', async () => {
     const search = page().getByRole('searchbox', { name: 'Search degrees of freedom' });
     const rows = page().locator('.joints .lil-controller:visible .lil-slider');
+    await page().locator('.joints > .lil-title').click();
     await search.fill('右肩 y');
     await expect(rows).toHaveCount(1);
     await expect(rows).toHaveAttribute('aria-label', '右肩 Y');
@@ -188,6 +190,7 @@ test.describe('joints and bones', () => {
     await expect(rows).toHaveCount(6);
     await expect(rows.first()).toHaveAttribute('aria-label', 'center Move X');
     await search.fill('');
+    await page().locator('.joints > .lil-title').click();
   });
 
   test('the panel shows the bones of the selected joint, at rest and posed', async () => {

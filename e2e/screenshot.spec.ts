@@ -5,7 +5,7 @@ import { bytesOf, capture, choose, controlRow, openApp, openView } from './suppo
 import { sharedPage, test } from './support/test.ts';
 
 // The view is small because its pixels are compared one by one.
-test.use({ viewport: { width: 860, height: 480 } });
+test.use({ viewport: { width: 1000, height: 480 } });
 
 // The test gets the view's pixels independently of the saved file: from the browser's own
 // screenshot of the page, cropped to the canvas. Every byte must be the same.

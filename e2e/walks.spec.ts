@@ -76,8 +76,8 @@ test.describe('with fingers only', () => {
       await gesture();
       await expect.poll(async () => before.equals(await capture(page))).toBe(false);
     };
-    const controls = page.getByRole('button', { name: 'Controls', exact: true });
-    await controls.waitFor();
+    const panels = page.getByRole('navigation', { name: 'Panels' });
+    await panels.waitFor();
 
     await changes(async () => {
       await touch('touchStart', [[200, 400]]);
@@ -96,12 +96,10 @@ test.describe('with fingers only', () => {
       await touch('touchEnd', []);
     });
 
-    await page.getByRole('button', { name: 'Characters', exact: true }).tap();
-    await page.getByRole('button', { name: 'Twisting tube' }).tap();
-    await expect(page.locator('.status')).toContainText('tube');
-    await page.getByRole('button', { name: 'Characters', exact: true }).tap();
-    await controls.tap();
-    await page.locator('.joints .lil-title').getByText('joint 02', { exact: true }).tap();
+    await page.evaluate(() => window.sinew.open('tube'));
+    await panels.getByRole('button', { name: 'Characters' }).tap();
+    await page.getByRole('treeitem', { name: 'joint 02', exact: true }).tap();
+    await panels.getByRole('tab', { name: 'Pose' }).tap();
     await changes(async () => {
       const slider = page.getByRole('slider', { name: 'joint 02 X' });
       const box = (await slider.boundingBox())!;

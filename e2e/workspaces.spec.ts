@@ -1,26 +1,35 @@
 import { expect } from '@playwright/test';
-import { choose, controlRow, expectFittingCanvas, openApp, setPose } from './support/app.ts';
+import {
+  choose,
+  controlRow,
+  expectFittingCanvas,
+  openApp,
+  openTab,
+  setPose,
+} from './support/app.ts';
 import { catalogue } from './support/catalogue.ts';
 import { cameraOf, drawnOf } from './support/controls.ts';
 import { sharedPage, test } from './support/test.ts';
 
-test.use({ viewport: { width: 860, height: 600 } });
+test.use({ viewport: { width: 1000, height: 600 } });
 const page = sharedPage(() => Promise.resolve());
 
-const menu = () => page().getByRole('combobox', { name: 'Workspace' });
+const menu = () => controlRow(page(), 'Look of').locator('select');
 const shading = () => controlRow(page(), 'Shading').locator('select');
 const notice = () => page().locator('.notice');
 
 // Expects what the course's program shows at its start.
 async function expectCourse() {
-  await expect(menu()).toHaveValue('6.837');
+  await openTab(page(), 'deform');
+  await expect(menu().locator('option:checked')).toHaveText('6.837');
   await expect(shading().locator('option:checked')).toHaveText('Faceted');
   expect(await cameraOf(page())).toEqual({ azimuth: 0, elevation: 0, distance: 1.67 });
   expect(await drawnOf(page())).toEqual(['Skin']);
 }
 
 async function expectStudio() {
-  await expect(menu()).toHaveValue('studio');
+  await openTab(page(), 'deform');
+  await expect(menu().locator('option:checked')).toHaveText('Studio');
   await expect(shading().locator('option:checked')).toHaveText('Smooth');
   expect(await cameraOf(page())).toMatchObject({ azimuth: 36, elevation: 9 });
   expect(await drawnOf(page())).toEqual(['Skin']);
@@ -30,9 +39,9 @@ test('a first visit opens the studio, and the menu switches to the course and ba
   await openApp(page());
   await expectStudio();
   const labels = await menu().locator('option').allTextContents();
-  expect(labels).toEqual(['Studio', 'MIT 6.837', 'UCSD CSE169', 'Virtual Mannequin']);
+  expect(labels).toEqual(['Studio', '6.837', 'CSE169', 'Mannequin']);
   const pose = await setPose(page(), { joints: { Head: [0.5, 0, 0] } });
-  await menu().selectOption('MIT 6.837');
+  await menu().selectOption('6.837');
   await expectCourse();
   await page().locator('canvas').focus();
   await page().keyboard.press('s');
@@ -49,18 +58,11 @@ test('the address opens a workspace', async () => {
   await expectCourse();
 });
 
-test('the address opens a bundled character', async () => {
-  const { id, label } = catalogue[1]!;
-  await openApp(page(), `model=${id}`);
-  const pressed = page().getByRole('button', { pressed: true });
-  await expect(pressed).toHaveText(label);
-  await expect(pressed).toHaveAttribute('title', /\w/);
-});
-
-test('the picker opens each bundled character', async () => {
-  await openApp(page(), 'model=tube');
+test('the address opens a bundled character, and scripts open each of them', async () => {
+  await openApp(page(), `model=${catalogue[1]!.id}`);
+  await expect(page().getByRole('heading', { name: catalogue[1]!.id })).toBeVisible();
   for (const { id, label } of catalogue) {
-    await page().getByRole('button', { name: label, exact: true }).click();
+    await page().evaluate((id) => window.sinew.open(id), id);
     await expect(notice()).toHaveText(`${label} opened`);
     const [shown] = await page().evaluate(() => window.sinew.characters);
     expect(shown).toMatchObject({ name: id, selected: true });
@@ -84,13 +86,14 @@ test('the page can open files without the catalogue', async ({ browser }) => {
   await alone.route('**/catalogue.json', (route) => route.fulfill({ status: 404 }));
   await openApp(alone);
   await expect(alone.locator('.notice')).toContainText('the server says 404');
-  await expect(alone.getByRole('button', { name: 'Open files…' })).toBeEnabled();
+  await alone.getByRole('button', { name: 'File' }).click();
+  await expect(alone.getByRole('menuitem', { name: 'Open files…' })).toBeEnabled();
   expect(await alone.evaluate(() => window.sinew.characters)).toEqual([]);
   expect(thrown).toEqual([]);
   await alone.close();
 });
 
-test('a narrow page has its panels as drawers, and pictures use its full width', async () => {
+test('a narrow page has its panels as sheets, and pictures use its full width', async () => {
   await page().setViewportSize({ width: 400, height: 700 });
   await page().goto('./?model=tube');
   await page().evaluate(() => window.sinew.ready);

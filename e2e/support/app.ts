@@ -3,6 +3,7 @@ import type { SkinDevice } from '../../src/document/session.ts';
 import type { PoseJson } from '../../src/formats/pose-json.ts';
 import type { KernelId } from '../../src/skinning/method.ts';
 import { deformationOf, methods, normalWays } from '../../src/skinning/registry.ts';
+import { type TabId, tabs } from '../../src/ui/tabs.ts';
 import type { PictureFormat } from '../../src/view/picture.ts';
 import type { Verification } from '../../src/document/verification.ts';
 import './test.ts';
@@ -34,7 +35,8 @@ export async function openSmallView(page: Page, query = ''): Promise<void> {
 export async function openApp(page: Page, query = ''): Promise<void> {
   await open(page, query === '' ? './' : `./?${query}`);
   await expect(page.locator('.status')).toBeVisible();
-  await expect(page.locator('.controls .lil-gui').first()).toBeVisible();
+  await expect(page.locator('[data-section]:not([hidden]):empty')).toHaveCount(0);
+  await page.locator('.status [aria-expanded=false]').dispatchEvent('click');
   await expectFittingCanvas(page);
 }
 
@@ -43,24 +45,43 @@ export async function openApp(page: Page, query = ''): Promise<void> {
  * undoing all edits. This takes a tenth of the time of loading the page again.
  */
 export async function startOver(page: Page, workspace = 'studio'): Promise<void> {
-  await page.locator('.toolbar').waitFor({ state: 'attached' });
+  await openTab(page, 'animate');
+  await openTab(page, 'pose');
   await page.evaluate(async (wanted) => {
-    const toolbar = document.querySelector('.toolbar')!;
     const later = (): Promise<unknown> => new Promise((resolve) => setTimeout(resolve));
-    const [undo] = toolbar.querySelectorAll('button');
-    for (; !undo!.disabled; await later()) undo!.click();
+    const button = (command: string) =>
+      document.querySelector<HTMLButtonElement>(`[data-command="${command}"]`);
     // Binding a clip is not a step of undo.
-    document.querySelector<HTMLElement>('[aria-label^="Own pose"]')?.click();
-    // What is drawn, and how, is reset only by a change of workspace.
-    const menu = toolbar.querySelector('select')!;
-    const others = [...menu.options].map(({ value }) => value).filter((id) => id !== wanted);
-    for (const id of [others[0]!, wanted]) {
+    button('release-clip')?.click();
+    // What is drawn, and how, is reset only by a change of workspace, which may be a step of undo.
+    const menu = document.querySelector<HTMLSelectElement>('[data-section="view"] select')!;
+    const ids = Array.from(menu.options, ({ value }) => value);
+    for (const id of [ids.find((each) => each !== wanted)!, wanted]) {
       menu.value = id;
       menu.dispatchEvent(new Event('change'));
       await later();
     }
-  }, workspace);
+    for (; !button('undo')!.disabled; await later()) button('undo')!.click();
+  }, workspaceLabels[workspace] ?? workspace);
   await choose(page, 'Compare with', 'Nothing');
+  await openTab(page, 'pose');
+}
+
+/** The names of workspaces in their menu, by their ids. */
+const workspaceLabels: Readonly<Record<string, string>> = {
+  studio: 'Studio',
+  '6.837': '6.837',
+  cse169: 'CSE169',
+  mannequin: 'Mannequin',
+};
+
+/** Opens a task of the page, and waits until its sections are there. */
+export async function openTab(page: Page, tab: TabId): Promise<void> {
+  await page.locator('.top [data-tab]').first().waitFor({ state: 'attached' });
+  await page.evaluate((id) => {
+    document.querySelector<HTMLElement>(`.top [data-tab="${id}"]`)!.click();
+  }, tab);
+  await expect(page.locator('[data-section]:not([hidden]):empty')).toHaveCount(0);
 }
 
 /** Waits for the canvas, which fits the space between the panels one frame late. */
@@ -149,6 +170,12 @@ export async function bytesOf(blob: JSHandle<Blob>): Promise<Buffer> {
   return Buffer.from(url.slice(url.indexOf(',') + 1), 'base64');
 }
 
+/** Runs an entry of the File menu. */
+export async function chooseFromMenu(page: Page, name: string): Promise<void> {
+  await page.getByRole('button', { name: 'File', exact: true }).click();
+  await page.getByRole('menuitem', { name }).click();
+}
+
 /** The row with this name, in the controls or in one of their folders. */
 export function controlRow(within: Page | Locator, name: string): Locator {
   return within.locator(`.lil-controller:has(.lil-name:text-is("${name}"))`);
@@ -159,6 +186,7 @@ export function controlRow(within: Page | Locator, name: string): Locator {
  */
 export async function choose(page: Page, row: string, option: string): Promise<void> {
   const select = controlRow(page, row).locator('select');
+  for (const { id } of tabs) if ((await select.count()) === 0) await openTab(page, id);
   await select.selectOption({ label: option }, { force: true });
   await page.evaluate(() => window.sinew.settled());
 }
@@ -170,13 +198,13 @@ export async function chooseKernel(page: Page, id: KernelId): Promise<void> {
   await choose(page, 'Normals', normalWays.find((each) => each.id === normals)!.label);
 }
 
-/** Opens the folder of a joint and returns the row of one of its numbers, scrolled into view. */
+/** Selects a joint and returns the row of one of its numbers, scrolled into view. */
 export async function openJoint(page: Page, joint: string, name: string) {
-  const field = page.locator(`input[aria-label="${joint} ${name}"]`);
-  if (!(await field.isVisible())) {
-    await page.locator('.controls .lil-title').getByText(joint, { exact: true }).click();
+  const field = page.locator(`input[aria-label="${joint} ${name}"]:visible`);
+  if ((await field.count()) === 0) {
+    await page.getByRole('treeitem', { name: joint, exact: true }).click();
   }
   await field.scrollIntoViewIfNeeded();
-  const slider = page.getByRole('slider', { name: `${joint} ${name}`, exact: true });
-  return { field, slider, row: controlRow(page, name).filter({ has: field }) };
+  const row = controlRow(page, name).filter({ has: field });
+  return { field, slider: row.getByRole('slider'), row };
 }

@@ -6,10 +6,10 @@ function folder(page: Page, title: string): Locator {
   return page.locator(`.controls .lil-gui:has(> .lil-title:text-is("${title}"))`);
 }
 
-/** The camera as the View folder shows it, in degrees and scene units. */
+/** The camera as its folder shows it, in degrees and scene units. */
 export async function cameraOf(page: Page) {
   const value = async (row: string): Promise<number> =>
-    Number(await controlRow(folder(page, 'View'), row).locator('input').inputValue());
+    Number(await controlRow(folder(page, 'Camera'), row).locator('input').inputValue());
   return {
     azimuth: await value('Azimuth °'),
     elevation: await value('Elevation °'),

@@ -11,6 +11,7 @@ import { Sections } from '../ui/panels/sections.tsx';
 import { TopBar } from '../ui/panels/top-bar.tsx';
 import { ViewOverlay } from '../ui/panels/view-overlay.tsx';
 import { listenToPointer } from '../ui/pointer.ts';
+import { addSplitter } from '../ui/splitter.ts';
 import { createPace } from '../view/frame-pace.ts';
 import { passes } from '../view/passes/registry.ts';
 import { createEditor } from './create-editor.ts';
@@ -39,6 +40,8 @@ export function startInterface(
   render(<ViewOverlay editor={editor} />, layout.overlay);
   render(<Sections editor={editor} place="foot" />, layout.foot);
   render(<Dialogs editor={editor} />, layout.dialogs);
+  addSplitter(layout.root, layout.left, 'left');
+  addSplitter(layout.root, layout.right, 'right');
   listenToKeys(editor);
   runClock(editor.session, editor.transport);
   listenToPointer(layout.canvas, editor);

@@ -139,6 +139,9 @@ function pack(joints: readonly JointParts[], order: readonly number[]): Skeleton
   return {
     jointCount,
     names: sorted.map(({ name }) => name),
+    ...(sorted.some(({ englishName }) => englishName) && {
+      englishNames: sorted.map(({ englishName = '' }) => englishName),
+    }),
     fileNames: sorted.map(({ fileName }) => fileName ?? ''),
     sourceIndex: Uint16Array.from(order),
     jointOfSource,

@@ -40,6 +40,8 @@ export interface JointParts {
   /** A unique display name; if the format has no names, its reader makes one. */
   readonly name: string;
   readonly fileName?: string;
+  /** The name in English, if the file has one beside the other. */
+  readonly englishName?: string;
   /** Where the file names the joint's parent, for messages. */
   readonly place?: Place;
   /** File index of the parent; -1 for a root. */

@@ -20,6 +20,8 @@ export interface Skeleton {
   readonly jointCount: number;
   /** Unique, for display and POSE.json. */
   readonly names: readonly string[];
+  /** (jointCount) the names in English, each empty if the file has none beside the other. */
+  readonly englishNames?: readonly string[];
   /** Names as read, for writers; empty if the format has none. */
   readonly fileNames: readonly string[];
   /** (jointCount) index of each joint in the file. */

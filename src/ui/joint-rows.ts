@@ -12,7 +12,7 @@ export interface TreeRow {
 
 /** The joints to show, depth first. A search shows all matching joints as a flat list. */
 export function visibleRows(
-  { jointCount, parents, depths, names }: Skeleton,
+  { jointCount, parents, depths, names, englishNames }: Skeleton,
   folded: ReadonlySet<number>,
   search: string,
 ): TreeRow[] {
@@ -23,7 +23,8 @@ export function visibleRows(
     const depth = depths[joint]!;
     const hasChildren = parents[joint + 1] === joint;
     if (wanted !== '') {
-      if (names[joint]!.toLowerCase().includes(wanted)) {
+      const name = `${names[joint]!} ${englishNames?.[joint] ?? ''}`;
+      if (name.toLowerCase().includes(wanted)) {
         rows.push({ joint, level: 1, hasChildren: false, isFolded: false });
       }
       continue;

@@ -47,7 +47,7 @@ export const sections: readonly Section[] = [
   {
     id: 'all-joints-first',
     place: 'right',
-    tabs: ['pose'],
+    tabs: ['pose', 'animate'],
     when: (editor) => listsJoints(editor) && jointCount(editor) > 0,
     load: () => Promise.resolve(openJoints),
   },

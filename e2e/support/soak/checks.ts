@@ -65,8 +65,8 @@ export async function expectReplay(page: Page): Promise<void> {
         }),
       );
     const step = async (name: 'Undo' | 'Redo'): Promise<boolean> => {
-      const buttons = [...document.querySelectorAll<HTMLButtonElement>('.toolbar button')];
-      const button = buttons.find(({ textContent }) => textContent === name)!;
+      const id = name.toLowerCase();
+      const button = document.querySelector<HTMLButtonElement>(`.top [data-command="${id}"]`)!;
       if (button.disabled) return false;
       button.click();
       await new Promise((resolve) => setTimeout(resolve));

@@ -17,6 +17,7 @@ import { type PmdVertices, vertexSize } from './vertices.ts';
 export function skeletonParts(
   file: string,
   bones: readonly PmdBone[],
+  englishNames: readonly string[] = [],
 ): NonNullable<CharacterParts['skeleton']> {
   const names = uniqueNames(
     bones.map(({ name }) => name),
@@ -29,6 +30,7 @@ export function skeletonParts(
     return {
       name: names[index]!,
       fileName: name,
+      ...englishNameOf(name, englishNames[index]),
       place: { offset: parentOffset },
       parent,
       restOffset: [head[0] - from[0], head[1] - from[1], head[2] - from[2]],
@@ -36,6 +38,11 @@ export function skeletonParts(
     };
   });
   return { file, joints };
+}
+
+/** A name in English that says the same as the other is none. */
+function englishNameOf(name: string, english = ''): Pick<JointParts, 'englishName'> {
+  return english === '' || english === name ? {} : { englishName: english };
 }
 
 /** The mesh has one normal and one texture coordinate per point. */

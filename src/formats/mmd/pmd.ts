@@ -63,7 +63,9 @@ export function readPmd(
     };
     return {
       fileSpace: mmdShape.handedness,
-      ...(bones.length > 0 ? { skeleton: skeletonParts(file, bones) } : {}),
+      ...(bones.length > 0
+        ? { skeleton: skeletonParts(file, bones, extras.mmd.english?.boneNames) }
+        : {}),
       ...(vertices.count > 0 ? { mesh: meshParts(file, vertices, faces, materials) } : {}),
       ...(isSkinned ? { skin: skinParts(file, vertices, bones.length, log, effect) } : {}),
       morphs: extras.morphs,

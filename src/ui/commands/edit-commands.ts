@@ -48,6 +48,7 @@ export const editCommands = [
   {
     id: 'reset-joint',
     label: 'Reset the joint',
+    short: 'Reset joint',
     keys: [{ key: 'r', shift: true }],
     context: 'joint',
     run: resetSelectedJoint,

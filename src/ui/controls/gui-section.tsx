@@ -9,11 +9,9 @@ import { addSliderRoles } from './slider-role.ts';
 /**
  * Returns a section whose numbers and switches are rows of lil-gui.
  *
- * @param add adds a folder, and returns what ends its effects if the section can be removed
+ * @param add adds a folder; it may return a function that ends its effects
  */
-export function guiSection(
-  add: (gui: GUI, editor: Editor) => void | (() => void),
-): SectionComponent {
+export function guiSection(add: (gui: GUI, editor: Editor) => unknown): SectionComponent {
   return function GuiSection({ editor }) {
     const container = useRef<HTMLDivElement>(null);
     useEffect(() => {
@@ -21,7 +19,7 @@ export function guiSection(
       const end = add(gui, editor);
       addSliderRoles(gui);
       return () => {
-        end?.();
+        if (typeof end === 'function') (end as () => void)();
         gui.destroy();
       };
     }, [editor]);

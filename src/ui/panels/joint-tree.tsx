@@ -11,6 +11,16 @@ export function JointTree({ editor }: { readonly editor: Looking & Actions }) {
   return <Tree key={skeleton.names.join()} editor={editor} skeleton={skeleton} />;
 }
 
+/** A longer tree begins with its upper levels alone. */
+const longTree = 120;
+const levelsAtFirst = 4;
+
+function foldedAtFirst({ jointCount, depths }: Skeleton): ReadonlySet<number> {
+  if (jointCount <= longTree) return new Set();
+  const joints = Array.from({ length: jointCount }, (_, joint) => joint);
+  return new Set(joints.filter((joint) => depths[joint]! >= levelsAtFirst - 1));
+}
+
 interface TreeProperties {
   readonly editor: Looking & Actions;
   readonly skeleton: Skeleton;
@@ -18,7 +28,7 @@ interface TreeProperties {
 
 function Tree({ editor, skeleton }: TreeProperties) {
   const [search, setSearch] = useState('');
-  const [folded, setFolded] = useState<ReadonlySet<number>>(new Set());
+  const [folded, setFolded] = useState<ReadonlySet<number>>(() => foldedAtFirst(skeleton));
   const [current, setCurrent] = useState(0);
   const list = useRef<HTMLUListElement>(null);
   const { selectedJoint } = editor.session;
@@ -115,6 +125,9 @@ function Tree({ editor, skeleton }: TreeProperties) {
               {row.hasChildren ? (row.isFolded ? '▸' : '▾') : ''}
             </span>
             {skeleton.names[row.joint]}
+            {skeleton.englishNames?.[row.joint] && (
+              <span class="english">{skeleton.englishNames[row.joint]}</span>
+            )}
           </li>
         ))}
       </ul>
