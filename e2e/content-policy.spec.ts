@@ -4,7 +4,7 @@ import { test, watchPolicy } from './support/test.ts';
 
 // These tests check the content security policy of the built page. Every other spec checks that the
 // page itself violates nothing.
-test.use({ viewport: { width: 760, height: 420 } });
+test.use({ viewport: { width: 960, height: 420 } });
 
 declare global {
   interface Window {

@@ -10,7 +10,7 @@ declare global {
 }
 
 // A small view is drawn faster, and its size does not matter here.
-test.use({ viewport: { width: 760, height: 420 } });
+test.use({ viewport: { width: 960, height: 420 } });
 
 const page = sharedPage((page) => openView(page, 'model=tube'));
 

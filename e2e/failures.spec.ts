@@ -14,7 +14,7 @@ test('a missing part, a picture that can’t be encoded and a folder that can’
   await openApp(page, 'model=tube');
 
   // These are all formats that can be written, as the registry lists them.
-  await page.getByRole('button', { name: 'File' }).click();
+  await page.getByRole('button', { name: 'File', exact: true }).click();
   const targets = page.getByRole('menuitem', { name: 'Save as' });
   await expect(targets).toHaveText(convertTargets.map((id) => `Save as ${labelOf(id)}`));
 

@@ -4,7 +4,7 @@ import { madeCharacter } from './support/made-character.ts';
 import { test } from './support/test.ts';
 
 // A small view is drawn faster, and its size does not matter here.
-test.use({ viewport: { width: 760, height: 420 } });
+test.use({ viewport: { width: 960, height: 420 } });
 
 const names = [
   '<img src=x onerror=alert(1)>',

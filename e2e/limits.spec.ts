@@ -4,7 +4,7 @@ import { madeCharacter } from './support/made-character.ts';
 import { test } from './support/test.ts';
 
 // A small view is drawn faster, and its size does not matter here.
-test.use({ viewport: { width: 760, height: 420 } });
+test.use({ viewport: { width: 960, height: 420 } });
 
 test('a character beyond the limits of the GPU is reported, and the page keeps working', async ({
   page,
@@ -45,7 +45,7 @@ test('without WebGL2 the page says what to do, and its panels work', async ({ pa
   await page.goto('./');
   await expect(page.locator('.message')).toContainText('WebGL2');
   await drop(page, madeCharacter(5, 2));
-  await expect(page.locator('.status')).toContainText('5 joints');
+  await expect(page.locator('.subject')).toContainText('5 joints');
   await page.evaluate(() => window.sinew.pose({ joints: { '#1': [0, 1, 0] } }));
   expect(await page.evaluate(() => window.sinew.vertices('cpu').length)).toBe(180);
   await page.getByRole('button', { name: 'Save pose' }).click();

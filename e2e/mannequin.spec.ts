@@ -151,7 +151,7 @@ test('the method of the course’s program is a setting, and gives another pose'
   const followed = await getPose(page());
   await page().keyboard.press('Escape');
   await page().mouse.up();
-  await controlRow(page(), 'A bone turns').locator('select').selectOption('As CS354’s program');
+  await controlRow(page(), 'Dragging').locator('select').selectOption('as in CS354');
   await drag(place, [-24, 0]);
   const course = await getPose(page());
   expect(await jointsChangedFrom(pose)).toEqual(['Right upper leg']);
@@ -159,7 +159,7 @@ test('the method of the course’s program is a setting, and gives another pose'
   await page().mouse.move(place.x, place.y, { steps: 2 });
   expect(await getPose(page())).toEqual(pose);
   await page().mouse.up();
-  await controlRow(page(), 'A bone turns').locator('select').selectOption('Under the pointer');
+  await controlRow(page(), 'Dragging').locator('select').selectOption('follows the pointer');
 });
 
 test('with one angle active, dragging its limb changes only that angle', async () => {

@@ -8,7 +8,7 @@ import { test } from './support/test.ts';
 
 // `npm run test:long -- million` opens a character of a million vertices, and measures how long the
 // page's main thread is busy meanwhile. The usual size shows that a large character works at all.
-test.use({ viewport: { width: 760, height: 420 } });
+test.use({ viewport: { width: 960, height: 420 } });
 
 const vertexCount = Number(process.env['MILLION_VERTICES'] ?? 20_000);
 const isLong = vertexCount >= 1_000_000;

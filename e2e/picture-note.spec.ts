@@ -6,7 +6,7 @@ import { bytesOf, drop, openApp, setPose } from './support/app.ts';
 import { madeCharacter } from './support/made-character.ts';
 import { sharedPage, test } from './support/test.ts';
 
-test.use({ viewport: { width: 760, height: 420 } });
+test.use({ viewport: { width: 960, height: 420 } });
 const page = sharedPage((page) => openApp(page, 'model=tube'));
 
 async function savedPicture(): Promise<Buffer> {

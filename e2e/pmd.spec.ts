@@ -140,7 +140,7 @@ test.describe('joints and bones', () => {
   });
 
   test('a ball joint has three angles, which stay as they were set', async () => {
-    await expect(page().locator('.selected-joint .note')).toHaveText(/^R = Rx · Ry · Rz,/);
+    await expect(page().locator('.joints .note')).toHaveText(/^R = Rx · Ry · Rz,/);
     await type('Y', '90°');
     await type('Z', '0.25');
     const x = await type('X', '4');

@@ -7,7 +7,7 @@ import { madeCharacter } from './support/made-character.ts';
 import { sharedPage, test } from './support/test.ts';
 
 // A small view is drawn faster, and its size does not matter here.
-test.use({ viewport: { width: 760, height: 420 } });
+test.use({ viewport: { width: 960, height: 420 } });
 
 const page = sharedPage((page) => openApp(page, 'model=tube'));
 const status = () => page().locator('.status strong');
@@ -30,7 +30,7 @@ test('the characters of an archive are added to the scene in one step of undo', 
   expect(await page().evaluate(() => window.sinew.problems)).toEqual([]);
   await expect(status()).toHaveText('made0');
   for (const name of ['made2', 'made0', 'made1']) {
-    await page().locator('.scene-list').getByRole('button', { name, exact: true }).click();
+    await page().locator('.actors').getByRole('button', { name, exact: true }).click();
     await expect(status()).toHaveText(name);
   }
   await page().getByRole('button', { name: 'Undo' }).click();
@@ -72,11 +72,12 @@ test('a slow opening shows its progress and can be stopped', async () => {
     await route.continue().catch(() => undefined); // the page may have canceled the request
   });
   const before = await status().textContent();
-  await page().getByRole('button', { name: 'Dog' }).click();
+  const opening = page().evaluate(() => window.sinew.open('dog'));
   await expect(page().locator('.progress')).toContainText('Loading Dog');
   await page().getByRole('button', { name: 'Cancel' }).click();
   await expect(page().locator('.progress')).toBeHidden();
   handOut();
+  await opening;
   await page().waitForTimeout(300);
   await expect(status()).toHaveText(before!);
 });

@@ -60,6 +60,11 @@ async function decode(download: Download): Promise<PNG> {
 /** Returns the pixels that the browser shows in place of the canvas. */
 async function shownPixels(page: Page): Promise<PNG> {
   await page.evaluate(() => window.sinew.settled());
+  // What lies over the picture is no part of it.
+  const overlay = page.locator('.overlay, .splitter');
+  await overlay.evaluateAll((parts: HTMLElement[]) => {
+    for (const part of parts) part.style.visibility = 'hidden';
+  });
   const canvas = page.locator('canvas');
   const box = (await canvas.boundingBox())!;
   const shown = PNG.sync.read(await page.screenshot({ clip: box, scale: 'device' }));

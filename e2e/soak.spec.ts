@@ -14,7 +14,7 @@ import { test } from './support/test.ts';
 
 // This uses the page at random. `npm run test:long -- soak --seed 3 --minutes 2` sets the seeds and
 // the length.
-test.use({ viewport: { width: 760, height: 420 } });
+test.use({ viewport: { width: 960, height: 420 } });
 
 const seeds = (process.env['SOAK_SEEDS'] ?? '1').split(',').map(Number);
 const seconds = 60 * Number(process.env['SOAK_MINUTES'] ?? 40 / 60);

@@ -7,7 +7,7 @@ import { test } from './support/test.ts';
 // These walks open, pose and capture a character with only one kind of input.
 
 // A small view is drawn faster, and its size does not matter here.
-test.use({ viewport: { width: 760, height: 420 } });
+test.use({ viewport: { width: 960, height: 420 } });
 
 async function focused(page: Page): Promise<string> {
   return page.evaluate(() => {

@@ -86,7 +86,7 @@ test('the page can open files without the catalogue', async ({ browser }) => {
   await alone.route('**/catalogue.json', (route) => route.fulfill({ status: 404 }));
   await openApp(alone);
   await expect(alone.locator('.notice')).toContainText('the server says 404');
-  await alone.getByRole('button', { name: 'File' }).click();
+  await alone.getByRole('button', { name: 'File', exact: true }).click();
   await expect(alone.getByRole('menuitem', { name: 'Open files…' })).toBeEnabled();
   expect(await alone.evaluate(() => window.sinew.characters)).toEqual([]);
   expect(thrown).toEqual([]);

@@ -13,7 +13,7 @@ const [joint, number] = ['Chest', '#1'];
 const bound = 2e-6;
 
 test.describe('a slider, on Model1', () => {
-  test.use({ viewport: { width: 860, height: 600 } });
+  test.use({ viewport: { width: 1000, height: 600 } });
   const page = sharedPage(async (page) => {
     await openApp(page, 'model=tube');
     await drop(page, model1Files());

@@ -14,13 +14,14 @@ import { writeObj } from '../formats/obj/write-obj.ts';
 import { poseToJson } from '../formats/write-pose-json.ts';
 import { copyText } from '../ui/copy-text.ts';
 import type { Drawer, Editor, Opening } from '../ui/editor.ts';
+import { createHints } from '../ui/hints.ts';
 import { focusJoint } from '../ui/focus-joint.ts';
 import { verifyShown } from '../view/verify.ts';
 import { download } from './download.ts';
 import { savePicture } from './save-picture.ts';
 
 /** Completes the opening to an editor with everything that the interface can ask for. */
-export function createEditor(opening: Opening): Editor {
+export function createEditor(opening: Opening, canvas: HTMLCanvasElement): Editor {
   const { store, session, evaluations, viewer, notice } = opening;
   const selected = () => selectedActor(store, session);
 
@@ -31,6 +32,7 @@ export function createEditor(opening: Opening): Editor {
     dialog: signal(null),
     letterKeys: signal(true),
     tab: signal('pose'),
+    hints: createHints(canvas, opening),
     drawer: signal<Drawer | null>(null),
     fileExtensions: [...new Set([...readableExtensions, '.json', '.png'])],
 

@@ -4,6 +4,7 @@ import type { Viewer } from '../view/viewer.ts';
 export interface Layout {
   readonly root: HTMLElement;
   readonly top: HTMLElement;
+  readonly view: HTMLElement;
   readonly canvas: HTMLCanvasElement;
   readonly left: HTMLElement;
   readonly right: HTMLElement;
@@ -41,6 +42,7 @@ export function createLayout(root: HTMLElement): Layout {
   return {
     root,
     top,
+    view,
     canvas,
     left,
     right,

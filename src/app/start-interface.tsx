@@ -32,7 +32,7 @@ export function startInterface(
 ): Scripting {
   opening.viewer.passes.value = passes;
   if (drafts) opening.viewer.pace = createPace(opening.session);
-  const editor = createEditor(opening);
+  const editor = createEditor(opening, layout.canvas);
   render(<TopBar editor={editor} />, layout.top);
   render(<Sections editor={editor} place="left" />, layout.left);
   render(<Sections editor={editor} place="right" />, layout.right);
@@ -40,8 +40,8 @@ export function startInterface(
   render(<ViewOverlay editor={editor} />, layout.overlay);
   render(<Sections editor={editor} place="foot" />, layout.foot);
   render(<Dialogs editor={editor} />, layout.dialogs);
-  addSplitter(layout.root, layout.left, 'left');
-  addSplitter(layout.root, layout.right, 'right');
+  addSplitter(layout, 'left');
+  addSplitter(layout, 'right');
   listenToKeys(editor);
   runClock(editor.session, editor.transport);
   listenToPointer(layout.canvas, editor);

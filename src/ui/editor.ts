@@ -10,6 +10,7 @@ import type { FileEntry } from '../formats/format.ts';
 import type { ReadCharacter, ReadProgress } from '../formats/read-characters.ts';
 import type { PictureFormat } from '../view/picture.ts';
 import type { CaptureSize, Viewer } from '../view/viewer.ts';
+import type { Hint } from './hints.ts';
 import type { TabId } from './tabs.ts';
 import type { Workspace, WorkspaceId } from './workspace.ts';
 
@@ -116,6 +117,8 @@ export interface PageState {
   /** Whether single-letter keys act; users of speech input, for example, may turn them off. */
   readonly letterKeys: Signal<boolean>;
   readonly tab: Signal<TabId>;
+  /** What this visitor may not know yet. */
+  readonly hints: ReadonlySignal<readonly Hint[]>;
   readonly drawer: Signal<Drawer | null>;
   /** The file extensions that the file dialog offers. */
   readonly fileExtensions: readonly string[];

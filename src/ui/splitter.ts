@@ -1,14 +1,24 @@
+import { keepValue, keptValue } from './kept.ts';
+
 /** The limits of a panel's width, in CSS pixels. */
 const [least, most] = [180, 560];
 const keyStep = 16;
 
+interface Parts {
+  /** Gets the width as the custom property `--kept-left` or `--kept-right`. */
+  readonly root: HTMLElement;
+  /** Holds the edges of the panels on both sides. */
+  readonly view: HTMLElement;
+  readonly left: HTMLElement;
+  readonly right: HTMLElement;
+}
+
 /**
  * Lets the width of a panel be changed by dragging its inner edge, or by arrow keys while the edge
  * has the focus; a double click restores it. The width is kept for the next visit.
- *
- * @param root gets the width as the custom property `--kept-left` or `--kept-right`
  */
-export function addSplitter(root: HTMLElement, panel: HTMLElement, side: 'left' | 'right'): void {
+export function addSplitter({ root, view, left, right }: Parts, side: 'left' | 'right'): void {
+  const panel = side === 'left' ? left : right;
   const edge = document.createElement('div');
   edge.className = `splitter ${side}`;
   edge.tabIndex = 0;
@@ -17,8 +27,8 @@ export function addSplitter(root: HTMLElement, panel: HTMLElement, side: 'left' 
   edge.setAttribute('aria-label', `Width of ${panel.getAttribute('aria-label') ?? side}`);
   edge.setAttribute('aria-valuemin', String(least));
   edge.setAttribute('aria-valuemax', String(most));
-  root.append(edge);
-  const key = `sinew ${side}`;
+  view.append(edge);
+  const key = `width of ${side}`;
   const toward = side === 'left' ? 1 : -1;
 
   const show = (width: number): void => {
@@ -61,21 +71,4 @@ export function addSplitter(root: HTMLElement, panel: HTMLElement, side: 'left' 
     show(panel.offsetWidth + toward * step);
     keep();
   });
-}
-
-/** What an earlier visit kept; nothing where the browser keeps nothing. */
-function keptValue(key: string): string {
-  try {
-    return localStorage.getItem(key) ?? '';
-  } catch {
-    return '';
-  }
-}
-
-function keepValue(key: string, value: string): void {
-  try {
-    localStorage.setItem(key, value);
-  } catch {
-    // The width holds for this visit alone.
-  }
 }

@@ -3,6 +3,7 @@ import type { GUI } from 'lil-gui';
 import type { Character } from '../../core/character.ts';
 import type { ActorId } from '../../document/scene.ts';
 import type { Editor } from '../editor.ts';
+import { addCommandRow } from './command-row.ts';
 import { JointFolder } from './joint-folder.ts';
 import { addNote } from './note.ts';
 import { rotationOrder } from './rotation-order.ts';
@@ -24,6 +25,10 @@ export function addAllJointsFolder(
   const joints = gui.addFolder('All joints');
   joints.domElement.classList.add('joints');
   if (!first) joints.close();
+  else {
+    addCommandRow(gui, editor, 'previous-joint');
+    addCommandRow(gui, editor, 'next-joint');
+  }
   let folders: JointFolder[] = [];
   let shown: Character | null = null;
   /**

@@ -3,6 +3,7 @@ import { setLook } from '../../document/edits.ts';
 import type { Actor } from '../../document/scene.ts';
 import { clayColors } from '../../view/theme.ts';
 import type { Editor } from '../editor.ts';
+import { hintAt } from '../hints.ts';
 import { CommandButton } from './command-button.tsx';
 import { Icon } from './icon.tsx';
 
@@ -10,6 +11,7 @@ import { Icon } from './icon.tsx';
 export function Outliner({ editor }: { readonly editor: Editor }) {
   const { actors } = editor.store.scene.value;
   const { drawer } = editor;
+  const hint = hintAt(editor.hints.value, 'outliner');
   const names = numberedNames(actors.map(({ character }) => character.name));
   return (
     <section class="outliner" aria-labelledby="characters-title">
@@ -32,9 +34,7 @@ export function Outliner({ editor }: { readonly editor: Editor }) {
           <ActorRow key={actor.id} editor={editor} actor={actor} name={names[index]!} />
         ))}
       </ul>
-      {actors.length === 0 && (
-        <p class="hint">Drop files anywhere, or add a character. Files never leave this machine.</p>
-      )}
+      {hint && <p class="hint">{hint.text}; they never leave this machine.</p>}
     </section>
   );
 }

@@ -5,6 +5,7 @@ import { kernelById, kernelOf } from '../../skinning/registry.ts';
 import { ancestorsOf } from '../joint-rows.ts';
 import { formatDegrees } from '../angle-text.ts';
 import type { Editor, Looking, Posing } from '../editor.ts';
+import { hintAt } from '../hints.ts';
 import { CommandButton } from './command-button.tsx';
 import { ViewControls } from './view-controls.tsx';
 
@@ -22,10 +23,18 @@ export function ViewOverlay({ editor }: { readonly editor: Editor }) {
       <ProgressBox editor={editor} />
       <ViewMessage editor={editor} />
       <ComparedMethods editor={editor} />
+      <ViewHint editor={editor} />
       <ActiveDofText editor={editor} />
       <LitBoneLabel editor={editor} />
     </>
   );
+}
+
+/** What a newcomer may try next in the view; it goes once that was done. */
+function ViewHint({ editor: { hints, store, session } }: { readonly editor: Editor }) {
+  const hint = hintAt(hints.value, 'view');
+  const isQuiet = session.activeDof.value === null && store.scene.value.actors.length > 0;
+  return hint && isQuiet ? <p class="view-hint">{hint.text}</p> : null;
 }
 
 function ProgressBox({ editor }: { readonly editor: Editor }) {
