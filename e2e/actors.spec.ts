@@ -41,7 +41,7 @@ test('characters of three formats stand side by side, and each is posed and undo
   await list().nth(0).click();
   expect(await selected()).toBe('human');
   const posed = await setPose(page(), { joints: { Head: [0.3, 0.4, 0] } });
-  await choose(page(), 'Method', 'Rigid parts');
+  await choose(page(), 'Method', 'Rigid parts · rigid');
   await list().nth(1).click();
   await expect(page().locator('.status')).not.toContainText('Rigid parts');
   await list().nth(0).click();

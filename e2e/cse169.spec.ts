@@ -34,8 +34,8 @@ test('the workspace shows boxes, and its normals are the course’s on both the 
   expect(await drawnOf(page())).toEqual(['Skeleton']);
   await expect(controlRow(page(), 'Skeleton as').locator('option:checked')).toHaveText('Boxes');
   const chosen = (row: string) => controlRow(page(), row).locator('option:checked');
-  await expect(chosen('Method')).toHaveText('Linear blend (SSD)');
-  await expect(chosen('Normals')).toHaveText('By each joint (CSE169)');
+  await expect(chosen('Method')).toHaveText('Linear blend (SSD) · lbs');
+  await expect(chosen('Normals')).toHaveText('per joint (CSE169)');
   await expect(page().locator('.status')).toContainText('Linear blend, CSE169 normals');
   expect(await verify(page())).toMatchObject({ identical: true, bindError: null });
 });
@@ -133,10 +133,10 @@ test('a clip plays, pauses and steps; an edit starts from its pose and unbinds i
   const edited = await getPose(page());
   expect(edited).toEqual({ ...shown, joints: { ...shown.joints, head: edited.joints!['head'] } });
   expect(edited.joints!['head']![1]).toBe(0.1);
-  await expect(timeline().getByRole('button', { name: 'Own pose' })).toBeDisabled();
+  await expect(timeline().getByRole('button', { name: 'Release the clip' })).toBeDisabled();
   await page().keyboard.press('Control+z');
   expect(await getPose(page())).toEqual(shown);
-  await timeline().getByRole('button', { name: 'Own pose' }).click();
+  await timeline().getByRole('button', { name: 'Release the clip' }).click();
   expect(await getPose(page())).toEqual(own);
 });
 
@@ -149,7 +149,7 @@ test('the range of a clip has its modes, and the curves shown are those of the s
     .locator('svg')
     .click({ position: { x: 200, y: 20 } });
   expect(await clipTime()).toBeGreaterThan(0);
-  await timeline().getByRole('button', { name: 'Own pose' }).click();
+  await timeline().getByRole('button', { name: 'Release the clip' }).click();
 });
 
 test('in the timeline the arrows step, and Home and End seek, wherever the focus is', async () => {
@@ -188,7 +188,7 @@ test('dropping files again keeps shape, clip and time, and the clip plays on', a
   await drop(page(), [{ name: 'insect.png', content: image }]);
   const time = await clipTime();
   await expect.poll(clipTime).not.toBe(time);
-  await timeline().getByRole('button', { name: 'Own pose' }).click();
+  await timeline().getByRole('button', { name: 'Release the clip' }).click();
   await page().getByRole('button', { name: 'Reset all' }).click();
 });
 

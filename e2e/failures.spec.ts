@@ -28,10 +28,10 @@ test('a missing part, a picture that can’t be encoded and a folder that can’
     await page.route(/\/rigid-/, (route) => route.fulfill({ status: 404, body: 'gone' }));
     await openTab(page, 'deform');
     // `choose` would wait for the method.
-    await controlRow(page, 'Method').locator('select').selectOption('Rigid parts');
+    await controlRow(page, 'Method').locator('select').selectOption('Rigid parts · rigid');
     await expect(notice(page)).toHaveText(/could not be loaded; reload the page/);
     await expect(page.locator('.status')).toContainText('Linear blend (SSD), in place of Rigid');
-    await choose(page, 'Method', 'Linear blend (SSD)');
+    await choose(page, 'Method', 'Linear blend (SSD) · lbs');
     await page.evaluate(() => window.sinew.open('insect'));
     await expect(page.locator('.status strong')).toHaveText(/insect/i);
   });

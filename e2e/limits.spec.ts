@@ -50,6 +50,6 @@ test('without WebGL2 the page says what to do, and its panels work', async ({ pa
   expect(await page.evaluate(() => window.sinew.vertices('cpu').length)).toBe(180);
   await page.getByRole('button', { name: 'Save pose' }).click();
   await openTab(page, 'deform');
-  await page.getByRole('button', { name: 'Verify' }).click();
+  await page.getByRole('button', { name: 'Compare GPU with CPU' }).click();
   await expect(page.locator('.notice')).toContainText('nothing on the GPU');
 });

@@ -1,5 +1,5 @@
 import type { PoseJson } from '../src/formats/pose-json.ts';
-import { kernelById } from '../src/skinning/registry.ts';
+import { kernelById, menuName } from '../src/skinning/registry.ts';
 import { capture, choose, openView, setPose, startOver } from './support/app.ts';
 import { expectPicture } from './support/pictures.ts';
 import { sharedPage, test } from './support/test.ts';
@@ -51,7 +51,7 @@ const scenes: Readonly<Record<string, Scene>> = {
   'human-both': { keys: ['s', 's'] },
   'human-axes': { pose: {}, keys: ['s', 'a', 'ArrowRight', 'ArrowUp'] },
   'human-hard-pose': { pose: hardPose, keys: ['Home'] },
-  'human-rigid': { pose: hardPose, method: kernelById('rigid').label, keys: ['Home'] },
+  'human-rigid': { pose: hardPose, method: menuName(kernelById('rigid')), keys: ['Home'] },
   'human-translucent': { keys: ['s', 's', 't'] },
   'two-methods': { pose: hardPose, keys: ['Home', 'x'] },
   'three-actors': { added: ['dog', 'insect'], time: 0.8, keys: ['s', 's', ']'] },

@@ -1,5 +1,5 @@
 import { expect } from '@playwright/test';
-import { kernelById } from '../src/skinning/registry.ts';
+import { kernelById, menuName } from '../src/skinning/registry.ts';
 import type { Verification } from '../src/document/verification.ts';
 import { capture, choose, openSmallView, verify } from './support/app.ts';
 import { allowFaults, plantFault, plantedTexts, type Replacement } from './support/plant-fault.ts';
@@ -83,11 +83,11 @@ for (const [name, replacements] of Object.entries(normalFaults)) {
 }
 
 test('finds a fault in the rigid method: the last joint instead of the heaviest', async () => {
-  await choose(page(), 'Method', kernelById('rigid').label);
+  await choose(page(), 'Method', menuName(kernelById('rigid')));
   const found = await verifyWith([['weight > heaviestWeight', 'weight > 0.0']]);
   expect(found.identical).toBe(false);
   expect(found.position).toBeGreaterThan(clearly);
-  await choose(page(), 'Method', kernelById('linear-blend').label);
+  await choose(page(), 'Method', menuName(kernelById('linear-blend')));
 });
 
 test('the vertices that verify reads are those that are drawn', async () => {

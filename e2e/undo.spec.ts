@@ -1,5 +1,5 @@
 import { expect } from '@playwright/test';
-import { kernelById } from '../src/skinning/registry.ts';
+import { kernelById, menuName } from '../src/skinning/registry.ts';
 import {
   choose,
   controlRow,
@@ -84,7 +84,7 @@ test('undo and redo restore poses that were set, reset in part or as a whole', a
 
 test('undo and redo restore the method and the use of weights', async () => {
   const shape = await vertices(page(), 'gpu');
-  await choose(page(), 'Method', kernelById('rigid').label);
+  await choose(page(), 'Method', menuName(kernelById('rigid')));
   await expect(page().locator('.status')).toContainText(kernelById('rigid').label);
   expect(await vertices(page(), 'gpu')).not.toEqual(shape);
   await controlRow(page(), 'Normalize weights').getByRole('checkbox').check();

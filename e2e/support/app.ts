@@ -2,7 +2,7 @@ import { expect, type JSHandle, type Locator, type Page } from '@playwright/test
 import type { SkinDevice } from '../../src/document/session.ts';
 import type { PoseJson } from '../../src/formats/pose-json.ts';
 import type { KernelId } from '../../src/skinning/method.ts';
-import { deformationOf, methods, normalWays } from '../../src/skinning/registry.ts';
+import { deformationOf, menuName, methods, normalWays } from '../../src/skinning/registry.ts';
 import { type TabId, tabs } from '../../src/ui/tabs.ts';
 import type { PictureFormat } from '../../src/view/picture.ts';
 import type { Verification } from '../../src/document/verification.ts';
@@ -194,7 +194,7 @@ export async function choose(page: Page, row: string, option: string): Promise<v
 /** Sets the selected character's method and normals to those of a kernel. */
 export async function chooseKernel(page: Page, id: KernelId): Promise<void> {
   const { method, normals } = deformationOf(id);
-  await choose(page, 'Method', methods.find((each) => each.id === method)!.label);
+  await choose(page, 'Method', menuName(methods.find((each) => each.id === method)!));
   await choose(page, 'Normals', normalWays.find((each) => each.id === normals)!.label);
 }
 

@@ -14,7 +14,7 @@ import { readPoseJson } from '../formats/read-pose-json.ts';
 import {
   defaultDeformation,
   deformationOf,
-  isKernelId,
+  kernelNamed,
   kernelOf,
   methods,
   normalWays,
@@ -26,7 +26,7 @@ import { parseWords } from './parse-words.ts';
 import { UsageError } from './usage-error.ts';
 import { wasmKernel } from './wasm-kernel.ts';
 
-const methodIds = methods.map(({ id }) => id).join('|');
+const methodIds = methods.map(({ short }) => short).join('|');
 const normalsIds = normalWays.map(({ id }) => id).join('|');
 
 /**
@@ -79,8 +79,9 @@ function parseOptions(words: readonly string[]) {
   const { pose: posePath, method, normals, out, normalize } = values;
   if (files.length === 0) throw new UsageError('expected files, found none');
   if (posePath === undefined) throw new UsageError('expected --pose POSE.json');
-  // The name of a kernel such as `joint-normals` stands for its method and its way of normals.
-  if (method !== undefined && !isKernelId(method))
+  // The id of a kernel such as `joint-normals` stands for its method and its way of normals.
+  const kernel = method === undefined ? undefined : kernelNamed(method);
+  if (method !== undefined && !kernel)
     throw new UsageError(`expected ${methodIds}, found "${method}"`);
   const way = normalWays.find(({ id }) => id === normals)?.id;
   if (normals !== undefined && !way)
@@ -90,7 +91,7 @@ function parseOptions(words: readonly string[]) {
     throw new UsageError('expected --out with a name that ends in .obj or .f32');
   }
   const keepFileSpace = values['keep-file-space'];
-  return { files, pose: posePath, method, normals: way, normalize, keepFileSpace, out };
+  return { files, pose: posePath, method: kernel?.id, normals: way, normalize, keepFileSpace, out };
 }
 
 function readPose(

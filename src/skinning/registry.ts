@@ -11,6 +11,8 @@ import type { KernelId, MethodId, SkinningMethod } from './method.ts';
 export interface KernelRow<Id extends KernelId = KernelId> {
   readonly id: Id;
   readonly label: string;
+  /** What one types for it, beside its id. */
+  readonly short: string;
   /** The paper or text that defines it. */
   readonly source: string;
   readonly load: () => Promise<SkinningMethod<Id>>;
@@ -19,6 +21,7 @@ export interface KernelRow<Id extends KernelId = KernelId> {
 const linearBlendRow: KernelRow<'linear-blend'> = {
   id: 'linear-blend',
   label: 'Linear blend (SSD)',
+  short: 'lbs',
   source:
     '6.837 handout, part 4; Magnenat-Thalmann et al. 1988, "Joint-dependent local deformations"',
   // It replaces other kernels while they load, so it must always be available.
@@ -28,6 +31,7 @@ const linearBlendRow: KernelRow<'linear-blend'> = {
 const jointNormalsRow: KernelRow<'joint-normals'> = {
   id: 'joint-normals',
   label: 'Linear blend, CSE169 normals',
+  short: 'lbs169',
   source: 'UCSD CSE169, project 2: skin',
   load: async () => (await loadPart(import('./joint-normals.ts'))).jointNormals,
 };
@@ -35,6 +39,7 @@ const jointNormalsRow: KernelRow<'joint-normals'> = {
 const rigidRow: KernelRow<'rigid'> = {
   id: 'rigid',
   label: 'Rigid parts',
+  short: 'rigid',
   source: '6.837 handout, part 4, the figure of two meshes that collide at a joint',
   load: async () => (await loadPart(import('./rigid.ts'))).rigid,
 };
@@ -47,8 +52,8 @@ export const methods: readonly KernelRow<MethodId>[] = [linearBlendRow, rigidRow
 
 /** Every way of transforming normals, as shown in the interface. */
 export const normalWays: readonly { readonly id: NormalsId; readonly label: string }[] = [
-  { id: 'blended', label: 'By the blended matrix' },
-  { id: 'joints', label: 'By each joint (CSE169)' },
+  { id: 'blended', label: 'blended' },
+  { id: 'joints', label: 'per joint (CSE169)' },
 ];
 
 /** How a character is deformed: a method and a way of normals. */
@@ -80,6 +85,12 @@ export function kernelById(id: KernelId): KernelRow {
   return kernel;
 }
 
-export function isKernelId(id: string): id is KernelId {
-  return kernels.some((kernel) => kernel.id === id);
+/** The kernel with this id or short name, if there is one. */
+export function kernelNamed(name: string): KernelRow | undefined {
+  return kernels.find(({ id, short }) => name === id || name === short);
+}
+
+/** The long name with the short one behind it. */
+export function menuName({ label, short }: KernelRow): string {
+  return `${label} · ${short}`;
 }

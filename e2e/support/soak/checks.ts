@@ -18,7 +18,7 @@ export async function comeToRest(page: Page): Promise<void> {
       window.sinew.select(id);
       await new Promise((resolve) => setTimeout(resolve));
       // Pause would bind a clip to an actor that has none bound.
-      if (button('Own pose')?.disabled === false) button('Pause')?.click();
+      if (button('Release the clip')?.disabled === false) button('Pause')?.click();
     }
   });
 }

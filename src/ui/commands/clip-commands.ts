@@ -56,7 +56,7 @@ export const clipCommands = [
   },
   {
     id: 'release-clip',
-    label: 'Own pose: unbind the clip',
+    label: 'Release the clip',
     isEnabled: ({ transport }) => transport.isBound,
     run: ({ transport }) => transport.release(),
   },

@@ -60,8 +60,7 @@ export const fileCommands = [
   },
   {
     id: 'verify',
-    label: 'Verify the numbers of the GPU',
-    short: 'Verify',
+    label: 'Compare GPU with CPU',
     run: (editor) => editor.verify(),
   },
   {

@@ -5,7 +5,7 @@ import { selectedActor } from '../../document/selected-actor.ts';
 import type { Session, SkinDevice } from '../../document/session.ts';
 import type { NormalsId } from '../../core/skin.ts';
 import type { KernelId, MethodId } from '../../skinning/method.ts';
-import { kernels, methods, normalWays } from '../../skinning/registry.ts';
+import { type KernelRow, kernels, menuName, methods, normalWays } from '../../skinning/registry.ts';
 import type { Editor } from '../editor.ts';
 import { watch } from '../watch.ts';
 import { addCommandRow } from './command-row.ts';
@@ -50,12 +50,16 @@ export function addSkinFolder(gui: GUI, editor: Editor): void {
       session.skinDevice.value = device;
     },
   };
+  const kernelChoices = <Id extends KernelId>(rows: readonly KernelRow<Id>[]) =>
+    Object.fromEntries(rows.map((row) => [menuName(row), row.id]));
   const choicesOf = <T>(rows: readonly { readonly label: string; readonly id: T }[]) =>
     Object.fromEntries(rows.map(({ label, id }) => [label, id]));
   const rows = [
-    folder.add(bound, 'method', choicesOf(methods)).name('Method'),
+    folder.add(bound, 'method', kernelChoices(methods)).name('Method'),
     folder.add(bound, 'normals', choicesOf(normalWays)).name('Normals'),
-    folder.add(bound, 'compared', { Nothing: 'none', ...choicesOf(kernels) }).name('Compare with'),
+    folder
+      .add(bound, 'compared', { Nothing: 'none', ...kernelChoices(kernels) })
+      .name('Compare with'),
     folder.add(bound, 'device', { GPU: 'gpu', CPU: 'cpu' }).name('Computed on'),
     folder.add(bound, 'normalize').name('Normalize weights'),
   ];
