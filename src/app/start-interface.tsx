@@ -11,6 +11,7 @@ import { Sections } from '../ui/panels/sections.tsx';
 import { TopBar } from '../ui/panels/top-bar.tsx';
 import { ViewOverlay } from '../ui/panels/view-overlay.tsx';
 import { listenToPointer } from '../ui/pointer.ts';
+import { addSheetHandle } from '../ui/sheet-handle.ts';
 import { addSplitter } from '../ui/splitter.ts';
 import { createPace } from '../view/frame-pace.ts';
 import { passes } from '../view/passes/registry.ts';
@@ -42,6 +43,7 @@ export function startInterface(
   render(<Dialogs editor={editor} />, layout.dialogs);
   addSplitter(layout, 'left');
   addSplitter(layout, 'right');
+  addSheetHandle(layout.root, editor);
   listenToKeys(editor);
   runClock(editor.session, editor.transport);
   listenToPointer(layout.canvas, editor);

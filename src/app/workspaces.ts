@@ -17,6 +17,7 @@ export const workspaces: readonly Workspace[] = [
     id: 'studio',
     label: 'Studio',
     listsJoints: false,
+    showsBones: false,
     camera: {
       target: [0, 0.5, 0],
       distance: 2.4,
@@ -33,6 +34,7 @@ export const workspaces: readonly Workspace[] = [
     label: '6.837',
     format: 'mit',
     listsJoints: true,
+    showsBones: false,
     // The camera of the course's program looks at the middle of a character 0.9 tall from a
     // distance of 1.5.
     camera: {
@@ -51,6 +53,7 @@ export const workspaces: readonly Workspace[] = [
     label: 'CSE169',
     format: 'cse169',
     listsJoints: true,
+    showsBones: false,
     camera: {
       target: [0, 0.5, 0],
       distance: 2.4,
@@ -67,6 +70,7 @@ export const workspaces: readonly Workspace[] = [
     label: 'Mannequin',
     format: 'mmd',
     listsJoints: false,
+    showsBones: true,
     camera: {
       target: [0, 0.5, 0],
       distance: 2.4,

@@ -10,6 +10,7 @@ import { Outliner } from './panels/outliner.tsx';
 import { StatusLine } from './panels/status-line.tsx';
 import { Subject } from './panels/subject.tsx';
 import type { TabId } from './tabs.ts';
+import type { Workspace } from './workspace.ts';
 
 export type SectionComponent = FunctionComponent<{ readonly editor: Editor }>;
 
@@ -104,7 +105,8 @@ export const sections: readonly Section[] = [
     id: 'bone',
     place: 'right',
     tabs: ['pose', 'deform'],
-    when: (editor) => jointCount(editor) > 1,
+    when: (editor) =>
+      jointCount(editor) > 1 && (editor.tab.value === 'deform' || workspaceOf(editor).showsBones),
     load: async () => (await loadPart(import('./panels/bone-panel.tsx'))).BonePanel,
   },
   {
@@ -155,8 +157,12 @@ const openJoints = guiSection((gui, editor) => addAllJointsFolder(gui, editor, {
 const foldedJoints = guiSection((gui, editor) => addAllJointsFolder(gui, editor, { first: false }));
 
 /** Whether the workspace shows the numbers of all joints at once, instead of the selected one's. */
-function listsJoints({ workspaces, workspaceId }: Editor): boolean {
-  return workspaces.find(({ id }) => id === workspaceId.value)?.listsJoints === true;
+function listsJoints(editor: Editor): boolean {
+  return workspaceOf(editor).listsJoints;
+}
+
+function workspaceOf({ workspaces, workspaceId }: Editor): Workspace {
+  return workspaces.find(({ id }) => id === workspaceId.value)!;
 }
 
 function jointCount({ store, session }: Editor): number {

@@ -16,6 +16,8 @@ export interface Workspace {
   readonly format?: FormatId;
   /** Whether the inspector shows the numbers of all joints at once. */
   readonly listsJoints: boolean;
+  /** Whether posing has the facts about the selected bone at hand. */
+  readonly showsBones: boolean;
   readonly look: Look;
   /** How the selected character and new ones are drawn. */
   readonly actorLook: Partial<ActorLook>;
