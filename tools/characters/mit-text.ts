@@ -16,6 +16,14 @@ export interface ObjPart {
   readonly faces: readonly (readonly (readonly [position: number, texture: number])[])[];
 }
 
+/** A material of a `.mtl`: a color in sRGB, a highlight, an image; without a color it is clay. */
+export interface Material {
+  readonly name: string;
+  readonly color?: Vector3;
+  readonly gloss?: readonly [strength: number, exponent: number];
+  readonly texture?: string;
+}
+
 /** Weights are stored as whole ten-thousandths, so that a row can sum to exactly 1. */
 const WEIGHT_STEPS = 10_000;
 
@@ -41,8 +49,8 @@ export function skelText(offsets: readonly Vector3[], parents: readonly number[]
  * Writes five decimals of a meter and four of the texture's side, which is finer than anyone can
  * see.
  */
-export function objText(mesh: ObjMesh): string {
-  const lines: string[] = [];
+export function objText(mesh: ObjMesh, library?: string): string {
+  const lines = library === undefined ? [] : [`mtllib ${library}`];
   for (const position of mesh.positions) {
     lines.push(`v ${position.map((value) => fixed(value, 5)).join(' ')}`);
   }
@@ -55,6 +63,17 @@ export function objText(mesh: ObjMesh): string {
       lines.push(`f ${face.map(([at, texture]) => `${at + 1}/${texture + 1}`).join(' ')}`);
     }
   }
+  return `${lines.join('\n')}\n`;
+}
+
+/** Writes a material library. */
+export function mtlText(materials: readonly Material[]): string {
+  const lines = materials.flatMap(({ name, color, gloss, texture }) => [
+    `newmtl ${name}`,
+    ...(color ? [`Kd ${color.join(' ')}`] : []),
+    ...(gloss ? [`Ks ${gloss[0]} ${gloss[0]} ${gloss[0]}`, `Ns ${gloss[1]}`] : []),
+    ...(texture === undefined ? [] : [`map_Kd ${texture}`]),
+  ]);
   return `${lines.join('\n')}\n`;
 }
 

@@ -1,6 +1,6 @@
 import { join } from 'node:path';
 import { writeGzipText } from './gzip-file.ts';
-import { attachText, objText, skelText, type ObjMesh } from './mit-text.ts';
+import { attachText, objText, mtlText, skelText, type Material, type ObjMesh } from './mit-text.ts';
 import { subtract, type Vector3 } from './vector.ts';
 
 interface CharacterText {
@@ -11,11 +11,12 @@ interface CharacterText {
   readonly obj: ObjMesh;
   /** A row of `roundWeights` for each vertex, without a column for joint 0. */
   readonly rows: readonly (readonly number[])[];
+  readonly materials?: readonly Material[];
 }
 
-/** Writes `NAME/NAME.skel.gz`, `.obj.gz` and `.attach.gz` and prints their sizes. */
+/** Writes `NAME/NAME.skel.gz`, `.obj.gz`, `.mtl.gz` and `.attach.gz` and prints their sizes. */
 export function writeCharacter(dataFolder: string, name: string, text: CharacterText): void {
-  const { joints, parents, obj, rows } = text;
+  const { joints, parents, obj, rows, materials } = text;
   const offsets = joints.map((joint, index) => {
     const parent = parents[index]!;
     return parent < 0 ? joint : subtract(joint, joints[parent]!);
@@ -25,6 +26,7 @@ export function writeCharacter(dataFolder: string, name: string, text: Character
     console.log(`${name}.${ending}.gz: ${writeGzipText(path, content)} bytes`);
   };
   write('skel', skelText(offsets, parents));
-  write('obj', objText(obj));
+  write('obj', objText(obj, materials && `${name}.mtl`));
+  if (materials) write('mtl', mtlText(materials));
   write('attach', attachText(rows));
 }
