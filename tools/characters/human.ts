@@ -12,8 +12,7 @@ import {
   readRigWeights,
   type BaseMesh,
 } from './makehuman-source.ts';
-import { roundWeights } from './mit-text.ts';
-import { packMesh, type Face } from './pack-mesh.ts';
+import type { Face } from './pack-mesh.ts';
 import type { Vector3 } from './vector.ts';
 import { writeCharacter } from './write-character.ts';
 
@@ -94,7 +93,8 @@ export function makeHuman(sourceFolder: string, dataFolder: string): void {
     mirror: readMirror(sourceFolder),
   };
   const parts = Array.from(dress(base, mesh), ([name, faces]) => ({ name, faces }));
-  const { obj, sourceVertex } = packMesh({ ...mesh, parts });
-  const rows = sourceVertex.map((vertex) => roundWeights(mesh.weights[vertex]!));
-  writeCharacter(dataFolder, 'human', { joints, parents, obj, rows, materials: MATERIALS });
+  writeCharacter(dataFolder, 'human', {
+    ...{ joints, parents, mesh: { ...mesh, parts }, materials: MATERIALS },
+    weightsOf: (vertex) => mesh.weights[vertex]!,
+  });
 }

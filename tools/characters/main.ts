@@ -13,7 +13,9 @@ const USAGE = `usage: main.ts tube
        main.ts dog FOLDER     FOLDER is dm_control/suite of the Python package dm-control 1.0.50`;
 
 const dataFolder = join(import.meta.dirname, '../../public/data');
-const makers = new Map([
+type Maker = (sourceFolder: string, dataFolder: string) => void | Promise<void>;
+
+const makers = new Map<string, Maker>([
   ['human', makeHuman],
   ['hand', makeHand],
   ['dog', makeDog],
@@ -30,7 +32,7 @@ const makeOwn = ownMakers.get(character);
 if (makeOwn !== undefined) {
   makeOwn(dataFolder);
 } else if (make !== undefined && sourceFolder !== undefined) {
-  make(sourceFolder, dataFolder);
+  await make(sourceFolder, dataFolder);
 } else {
   console.error(USAGE);
   process.exitCode = 2;
