@@ -10,8 +10,8 @@ import { solvePerson } from './meeting/person.ts';
 import { add, type Vector3 } from './vector.ts';
 
 /** Where the paw lies in the hand, in the spaces of the person and of the dog, in meters. */
-const IN_HAND: Vector3 = [-0.1, 0.4, 0.56];
-const IN_PAW: Vector3 = [0.07, 0.4, 0.62];
+const IN_HAND: Vector3 = [-0.1, 0.41, 0.56];
+const IN_PAW: Vector3 = [0.07, 0.41, 0.64];
 
 const PERSON_FACE: Vector3 = [0, 1.16, 0.42];
 const DOG_FACE: Vector3 = [0, 0.8, 0.5];

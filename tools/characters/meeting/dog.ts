@@ -28,8 +28,8 @@ const first: PoseJson = {
     'Lower jaw': [-0.2, 0, 0],
     ...Object.fromEntries(TAIL.map((joint, index) => [joint, [index < 6 ? 0.13 : 0.03, 0.03, 0]])),
     'Left shoulder': [0, 0, 0],
-    'Left front upper leg': [-0.6, 0, 0],
-    'Left front lower leg': [0, 0, 0],
+    'Left front upper leg': [-0.4, 0, 0],
+    'Left front lower leg': [-0.1, 0, 0],
     'Left front foot': [0.3, 0, 0],
     'Left front toes': [0.2, 0, 0],
     'Right shoulder': [0.2, 0, 0],
@@ -43,7 +43,7 @@ const first: PoseJson = {
 
 function stiffnessOf(joint: string): number {
   if (/back|Neck|Tail|Chest|Hips/.test(joint)) return 2;
-  if (/shoulder|toes/.test(joint)) return 1;
+  if (/shoulder|front upper leg|toes/.test(joint)) return 1;
   return 0.3;
 }
 
@@ -82,8 +82,9 @@ export function solveDog(figure: Figure, meeting: Vector3, face: Vector3): Float
         ...near(posed.place(`${side} hind lower leg`), { x: sideOf(side) * 0.12, y: 0.18 }, 2),
       ]),
       ...at(posed.middle(pads), meeting, 4),
-      ...along(posed.direction('Left front lower leg', [0, -1, 0]), [0, -0.25, 1], 2),
-      ...along(posed.direction('Left front toes', [0, 1, 0]), [0, 1, 0.9], 1),
+      ...along(posed.direction('Left front lower leg', [0, -1, 0]), [0, -0.3, 1], 1),
+      ...along(posed.direction('Left front foot', [0, -1, 0]), [0, -0.6, 1], 2),
+      ...along(posed.direction('Left front toes', [0, 1, 0]), [0, 1, 0.6], 1.5),
       ...along(posed.direction('Head', [0, 0, 1]), subtract(face, posed.place('Head')), 2),
     ],
     stiffnessOf,
