@@ -1,8 +1,8 @@
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
-import type { CatalogueEntry } from '../../src/app/catalogue.ts';
+import type { Catalogue } from '../../src/app/catalogue.ts';
 
 /** The bundled characters, as the built app lists them. */
-export const catalogue = JSON.parse(
+export const { characters: catalogue } = JSON.parse(
   readFileSync(path.resolve(import.meta.dirname, '../../dist/data/catalogue.json'), 'utf8'),
-) as readonly CatalogueEntry[];
+) as Catalogue;

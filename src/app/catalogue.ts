@@ -3,19 +3,42 @@ import type { BundledCharacter } from '../ui/editor.ts';
 import type { LooseFile } from '../workers/read-characters-task.ts';
 import { fetchChecked, fetchFile } from './fetch-file.ts';
 
-/** An entry of public/data/catalogue.json; paths are relative to that file. */
+/** What public/data/catalogue.json lists; paths are relative to that file. */
+export interface Catalogue {
+  readonly characters: readonly CatalogueEntry[];
+  readonly scenes: readonly CatalogueScene[];
+}
+
 export interface CatalogueEntry extends BundledCharacter {
   readonly files: readonly string[];
   readonly pose?: string;
 }
 
+/** Bundled characters that belong together. The first one is nearest to the camera. */
+interface CatalogueScene {
+  readonly id: string;
+  readonly label: string;
+  readonly actors: readonly {
+    /** The id of a character. */
+    readonly character: string;
+    readonly pose: string;
+    /** On the floor, in scene units, turned about +y in radians; the scale makes sizes true. */
+    readonly place: {
+      readonly x: number;
+      readonly z: number;
+      readonly turn: number;
+      readonly scale: number;
+    };
+  }[];
+}
+
 /** The address of the app's data, whatever sub-path the app is served from. */
 const dataUrl = (): URL => new URL('data/', document.baseURI);
 
-export async function fetchCatalogue(): Promise<readonly CatalogueEntry[]> {
+export async function fetchCatalogue(): Promise<Catalogue> {
   const response = await fetchChecked(new URL('catalogue.json', dataUrl()));
   try {
-    return (await response.json()) as CatalogueEntry[];
+    return (await response.json()) as Catalogue;
   } catch {
     throw new Failure('The list of characters came damaged; reload the page');
   }

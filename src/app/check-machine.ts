@@ -22,7 +22,9 @@ export async function checkMachine(
   signal: AbortSignal,
   onProgress: ReadProgress,
 ): Promise<MachineReport> {
-  const [entry] = await fetchCatalogue();
+  const {
+    characters: [entry],
+  } = await fetchCatalogue();
   if (!entry) throw new Failure('There is no bundled character to check this machine with');
   const files = await fetchBundled(entry, signal);
   const parts = files.filter(({ path }) => !path.endsWith('.json'));

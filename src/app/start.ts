@@ -11,7 +11,7 @@ import type { Opening } from '../ui/editor.ts';
 import { listenToPaste } from '../ui/paste.ts';
 import { loadSkinningShader } from '../view/skinning-shaders.ts';
 import { Viewer } from '../view/viewer.ts';
-import { type CatalogueEntry, fetchCatalogue } from './catalogue.ts';
+import { type Catalogue, type CatalogueEntry, fetchCatalogue } from './catalogue.ts';
 import { createOpening } from './create-opening.ts';
 import { createLayout } from './layout.ts';
 import type { Scripting } from './scripting.ts';
@@ -86,7 +86,7 @@ export async function start(root: HTMLElement): Promise<void> {
 async function openNamed(
   opening: Opening,
   catalogue: Signal<readonly CatalogueEntry[]>,
-  listed: Promise<readonly CatalogueEntry[]>,
+  listed: Promise<Catalogue>,
   parameters: URLSearchParams,
 ): Promise<void> {
   const notes: string[] = [];
@@ -98,7 +98,7 @@ async function openNamed(
   };
   opening.setWorkspace(named(workspaces, 'workspace')!.id);
   try {
-    catalogue.value = await listed;
+    catalogue.value = (await listed).characters;
   } catch (error) {
     if (!(error instanceof Failure)) throw error;
     notes.push(error.message);

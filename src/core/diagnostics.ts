@@ -10,6 +10,7 @@ export type DiagnosticArea =
   | 'file'
   | 'skel'
   | 'obj'
+  | 'mtl'
   | 'attach'
   | 'skin'
   | 'morph'

@@ -3,7 +3,7 @@
  * readers, so that the page can offer and sort files before it has loaded any reader.
  */
 export const formatExtensions = {
-  mit: ['.skel', '.obj', '.attach'],
+  mit: ['.skel', '.obj', '.attach', '.mtl'],
   cse169: ['.skel', '.skin', '.morph', '.anim', '.rig'],
   mmd: ['.pmd'],
 } as const;

@@ -283,7 +283,9 @@ describe('convert', () => {
     const words = ['a.skel', 'a.skin', '--to', 'mit', '--out', 'new', '--pose', 'p.json'];
     const { folder, code } = run('convert', contents, ...words);
     expect(await code).toBe(0);
-    expect(out).toEqual(['a.skel', 'a.obj', 'a.attach', 'p.json'].map((name) => join('new', name)));
+    expect(out).toEqual(
+      ['a.skel', 'a.obj', 'a.mtl', 'a.attach', 'p.json'].map((name) => join('new', name)),
+    );
     expect(errors.join('\n')).toContain('z of "knee" from -2 to 2, found "9"');
     expect(errors.join('\n')).toContain('a root without weight is put before it');
     const pose = JSON.parse(readFileSync(join(folder, 'new/p.json'), 'utf8')) as { joints: object };

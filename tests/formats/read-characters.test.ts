@@ -43,7 +43,7 @@ describe('readCharacters', () => {
     };
     const { diagnostics } = await readContents(contents);
     expect(shown(diagnostics)).toEqual([
-      'warning: readme.txt and 2 more: expected files that Sinew reads (.skel, .obj, .attach, ' +
+      'warning: readme.txt and 2 more: expected files that Sinew reads (.skel, .obj, .attach, .mtl, ' +
         '.skin, .morph, .anim, .rig, .pmd, .zip), found ".txt, no ending" [file/unknown]; they are not used',
     ]);
   });

@@ -33,11 +33,16 @@ const mit: FormatSamples = {
       'a.attach': '1 0\n0.25 0.75\n0 1\n0 0\n',
     },
     'a mesh alone': { 'a.obj': square },
+    'a mesh with materials': {
+      'a.obj': `mtllib a.mtl\n${square}`,
+      'a.mtl': 'newmtl a\nKd 0.5 0.25 1\nKs 1 1 1\nNs 20\nd 0.5\nmap_Kd -s 1 1 a b.png\n',
+    },
     "the course's skeleton alone": { 'a.skel': courseSkel },
   },
   tokens: [
     ...['v', 'vt', 'vn', 'f', 'o', 'g', 's', 'usemtl', 'mtllib', 'l', '#', '\\', 'balljoint'],
     ...['0', '1', '2', '3', '-1', '-2', '0.5', '1e-3', '1e39', '1e400', 'nan', '1e', '.', '-'],
+    ...['newmtl', 'Kd', 'Ks', 'Ka', 'Ns', 'd', 'Tr', 'map_Kd', '-s', 'a.png'],
     ...['1/1', '1//1', '1/2/3', '1/', '/', '//', '1/2/3/4', '__proto__', '<img>', '骨', '\u202e'],
   ],
   oddNumbers,

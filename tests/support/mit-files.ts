@@ -30,7 +30,35 @@ const eight = { minLength: 8, maxLength: 8 };
 
 const material = fc.constantFrom('', 'a', 'b c', '#', '__proto__');
 
-/** Any valid `.skel`, `.obj` (with texture coordinates and materials) and `.attach`. */
+const channel = fc.double({ min: 0, max: 1, noNaN: true });
+const color = fc.tuple(channel, channel, channel);
+
+/** Any material library; the first line of each material has its name. */
+const library = fc
+  .array(
+    fc.record(
+      {
+        newmtl: material.map((name) => [name]),
+        Kd: color,
+        Ks: color,
+        Ka: color,
+        Ns: fc.tuple(fc.nat()),
+        d: fc.tuple(channel),
+        map_Kd: fc.constantFrom(['a.png'], ['b c.tga']),
+      },
+      { requiredKeys: ['newmtl'] },
+    ),
+    { minLength: 1, maxLength: 3 },
+  )
+  .map((materials) => {
+    return materials.flatMap(({ newmtl, ...rest }) => [['newmtl', ...newmtl], ...rowsOf(rest)]);
+  });
+
+function rowsOf(values: Readonly<Record<string, readonly (number | string)[]>>) {
+  return Object.entries(values).map(([keyword, numbers]) => [keyword, ...numbers]);
+}
+
+/** Any valid `.skel`, `.obj` (with texture coordinates and materials), `.mtl` and `.attach`. */
 export const mitFiles: fc.Arbitrary<FileContents> = fc
   .record({
     skel,
@@ -42,8 +70,9 @@ export const mitFiles: fc.Arbitrary<FileContents> = fc
     }),
     rows: fc.array(fc.array(fc.oneof(number, fc.constant(0)), eight), eight),
     withUvs: fc.boolean(),
+    library: fc.option(library),
   })
-  .map(({ skel, points, uvs, faces, rows, withUvs }) => {
+  .map(({ skel, points, uvs, faces, rows, withUvs, library }) => {
     const corner = (point: number, choice: number): string =>
       withUvs ? `${point + 1}/${(choice % uvs.length) + 1}` : `${point + 1}`;
     const faceLines = faces.flatMap(({ material, corners: [first, ...choices] }) => {
@@ -57,7 +86,9 @@ export const mitFiles: fc.Arbitrary<FileContents> = fc
     });
     return {
       'a.skel': lines(skel),
+      ...(library ? { 'a.mtl': lines(library) } : {}),
       'a.obj': lines([
+        ...(library ? [['mtllib', 'a.mtl']] : []),
         ...points.map((point) => ['v', ...point]),
         ...uvs.map((uv) => ['vt', ...uv]),
         ...faceLines,

@@ -11,6 +11,7 @@ import { axisDofs } from '../../src/core/pose.ts';
 import { DofKind } from '../../src/core/skeleton.ts';
 import { insectJoints } from '../../tools/characters/insect/parts.ts';
 import { expectPosable, expectSound } from '../support/check-character.ts';
+import { catalogue } from '../support/bundled.ts';
 import { type FileContents, readContents } from '../support/files.ts';
 import { componentVolumes } from '../support/component-volumes.ts';
 
@@ -44,10 +45,7 @@ function movers(point: number): number[] {
 
 describe('the bundled insect', () => {
   it('is what the catalogue says, and small', () => {
-    const catalogue = JSON.parse(
-      readFileSync(join(dataFolder, 'catalogue.json'), 'utf8'),
-    ) as readonly { readonly id: string; readonly files: readonly string[] }[];
-    const listed = catalogue.find(({ id }) => id === 'insect')?.files ?? [];
+    const listed = catalogue.characters.find(({ id }) => id === 'insect')?.files ?? [];
     expect(listed.map((path) => path.replace('insect/', '')).toSorted()).toEqual(
       readdirSync(folder).toSorted(),
     );

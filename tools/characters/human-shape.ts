@@ -1,3 +1,5 @@
+import type { Material } from './mit-text.ts';
+
 /**
  * The figure resembles a sculptor's mannequin: adult, lean and androgynous. MakeHuman's base mesh
  * is a neutral start for its targets and not meant to be shown, so this mixes MakeHuman's own macro
@@ -19,7 +21,7 @@ const PEOPLES = ['african', 'asian', 'caucasian'];
 /** These targets give a plain chest, and a calm face instead of the mix's stern one. */
 const RETOUCH: readonly (readonly [target: string, weight: number])[] = [
   ['breast/nipple-point-decr', 0.25],
-  ['mouth/mouth-angles-up', 0.4],
+  ['mouth/mouth-angles-up', 0.55],
   ['eyebrows/eyebrows-angle-up', 0.35],
   ['head/head-oval', 0.3],
 ];
@@ -46,13 +48,15 @@ export function shapeTargets(): ReadonlyMap<string, number> {
   return targets;
 }
 
-/**
- * The parts of the figure, and the groups of the base mesh that form each; the other groups are
- * helpers.
- */
-export const PARTS: readonly { readonly name: string; readonly groups: readonly string[] }[] = [
-  { name: 'body', groups: ['body'] },
-  { name: 'eyes', groups: ['helper-l-eye', 'helper-r-eye'] },
-  { name: 'teeth', groups: ['helper-upper-teeth', 'helper-lower-teeth'] },
-  { name: 'tongue', groups: ['helper-tongue'] },
+/** The colors of its materials, in tone with clay; the skin has none and is clay itself. */
+export const MATERIALS: readonly Material[] = [
+  { name: 'skin' },
+  { name: 'lips', color: [0.75, 0.65, 0.61] },
+  { name: 'brows', color: [0.55, 0.49, 0.45] },
+  { name: 'eyes', color: [0.86, 0.85, 0.82], gloss: [0.25, 60] },
+  { name: 'iris rims', color: [0.25, 0.21, 0.18], gloss: [0.4, 120] },
+  { name: 'irises', color: [0.42, 0.34, 0.27], gloss: [0.4, 120] },
+  { name: 'pupils', color: [0.05, 0.05, 0.05], gloss: [0.4, 120] },
+  { name: 'teeth', color: [0.88, 0.87, 0.83] },
+  { name: 'tongue', color: [0.66, 0.5, 0.46] },
 ];

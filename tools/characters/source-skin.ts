@@ -1,6 +1,6 @@
 import { readJointTable } from './joint-table.ts';
-import { roundWeights } from './mit-text.ts';
-import { packMesh, type Face } from './pack-mesh.ts';
+import type { Material } from './mit-text.ts';
+import type { Face } from './pack-mesh.ts';
 import type { Vector2, Vector3 } from './vector.ts';
 import { writeCharacter } from './write-character.ts';
 
@@ -105,6 +105,7 @@ export function makeFromSkin(
   skin: SourceSkin,
   place: (point: Vector3) => Vector3,
   dataFolder: string,
+  materials?: readonly Material[],
 ): void {
   const { parents, bones } = readJointTable(name);
   const { positions, first, placeOf } = weld(skin.positions.map(place));
@@ -114,16 +115,12 @@ export function makeFromSkin(
       corners.map((vertex) => ({ position: placeOf[vertex]!, texture: vertex })),
     ),
   }));
-  const { obj, sourceVertex } = packMesh({
-    positions,
-    textureCoordinates: skin.textureCoordinates,
-    parts,
-    mirror: mirrorOf(positions),
-  });
   const columns = bones.slice(1).map((bone) => boneOf(skin, bone).weights);
-  const rows = sourceVertex.map((vertex) =>
-    roundWeights(columns.map((column) => column.get(first[vertex]!) ?? 0)),
-  );
   const joints = bones.map((bone) => place(boneOf(skin, bone === '' ? bones[1]! : bone).position));
-  writeCharacter(dataFolder, name, { joints, parents, obj, rows });
+  const { textureCoordinates } = skin;
+  writeCharacter(dataFolder, name, {
+    ...{ joints, parents, ...(materials ? { materials } : {}) },
+    mesh: { positions, textureCoordinates, parts, mirror: mirrorOf(positions) },
+    weightsOf: (vertex) => columns.map((column) => column.get(first[vertex]!) ?? 0),
+  });
 }

@@ -1,4 +1,4 @@
-import { roundWeights, type ObjPart } from './mit-text.ts';
+import type { Corner, Face, SourceMesh } from './pack-mesh.ts';
 import type { Vector2, Vector3 } from './vector.ts';
 import { writeCharacter } from './write-character.ts';
 
@@ -42,18 +42,12 @@ function upperWeight(height: number): number {
   return t * t * (3 - 2 * t);
 }
 
-interface Wall {
-  readonly positions: Vector3[];
-  readonly textureCoordinates: Vector2[];
-  readonly faces: (readonly (readonly [number, number])[])[];
-}
-
 /**
  * Lists vertices ring by ring, with the poles last. Texture coordinates have one more column than
  * there are segments, so that u runs from 0 to 1 around the tube; v is the height divided by the
  * tube's height.
  */
-function buildWall(rings: readonly Ring[]): Wall {
+function buildWall(rings: readonly Ring[]): SourceMesh {
   const positions: Vector3[] = [];
   const textureCoordinates: Vector2[] = [];
   for (const [height, radius] of rings) {
@@ -65,11 +59,11 @@ function buildWall(rings: readonly Ring[]): Wall {
       textureCoordinates.push([segment / SEGMENTS, height / HEIGHT]);
     }
   }
-  const at = (ring: number, segment: number): readonly [number, number] => [
-    ring * SEGMENTS + (segment % SEGMENTS),
-    ring * (SEGMENTS + 1) + segment,
-  ];
-  const faces: (readonly (readonly [number, number])[])[] = [];
+  const at = (ring: number, segment: number): Corner => ({
+    position: ring * SEGMENTS + (segment % SEGMENTS),
+    texture: ring * (SEGMENTS + 1) + segment,
+  });
+  const faces: Face[] = [];
   for (let ring = 0; ring + 1 < rings.length; ring++) {
     for (let segment = 0; segment < SEGMENTS; segment++) {
       faces.push([
@@ -88,13 +82,13 @@ function buildWall(rings: readonly Ring[]): Wall {
     const pole = positions.push([0, height, 0]) - 1;
     for (let segment = 0; segment < SEGMENTS; segment++) {
       const texture = textureCoordinates.push([(segment + 0.5) / SEGMENTS, height / HEIGHT]) - 1;
-      const tip = [pole, texture] as const;
+      const tip = { position: pole, texture };
       const here = at(ring, segment);
       const next = at(ring, segment + 1);
       faces.push(height === 0 ? [tip, next, here] : [tip, here, next]);
     }
   }
-  return { positions, textureCoordinates, faces };
+  return { positions, textureCoordinates, parts: [{ name: 'tube', faces }] };
 }
 
 /**
@@ -104,17 +98,15 @@ function buildWall(rings: readonly Ring[]): Wall {
  * base.
  */
 export function makeTube(dataFolder: string): void {
-  const { positions, textureCoordinates, faces } = buildWall(outline());
-  const part: ObjPart = { name: 'tube', faces };
-  const rows = positions.map((point) => {
-    const upper = upperWeight(point[1]);
-    return roundWeights([1 - upper, upper]);
-  });
+  const mesh = buildWall(outline());
+  const weightsOf = (vertex: number): number[] => {
+    const upper = upperWeight(mesh.positions[vertex]![1]);
+    return [1 - upper, upper];
+  };
   const joints: Vector3[] = [
     [0, 0, 0],
     [0, 0, 0],
     [0, HEIGHT / 2, 0],
   ];
-  const obj = { positions, textureCoordinates, parts: [part] };
-  writeCharacter(dataFolder, 'tube', { joints, parents: [-1, 0, 1], obj, rows });
+  writeCharacter(dataFolder, 'tube', { joints, parents: [-1, 0, 1], mesh, weightsOf });
 }

@@ -1,6 +1,7 @@
 import { join } from 'node:path';
 import { writeGzipText } from './gzip-file.ts';
-import { attachText, objText, skelText, type ObjMesh } from './mit-text.ts';
+import { attachText, mtlText, roundWeights, skelText, type Material } from './mit-text.ts';
+import { packMesh, type SourceMesh } from './pack-mesh.ts';
 import { subtract, type Vector3 } from './vector.ts';
 
 interface CharacterText {
@@ -8,14 +9,16 @@ interface CharacterText {
   readonly joints: readonly Vector3[];
   /** Parents come before their children; -1 for the root. */
   readonly parents: readonly number[];
-  readonly obj: ObjMesh;
-  /** A row of `roundWeights` for each vertex, without a column for joint 0. */
-  readonly rows: readonly (readonly number[])[];
+  /** The mesh; the character's materials are in `NAME.mtl`. */
+  readonly mesh: SourceMesh;
+  /** The weights of a vertex of the mesh, without joint 0. */
+  readonly weightsOf: (vertex: number) => readonly number[];
+  readonly materials?: readonly Material[];
 }
 
-/** Writes `NAME/NAME.skel.gz`, `.obj.gz` and `.attach.gz` and prints their sizes. */
+/** Writes `NAME/NAME.skel.gz`, `.obj.gz`, `.mtl.gz` and `.attach.gz` and prints their sizes. */
 export function writeCharacter(dataFolder: string, name: string, text: CharacterText): void {
-  const { joints, parents, obj, rows } = text;
+  const { joints, parents, mesh, weightsOf, materials } = text;
   const offsets = joints.map((joint, index) => {
     const parent = parents[index]!;
     return parent < 0 ? joint : subtract(joint, joints[parent]!);
@@ -25,6 +28,8 @@ export function writeCharacter(dataFolder: string, name: string, text: Character
     console.log(`${name}.${ending}.gz: ${writeGzipText(path, content)} bytes`);
   };
   write('skel', skelText(offsets, parents));
-  write('obj', objText(obj));
-  write('attach', attachText(rows));
+  const { text: obj, sourceVertex } = packMesh(mesh, materials && `${name}.mtl`);
+  write('obj', obj);
+  if (materials) write('mtl', mtlText(materials));
+  write('attach', attachText(sourceVertex.map((vertex) => roundWeights(weightsOf(vertex)))));
 }

@@ -23,13 +23,15 @@ const bytesPerCorner = 10;
  * Reads a Wavefront OBJ: `v` (with w or color, unused), `vt`, `vn`, faces with slashes, negative
  * indices (counted back from their own line) and any number of corners, `usemtl`, comments and
  * continued lines. Vertices keep their order and number, whether used or not, because the rows of
- * `.attach` count them. Material libraries are recorded, never fetched. Most lines are plain, so what
- * reads the others is loaded when it is needed.
+ * `.attach` count them. Most lines are plain, so what reads the others is loaded when it is needed.
+ *
+ * @param hasLibrary whether a material library is read with it; otherwise `mtllib` is reported
  */
 export async function readObj(
   file: string,
   bytes: Uint8Array,
   limits: Limits = defaultLimits,
+  hasLibrary = false,
 ): Promise<Parsed<MeshParts>> {
   const log = new DiagnosticLog(file);
   const reader = openText(file, bytes, log, { limits, continued });
@@ -74,7 +76,8 @@ export async function readObj(
     if (!reader.token()) continue;
     const keyword = reader.text();
     if (keyword === 'usemtl') runs.push({ material: reader.rest(), firstFace: faces.count });
-    else if (!silent.has(keyword)) (careful ??= await loadCareful()).read(keyword);
+    else if (!silent.has(keyword) && !(hasLibrary && keyword === 'mtllib'))
+      (careful ??= await loadCareful()).read(keyword);
   }
   const positions = streams.positions.finish();
   const { corners, firstTriangles, degenerateCount } = await triangulateFaces(

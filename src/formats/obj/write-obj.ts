@@ -8,10 +8,11 @@ import { materialText } from './material-text.ts';
  * normals if they differ from those that a reader computes from the faces.
  *
  * @param posed (at least pointCount × 3) the points in another pose, for which there are no normals
+ * @param library the file with the colors and textures of its materials
  */
-export function writeObj(mesh: Mesh, posed?: Float32Array): Uint8Array {
+export function writeObj(mesh: Mesh, posed?: Float32Array, library?: string): Uint8Array {
   const positions = posed ?? mesh.positions;
-  const lines: string[] = [];
+  const lines = library === undefined ? [] : [`mtllib ${materialText(library)}`];
   for (let point = 0; point < mesh.pointCount; point++) {
     lines.push(`v ${tuple(positions, point, 3)}`);
   }

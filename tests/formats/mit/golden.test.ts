@@ -93,8 +93,8 @@ describe('the golden files with all their oddities', () => {
     expect(shown(diagnostics)).toEqual([
       'warning: oddities.skel:5:16: expected the root to be the first joint, found "joint 2" ' +
         '[skel/root]; joint 0 still has no column of weights, as the format has it',
-      'warning: oddities.obj:2:1: expected vertices, texture coordinates, normals and faces, ' +
-        'found "mtllib ../oddities.mtl" [obj/ignored]; materials are not read; the surface is plain',
+      'warning: oddities.obj:2:1: expected the material library among the files, ' +
+        'found "mtllib ../oddities.mtl" [obj/missing]; the surface is plain',
       'warning: oddities.attach:6: expected at least one weight for every vertex, ' +
         'found "none for 1: vertex 6" [character/weight-zero]; they follow the root rigidly',
       'warning: oddities.attach:5: expected weights of at least 0, found "negative ones for ' +

@@ -104,7 +104,7 @@ describe('readObj', () => {
   it('names a material library and fetches none', async () => {
     const { mesh, messages } = await read(`mtllib ../../secret file.mtl\n${points}f 1 2 3`);
     expect(mesh).toBeDefined();
-    expect(messages[0]).toContain('found "mtllib ../../secret file.mtl" [obj/ignored]');
+    expect(messages[0]).toContain('found "mtllib ../../secret file.mtl" [obj/missing]');
   });
 
   it('leaves out triangles that use a vertex twice, and counts them', async () => {

@@ -64,17 +64,22 @@ function bindMatrices(): Float64Array {
   return Float64Array.from(rounded(jointMatrices(skeleton, skeleton.qRest), 6));
 }
 
+const WEIGHT_STEPS = 10_000;
+
 /** Weights are whole ten-thousandths, so that a row sums to 1. */
 function skinParts(surface: Surface, bindFromJoint: Float64Array): SkinParts {
   const start = [0];
   const joints: number[] = [];
   const weights: number[] = [];
   for (const row of surface.weights) {
-    const steps = roundWeights(row.map(([, weight]) => weight));
+    const steps = roundWeights(
+      row.map(([, weight]) => weight),
+      WEIGHT_STEPS,
+    );
     row.forEach(([joint], index) => {
       if (steps[index] === 0) return;
       joints.push(indexOf.get(joint)!);
-      weights.push(steps[index]! / 10_000);
+      weights.push(steps[index]! / WEIGHT_STEPS);
     });
     start.push(joints.length);
   }

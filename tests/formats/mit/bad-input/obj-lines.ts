@@ -19,6 +19,11 @@ function ignored(line: number, found: string, kind = 'ignored'): string {
   return `warning: a.obj:${line}:1: expected ${expected}, found "${found}" [obj/${kind}]`;
 }
 
+function noLibrary(line: number, found: string): string {
+  const expected = 'the material library among the files';
+  return `warning: a.obj:${line}:1: expected ${expected}, found "${found}" [obj/missing]`;
+}
+
 function materials(title: string, names: readonly string[]): BadInput {
   return {
     title,
@@ -128,12 +133,12 @@ export const objLines: readonly BadInput[] = [
   accepted(
     'A44 library up the folders',
     'mtllib ../../secret\n',
-    ignored(5, 'mtllib ../../secret'),
+    noLibrary(5, 'mtllib ../../secret'),
   ),
   accepted(
     'A44 library elsewhere',
     'mtllib http://example.com/a.mtl\n',
-    ignored(5, 'mtllib http://example.com/a.mtl'),
+    noLibrary(5, 'mtllib http://example.com/a.mtl'),
   ),
   materials('A45 names of materials', strangeNames),
   accepted(
@@ -163,7 +168,7 @@ export const objLines: readonly BadInput[] = [
   accepted(
     'A46 library that ends in a backslash',
     'mtllib D:\\out\\\n',
-    ignored(5, 'mtllib D:\\out\\'),
+    noLibrary(5, 'mtllib D:\\out\\'),
   ),
   accepted('A46 comment that ends in a backslash', '# made from C:\\models\\\n'),
   {
