@@ -29,6 +29,7 @@ export function createEditor(opening: Opening): Editor {
     transport: new Transport(store, session),
     ballAngles: new BallAngles(),
     dialog: signal(null),
+    recentEntries: signal([]),
     letterKeys: signal(true),
     tab: signal('pose'),
     drawer: signal<Drawer | null>(null),

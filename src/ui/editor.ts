@@ -24,7 +24,7 @@ export interface BundledCharacter {
 export type ThemeChoice = 'system' | 'light' | 'dark';
 
 /** A sheet over the page; dialogs.ts has the contents. */
-export type DialogId = 'keys';
+export type DialogId = 'keys' | 'palette';
 
 /** The panel that is open on narrow pages: a sheet on phones; on tablets, the unfolded outliner. */
 export type Drawer = 'left' | 'right';
@@ -113,6 +113,8 @@ export interface PageState {
   readonly theme: Signal<ThemeChoice>;
   /** The dialog that is open, or null. */
   readonly dialog: Signal<DialogId | null>;
+  /** The ids of the palette's entries that were used in this session, the last first. */
+  readonly recentEntries: Signal<readonly string[]>;
   /** Whether single-letter keys act; users of speech input, for example, may turn them off. */
   readonly letterKeys: Signal<boolean>;
   readonly tab: Signal<TabId>;

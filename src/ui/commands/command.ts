@@ -25,6 +25,8 @@ export interface Command {
   /** The text of a button or a row, if the label is too long. */
   readonly short?: string;
   readonly keys?: readonly KeyPress[];
+  /** Whether it is only a key for what other commands do; the palette then leaves it out. */
+  readonly keyOnly?: boolean;
   /** Everywhere if absent; keys with Ctrl or Cmd also apply in text fields. */
   readonly context?: ContextId;
   /** For a toggle: whether it is on. */

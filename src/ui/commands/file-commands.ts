@@ -32,6 +32,7 @@ export const fileCommands = [
     id: 'cancel-work',
     label: 'Cancel the work in progress',
     short: 'Cancel',
+    isEnabled: ({ progress }) => progress.value !== null,
     run: (editor) => editor.cancelWork(),
   },
   {

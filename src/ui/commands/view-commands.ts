@@ -1,6 +1,6 @@
 import { selectedActor } from '../../document/selected-actor.ts';
 import { methods } from '../../skinning/registry.ts';
-import type { Editor } from '../editor.ts';
+import type { DialogId, Editor } from '../editor.ts';
 import { type Command, toggle } from './command.ts';
 
 /** Commands for what is shown, and for what drags do. */
@@ -70,9 +70,24 @@ export const viewCommands = [
     short: 'Keys',
     keys: [{ key: '?' }],
     isOn: ({ dialog }) => dialog.value === 'keys',
-    run: ({ dialog }) => void (dialog.value = dialog.value === 'keys' ? null : 'keys'),
+    run: (editor) => toggleDialog(editor, 'keys'),
+  },
+  {
+    id: 'palette',
+    label: 'Search the commands',
+    short: 'Search…',
+    keys: [{ key: 'k', control: true }],
+    context: 'control',
+    isOn: ({ dialog }) => dialog.value === 'palette',
+    // The palette does not list itself.
+    isEnabled: ({ dialog }) => dialog.value !== 'palette',
+    run: (editor) => toggleDialog(editor, 'palette'),
   },
 ] as const satisfies readonly Command[];
+
+function toggleDialog({ dialog }: Editor, id: DialogId): void {
+  dialog.value = dialog.value === id ? null : id;
+}
 
 /** Cycles through skin only, skeleton only, and both. */
 function cycleDrawn({ session: { showSkin, showSkeleton } }: Editor): void {
