@@ -8,6 +8,7 @@ import { contexts } from './commands/contexts.ts';
 import { commandGroups } from './commands/registry.ts';
 import type { Editor } from './editor.ts';
 import type { Findable } from './rank-entries.ts';
+import { tabs } from './tabs.ts';
 
 /** A row of the command palette. */
 export interface PaletteEntry extends Findable {
@@ -26,6 +27,7 @@ export function paletteEntries(editor: Editor): readonly PaletteEntry[] {
     ...commandGroups.flatMap(({ label: group, commands }) =>
       commands.filter((command) => applies(command, editor)).map(toEntry(group, editor)),
     ),
+    ...tabEntries(editor),
     ...workspaceEntries(editor),
     ...methodEntries(editor),
     ...characterEntries(editor),
@@ -51,6 +53,12 @@ function toEntry(group: string, editor: Editor): (command: Command) => PaletteEn
       ...(isOn && { isOn: isOn(editor) }),
     };
   };
+}
+
+function tabEntries(editor: Editor): PaletteEntry[] {
+  return tabs.map(({ id, label }) =>
+    dataEntry('Tabs', `tab ${id}`, `${label} tab`, () => (editor.tab.value = id)),
+  );
 }
 
 function workspaceEntries(editor: Editor): PaletteEntry[] {
