@@ -15,6 +15,10 @@ export interface DialogEntry {
  * palette: what is typed at once must reach it.
  */
 export const dialogs: Readonly<Record<DialogId, DialogEntry>> = {
+  gallery: {
+    title: 'Add a character',
+    load: async () => (await loadPart(import('./panels/gallery.tsx'))).Gallery,
+  },
   keys: {
     title: 'Keys and pointer',
     load: async () => (await loadPart(import('./panels/help-sheet.tsx'))).HelpSheet,

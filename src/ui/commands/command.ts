@@ -1,5 +1,5 @@
 import { attempt } from '../attempt.ts';
-import type { Editor } from '../editor.ts';
+import type { DialogId, Editor } from '../editor.ts';
 
 /** A key combination. */
 export interface KeyPress {
@@ -67,4 +67,8 @@ export function titleOf(command: Command, editor: Editor): string {
 
 export function toggle(flag: { value: boolean }): void {
   flag.value = !flag.value;
+}
+
+export function toggleDialog({ dialog }: Editor, id: DialogId): void {
+  dialog.value = dialog.value === id ? null : id;
 }

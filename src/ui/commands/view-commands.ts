@@ -1,7 +1,7 @@
 import { selectedActor } from '../../document/selected-actor.ts';
 import { methods } from '../../skinning/registry.ts';
-import type { DialogId, Editor } from '../editor.ts';
-import { type Command, toggle } from './command.ts';
+import type { Editor } from '../editor.ts';
+import { type Command, toggle, toggleDialog } from './command.ts';
 
 /** Commands for what is shown, and for what drags do. */
 export const viewCommands = [
@@ -84,10 +84,6 @@ export const viewCommands = [
     run: (editor) => toggleDialog(editor, 'palette'),
   },
 ] as const satisfies readonly Command[];
-
-function toggleDialog({ dialog }: Editor, id: DialogId): void {
-  dialog.value = dialog.value === id ? null : id;
-}
 
 /** Cycles through skin only, skeleton only, and both. */
 function cycleDrawn({ session: { showSkin, showSkeleton } }: Editor): void {
