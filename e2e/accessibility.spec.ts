@@ -1,23 +1,12 @@
-import AxeBuilder from '@axe-core/playwright';
-import { expect, type Page } from '@playwright/test';
+import { expect } from '@playwright/test';
 import { tabs } from '../src/ui/tabs.ts';
 import { drop, openApp, openJoint, openTab, setPose } from './support/app.ts';
+import { violations } from './support/axe.ts';
 import { sharedPage, test } from './support/test.ts';
 
 // These tests find what a checker can detect of WCAG 2.2 AA: names, roles, contrast and the order
 // of headings.
 const page = sharedPage((page) => openApp(page, 'model=tube'));
-
-async function violations(page: Page, rules?: readonly string[]): Promise<string[]> {
-  const tags = ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-practice'];
-  const builder = new AxeBuilder({ page });
-  const chosen = rules ? builder.withRules([...rules]) : builder.withTags(tags);
-  const { violations, passes } = await chosen.analyze();
-  expect(passes.length, 'rules that applied').toBeGreaterThan(rules ? 0 : 10);
-  return violations.flatMap(({ id, nodes }) =>
-    nodes.map(({ html, failureSummary = '' }) => `${id}: ${html}\n${failureSummary}`),
-  );
-}
 
 test('the view describes its controls and what it shows, and undo is announced', async () => {
   const view = page().getByRole('application');

@@ -6,6 +6,7 @@ import { removeActor, removeActors, resetPose } from '../document/edits.ts';
 import { openCharacter } from '../document/open-characters.ts';
 import { selectActor } from '../document/reconcile.ts';
 import { selectedActor } from '../document/selected-actor.ts';
+import { isUntouched } from '../document/untouched.ts';
 import { Transport } from '../document/transport.ts';
 import { placeInRow } from '../evaluation/placing.ts';
 import { sceneBounds } from '../evaluation/scene-bounds.ts';
@@ -24,17 +25,26 @@ import { savePicture } from './save-picture.ts';
 export function createEditor(opening: Opening, canvas: HTMLCanvasElement): Editor {
   const { store, session, evaluations, viewer, notice } = opening;
   const selected = () => selectedActor(store, session);
+  let added: Promise<void> = Promise.resolve();
 
   const editor: Editor = {
     ...opening,
     transport: new Transport(store, session),
     ballAngles: new BallAngles(),
     dialog: signal(null),
+    recentEntries: signal([]),
     letterKeys: signal(true),
     tab: signal('pose'),
     hints: createHints(canvas, opening),
     drawer: signal<Drawer | null>(null),
     fileExtensions: [...new Set([...readableExtensions, '.json', '.png'])],
+
+    addBundled(id) {
+      const open = (): Promise<void> => opening.openBundled(id, !isUntouched(store));
+      const opened = added.then(() => opening.whenDone()).then(open);
+      added = opened.catch(() => undefined); // the failure is reported by who waits for this one
+      return opened;
+    },
 
     select(id) {
       selectActor(session, store.scene.value, id);

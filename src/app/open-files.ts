@@ -7,6 +7,7 @@ import { dropJoints } from '../document/reconcile.ts';
 import { selectedActor } from '../document/selected-actor.ts';
 import type { Session } from '../document/session.ts';
 import type { Store } from '../document/store.ts';
+import { isUntouched } from '../document/untouched.ts';
 import type { Evaluations } from '../evaluation/evaluations.ts';
 import { placeInRow } from '../evaluation/placing.ts';
 import { sceneBounds } from '../evaluation/scene-bounds.ts';
@@ -19,7 +20,8 @@ import type { OpenedFiles } from './renewal.ts';
 import { loadReadHere, readFiles } from './read-files.ts';
 
 /**
- * The source of characters, and whether they are added to the others or replace the selected one.
+ * The source of characters, and whether they are added to the others or replace the selected one, or
+ * all of an untouched scene.
  */
 export interface OpenWay {
   readonly source: Source;
@@ -106,19 +108,19 @@ export class FileOpener {
   }
 
   /**
-   * Shows characters in their files' poses. They replace the selected actor or are added beside all
-   * others; several stand in a row.
+   * Shows characters in their files' poses. They are added beside all others, or replace the selected
+   * actor or an untouched scene; several stand in a row.
    *
    * @param q a pose for the first character
    */
   showAll(found: readonly ReadCharacter[], { source, add }: OpenWay, q?: Float64Array): void {
     const shown = found.slice(0, mostAtOnce);
-    const replaced = add ? undefined : this.selected;
-    const others = this.evaluations.all().filter(({ state }) => state.id !== replaced?.id);
+    const replaced = add ? [] : this.replaced;
+    const ids = replaced.map(({ id }) => id);
+    const others = this.evaluations.all().filter(({ state }) => !ids.includes(state.id));
     // Among others, a new character stands where the replaced one stood; alone, it gets the default
     // place.
-    const kept =
-      replaced && others.length > 0 && shown.length === 1 ? replaced.transform : undefined;
+    const kept = others.length > 0 && shown.length === 1 ? replaced[0]?.transform : undefined;
     const places = placeInRow(
       sceneBounds(others),
       shown.map(({ character }) => character),
@@ -136,7 +138,7 @@ export class FileOpener {
         ...(q && index === 0 && { q }),
       },
     }));
-    this.store.dispatch(openCharacters(replaced?.id ?? null, actors));
+    this.store.dispatch(openCharacters(ids, actors));
     this.beginClip(shown[0]!.character);
     dropJoints(this.session);
   }
@@ -163,6 +165,12 @@ export class FileOpener {
     const character = this.selected?.character;
     const files = character && this.filesOf.get(character);
     return files && { character, files };
+  }
+
+  /** What a new character replaces: the selected actor, or a whole scene that nobody touched. */
+  private get replaced(): readonly Actor[] {
+    if (isUntouched(this.store)) return this.store.scene.value.actors;
+    return this.selected ? [this.selected] : [];
   }
 
   get selected(): Actor | undefined {

@@ -14,18 +14,18 @@ export interface NewActor {
 }
 
 /**
- * Replaces an actor by characters in their files' state, except for the values that are given.
+ * Replaces actors by characters in their files' state, except for the values that are given.
  *
- * @param replaced the actor that is replaced; null adds the characters
+ * @param replaced the actors that are replaced; none, to add the characters beside all
  */
-export function openCharacters(replaced: ActorId | null, opened: readonly NewActor[]): Edit {
+export function openCharacters(replaced: readonly ActorId[], opened: readonly NewActor[]): Edit {
   const names = opened.map(({ character }) => character.name);
   const name = names.length > 1 ? `${names.length} characters` : names.join('');
   return {
-    label: `${replaced === null ? 'Add' : 'Open'} ${name}`,
+    label: `${replaced.length === 0 ? 'Add' : 'Open'} ${name}`,
     apply(scene) {
       const first = freeId(scene);
-      const actors: Actor[] = scene.actors.filter(({ id }) => id !== replaced);
+      const actors: Actor[] = scene.actors.filter(({ id }) => !replaced.includes(id));
       for (const [index, { character, method, kept, look }] of opened.entries()) {
         const clay = nextClay(actors.map((actor) => actor.look));
         const full = { ...kept, look: { ...plainLook, clay, ...look } };
@@ -42,7 +42,7 @@ export function openCharacter(
   method: MethodId,
   kept: KeptState = {},
 ): Edit {
-  return openCharacters(replaced, [
+  return openCharacters(replaced === null ? [] : [replaced], [
     { character, method, kept, ...(kept.look && { look: kept.look }) },
   ]);
 }

@@ -1,5 +1,6 @@
 import { loadPart } from '../core/failure.ts';
 import type { DialogId } from './editor.ts';
+import { CommandPalette } from './panels/command-palette.tsx';
 import type { SectionComponent } from './sections.ts';
 
 /** The content of a dialog. To add one, write a file and add a row below. */
@@ -9,10 +10,21 @@ export interface DialogEntry {
   readonly load: () => Promise<SectionComponent>;
 }
 
-/** Every dialog; only one is open at a time. Each is loaded when it first opens. */
+/**
+ * Every dialog; only one is open at a time. Each is loaded when it first opens, except for the
+ * palette: what is typed at once must reach it.
+ */
 export const dialogs: Readonly<Record<DialogId, DialogEntry>> = {
+  gallery: {
+    title: 'Add a character',
+    load: async () => (await loadPart(import('./panels/gallery.tsx'))).Gallery,
+  },
   keys: {
     title: 'Keys and pointer',
     load: async () => (await loadPart(import('./panels/help-sheet.tsx'))).HelpSheet,
+  },
+  palette: {
+    title: 'Commands',
+    load: () => Promise.resolve(CommandPalette),
   },
 };

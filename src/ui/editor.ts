@@ -5,7 +5,7 @@ import type { Session } from '../document/session.ts';
 import type { Store } from '../document/store.ts';
 import type { Transport } from '../document/transport.ts';
 import type { Evaluations } from '../evaluation/evaluations.ts';
-import type { ConvertTarget } from '../formats/registry.ts';
+import type { ConvertTarget, FormatId } from '../formats/registry.ts';
 import type { FileEntry } from '../formats/format.ts';
 import type { ReadCharacter, ReadProgress } from '../formats/read-characters.ts';
 import type { PictureFormat } from '../view/picture.ts';
@@ -18,6 +18,8 @@ import type { Workspace, WorkspaceId } from './workspace.ts';
 export interface BundledCharacter {
   readonly id: string;
   readonly label: string;
+  /** The course whose files it is in. */
+  readonly course: FormatId;
   readonly credit: string;
 }
 
@@ -25,7 +27,7 @@ export interface BundledCharacter {
 export type ThemeChoice = 'system' | 'light' | 'dark';
 
 /** A sheet over the page; dialogs.ts has the contents. */
-export type DialogId = 'keys';
+export type DialogId = 'gallery' | 'keys' | 'palette';
 
 /** The panel that is open on narrow pages: a sheet on phones; on tablets, the unfolded outliner. */
 export type Drawer = 'left' | 'right';
@@ -67,7 +69,8 @@ export interface Gallery {
   /**
    * Replaces a running opening at once, even while the new files are still being listed.
    *
-   * @param add keeps the other characters; otherwise the selected one is replaced
+   * @param add keeps the other characters; otherwise the selected one is replaced, or all of an
+   *   untouched scene
    */
   openFiles(files: Listed<FileEntry>, add?: boolean): Promise<void>;
   openBundled(id: string, add?: boolean): Promise<void>;
@@ -114,6 +117,8 @@ export interface PageState {
   readonly theme: Signal<ThemeChoice>;
   /** The dialog that is open, or null. */
   readonly dialog: Signal<DialogId | null>;
+  /** The ids of the palette's entries that were used in this session, the last first. */
+  readonly recentEntries: Signal<readonly string[]>;
   /** Whether single-letter keys act; users of speech input, for example, may turn them off. */
   readonly letterKeys: Signal<boolean>;
   readonly tab: Signal<TabId>;
@@ -133,6 +138,11 @@ export interface Posing {
 
 /** What a user can do with the selected character, apart from editing single values. */
 export interface Actions {
+  /**
+   * Adds a bundled character beside the others, or in place of an untouched scene. Unlike other
+   * openings it waits for those in progress, so that several can be added at once.
+   */
+  addBundled(id: string): Promise<void>;
   /** Selects an actor of the scene. */
   select(id: ActorId): void;
   /** Removes all characters, as one step of undo. */

@@ -25,7 +25,7 @@ it('characters get one clay after another, and one that is free again', () => {
 });
 
 it('characters that are opened together differ, and one that replaces another looks like it', () => {
-  const both = openCharacters(null, [
+  const both = openCharacters([], [
     { character, method },
     { character, method, look: { shading: 'faceted' } },
   ]).apply(emptyScene);

@@ -21,6 +21,7 @@ export const cameraCommands = [
     id: 'play-or-reset-camera',
     label: 'Reset the camera; while a clip is bound, play or pause it',
     keys: [{ key: ' ' }],
+    keyOnly: true,
     run: (editor) => {
       if (editor.transport.isBound) editor.transport.togglePlay();
       else editor.resetCamera();

@@ -18,6 +18,7 @@ export const clipCommands = [
     id: 'play-here',
     label: 'Play or pause',
     keys: [{ key: ' ' }],
+    keyOnly: true,
     context: 'timeline',
     isEnabled: hasClip,
     run: ({ transport }) => transport.togglePlay(),

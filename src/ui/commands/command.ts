@@ -1,5 +1,5 @@
 import { attempt } from '../attempt.ts';
-import type { Editor } from '../editor.ts';
+import type { DialogId, Editor } from '../editor.ts';
 
 /** A key combination. */
 export interface KeyPress {
@@ -25,6 +25,8 @@ export interface Command {
   /** The text of a button or a row, if the label is too long. */
   readonly short?: string;
   readonly keys?: readonly KeyPress[];
+  /** Whether it is only a key for what other commands do; the palette then leaves it out. */
+  readonly keyOnly?: boolean;
   /** Everywhere if absent; keys with Ctrl or Cmd also apply in text fields. */
   readonly context?: ContextId;
   /** For a toggle: whether it is on. */
@@ -65,4 +67,8 @@ export function titleOf(command: Command, editor: Editor): string {
 
 export function toggle(flag: { value: boolean }): void {
   flag.value = !flag.value;
+}
+
+export function toggleDialog({ dialog }: Editor, id: DialogId): void {
+  dialog.value = dialog.value === id ? null : id;
 }

@@ -1,5 +1,5 @@
 import { chooseFiles } from '../choose-files.ts';
-import type { Command } from './command.ts';
+import { type Command, toggleDialog } from './command.ts';
 
 /** Commands that read or write files. */
 export const fileCommands = [
@@ -9,6 +9,13 @@ export const fileCommands = [
     short: 'New',
     isEnabled: ({ store }) => store.scene.value.actors.length > 0,
     run: (editor) => editor.clearScene(),
+  },
+  {
+    id: 'gallery',
+    label: 'Add a character',
+    short: 'Add…',
+    isOn: ({ dialog }) => dialog.value === 'gallery',
+    run: (editor) => toggleDialog(editor, 'gallery'),
   },
   {
     id: 'open-files',
@@ -32,6 +39,7 @@ export const fileCommands = [
     id: 'cancel-work',
     label: 'Cancel the work in progress',
     short: 'Cancel',
+    isEnabled: ({ progress }) => progress.value !== null,
     run: (editor) => editor.cancelWork(),
   },
   {

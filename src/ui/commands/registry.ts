@@ -6,19 +6,28 @@ import { fileCommands } from './file-commands.ts';
 import { jointCommands } from './joint-commands.ts';
 import { viewCommands } from './view-commands.ts';
 
-const table = [
-  ...viewCommands,
-  ...fileCommands,
-  ...editCommands,
-  ...jointCommands,
-  ...clipCommands,
-  ...cameraCommands,
+/** Every command by the file it stands in, in the order of the help sheet. */
+const groups = [
+  { label: 'View', commands: viewCommands },
+  { label: 'Files', commands: fileCommands },
+  { label: 'Edit', commands: editCommands },
+  { label: 'Joints', commands: jointCommands },
+  { label: 'Clip', commands: clipCommands },
+  { label: 'Camera', commands: cameraCommands },
 ] as const;
 
-export type CommandId = (typeof table)[number]['id'];
+export type CommandId = (typeof groups)[number]['commands'][number]['id'];
+
+/** A file of commands, as a group of the command palette. */
+export interface CommandGroup {
+  readonly label: string;
+  readonly commands: readonly Command[];
+}
+
+export const commandGroups: readonly CommandGroup[] = groups;
 
 /** Every command, in the order of the help sheet. */
-export const commands: readonly Command[] = table;
+export const commands: readonly Command[] = commandGroups.flatMap(({ commands }) => commands);
 
 const byId = new Map(commands.map((command) => [command.id, command]));
 

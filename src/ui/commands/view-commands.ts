@@ -1,7 +1,7 @@
 import { selectedActor } from '../../document/selected-actor.ts';
 import { methods } from '../../skinning/registry.ts';
 import type { Editor } from '../editor.ts';
-import { type Command, toggle } from './command.ts';
+import { type Command, toggle, toggleDialog } from './command.ts';
 
 /** Commands for what is shown, and for what drags do. */
 export const viewCommands = [
@@ -70,7 +70,18 @@ export const viewCommands = [
     short: 'Keys',
     keys: [{ key: '?' }],
     isOn: ({ dialog }) => dialog.value === 'keys',
-    run: ({ dialog }) => void (dialog.value = dialog.value === 'keys' ? null : 'keys'),
+    run: (editor) => toggleDialog(editor, 'keys'),
+  },
+  {
+    id: 'palette',
+    label: 'Search the commands',
+    short: 'Search…',
+    keys: [{ key: 'k', control: true }],
+    context: 'control',
+    isOn: ({ dialog }) => dialog.value === 'palette',
+    // The palette does not list itself.
+    isEnabled: ({ dialog }) => dialog.value !== 'palette',
+    run: (editor) => toggleDialog(editor, 'palette'),
   },
 ] as const satisfies readonly Command[];
 

@@ -1,4 +1,4 @@
-import { useEffect, useRef } from 'preact/hooks';
+import { useLayoutEffect, useRef } from 'preact/hooks';
 import { dialogs } from '../dialogs.ts';
 import type { DialogId, Editor } from '../editor.ts';
 import { Loaded } from './loaded.tsx';
@@ -12,7 +12,7 @@ export function Dialogs({ editor }: { readonly editor: Editor }) {
 /** A sheet over the page with a heading; closing it returns the focus to where it was. */
 function Dialog({ editor, id }: { readonly editor: Editor; readonly id: DialogId }) {
   const sheet = useRef<HTMLDialogElement>(null);
-  useEffect(() => {
+  useLayoutEffect(() => {
     const opened = sheet.current;
     opened?.showModal();
     return () => opened?.close();
@@ -27,6 +27,7 @@ function Dialog({ editor, id }: { readonly editor: Editor; readonly id: DialogId
       ref={sheet}
       class={id}
       aria-labelledby="dialog-title"
+      onCancel={close} // at once, whereas the event of closing comes with the next frame
       onClose={close}
       onPointerDown={(event) => isBeside(event) && close()}
     >

@@ -1,9 +1,9 @@
-import { printable } from '../../core/diagnostics.ts';
 import { setLook } from '../../document/edits.ts';
 import type { Actor } from '../../document/scene.ts';
 import { clayColors } from '../../view/theme.ts';
 import type { Editor } from '../editor.ts';
 import { hintAt } from '../hints.ts';
+import { numberedNames } from '../numbered-names.ts';
 import { CommandButton } from './command-button.tsx';
 import { Icon } from './icon.tsx';
 
@@ -76,12 +76,4 @@ function ActorRow({ editor, actor: { id, look }, name }: ActorRowProperties) {
       </button>
     </li>
   );
-}
-
-/** Numbers repeated names ("human", "human 2"), so that copies can be told apart. */
-function numberedNames(names: readonly string[]): string[] {
-  return names.map((name, index) => {
-    const before = names.slice(0, index).filter((other) => other === name).length;
-    return `${printable(name, 80)}${before === 0 ? '' : ` ${before + 1}`}`;
-  });
 }

@@ -1,0 +1,130 @@
+import { expect, type Page } from '@playwright/test';
+import { openApp } from './support/app.ts';
+import { violations } from './support/axe.ts';
+import { catalogue } from './support/catalogue.ts';
+import { madePmd } from './support/made-pmd.ts';
+import { test } from './support/test.ts';
+
+// The gallery adds characters beside one another, or in place of a scene that nobody touched.
+test.use({ viewport: { width: 1000, height: 760 } });
+
+const gallery = (page: Page) => page.getByRole('dialog', { name: 'Add a character' });
+const shelf = (page: Page, name: string) => gallery(page).getByRole('region', { name });
+const card = (page: Page, name: string) => gallery(page).getByRole('button', { name, exact: true });
+const names = (page: Page) => page.evaluate(() => window.sinew.characters.map(({ name }) => name));
+
+/** Opens the gallery by the palette, as its command has no key. */
+async function openGallery(page: Page): Promise<void> {
+  await page.keyboard.press('Control+k');
+  await page.getByRole('combobox', { name: 'Search the commands' }).fill('Add a character');
+  await page.keyboard.press('Enter');
+  await expect(card(page, 'Human')).toBeVisible();
+}
+
+/** Lists a character of CS354 too, which is served from the test. */
+async function listPmd(page: Page): Promise<void> {
+  const files = madePmd();
+  const entry = {
+    ...{ id: 'made', label: 'Made', course: 'mmd', credit: 'Made by the test' },
+    files: files.map(({ name }) => `made/${name}`),
+  };
+  await page.route('**/data/catalogue.json', (route) =>
+    route.fulfill({ json: [...catalogue, entry] }),
+  );
+  await page.route('**/data/made/*', (route) => {
+    const name = decodeURIComponent(new URL(route.request().url()).pathname.split('/').at(-1)!);
+    const content = files.find((file) => file.name === name)?.content;
+    return content === undefined
+      ? route.abort()
+      : route.fulfill({ body: Buffer.from(content), contentType: 'application/octet-stream' });
+  });
+  await page.route('**/data/pictures/made-*', (route) =>
+    route.fulfill({ path: 'public/data/pictures/tube-light.jpg' }),
+  );
+}
+
+test('three characters of three courses stand beside one another after six presses', async ({
+  page,
+}) => {
+  await listPmd(page);
+  await openApp(page, 'model=tube');
+  const presses = [
+    ['MIT 6.837', 'Human'],
+    ['UCSD CSE169', 'Insect'],
+    ['UT CS354', 'Made'],
+  ] as const;
+  for (const [course, name] of presses) {
+    await openGallery(page);
+    await shelf(page, course).getByRole('button', { name }).click();
+    await expect(gallery(page)).toHaveCount(0);
+  }
+  // The first one took the place of the tube, which nobody had touched.
+  await expect.poll(async () => (await names(page)).length).toBe(3);
+  expect((await names(page)).slice(0, 2)).toEqual(['human', 'insect']);
+  await page.evaluate(() => window.sinew.settled());
+
+  for (let step = 0; step < 3; step++) await page.keyboard.press('Control+z');
+  expect(await names(page)).toEqual(['tube']);
+});
+
+test('presses with Shift keep the gallery open, and each waits for the one before', async ({
+  page,
+}) => {
+  await openApp(page, 'model=tube');
+  await openGallery(page);
+  for (const name of ['Hand', 'Dog', 'Human']) {
+    await card(page, name).click({ modifiers: ['Shift'] });
+  }
+  await expect(gallery(page)).toBeVisible();
+  await expect.poll(() => names(page)).toEqual(['hand', 'dog', 'human']);
+});
+
+test('pictures are requested when the gallery opens, and the search filters cards', async ({
+  page,
+}) => {
+  const requested: string[] = [];
+  page.on('request', (request) => {
+    if (request.url().includes('/pictures/')) requested.push(request.url());
+  });
+  await openApp(page, 'model=tube');
+  expect(requested).toEqual([]);
+  await openGallery(page);
+  await expect.poll(() => requested.length).toBe(catalogue.length);
+  const shown = await gallery(page)
+    .locator('img')
+    .evaluateAll((images: HTMLImageElement[]) =>
+      Promise.all(images.map((image) => image.decode().then(() => image.naturalWidth))),
+    );
+  expect(shown).toEqual(catalogue.map(() => 288));
+
+  const search = gallery(page).getByRole('searchbox', { name: 'Search characters' });
+  await search.fill('cse');
+  await expect(gallery(page).locator('.cards button')).toHaveText(['Insect']);
+  await search.fill('do');
+  await expect(gallery(page).locator('.cards button')).toHaveText(['Dog']);
+  // By keyboard: from the field past the two buttons to the card.
+  for (let step = 0; step < 3; step++) await page.keyboard.press('Tab');
+  await expect(card(page, 'Dog')).toBeFocused();
+  await page.keyboard.press('Enter');
+  await expect.poll(() => names(page)).toEqual(['dog']);
+});
+
+test('the gallery has no violations in light and dark colors, and fits a phone', async ({
+  page,
+}) => {
+  await openApp(page, 'model=tube');
+  await openGallery(page);
+  expect(await violations(page)).toEqual([]);
+  await page.emulateMedia({ colorScheme: 'dark' });
+  await expect(gallery(page).locator('img').first()).toHaveAttribute('src', /-dark\.jpg$/);
+  expect(await violations(page)).toEqual([]);
+  await page.setViewportSize({ width: 390, height: 700 });
+  const box = (await gallery(page).boundingBox())!;
+  expect(box.x).toBeGreaterThanOrEqual(0);
+  expect(box.x + box.width).toBeLessThanOrEqual(390);
+  for (const each of await gallery(page).getByRole('button').all()) {
+    await each.scrollIntoViewIfNeeded();
+    const { x, width } = (await each.boundingBox())!;
+    expect(x + width).toBeLessThanOrEqual(box.x + box.width);
+  }
+});

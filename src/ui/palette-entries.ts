@@ -1,0 +1,102 @@
+import { printable } from '../core/diagnostics.ts';
+import { setMethod } from '../document/edits.ts';
+import { selectedActor } from '../document/selected-actor.ts';
+import { methods } from '../skinning/registry.ts';
+import { attempt } from './attempt.ts';
+import { type Command, keyName, runCommand } from './commands/command.ts';
+import { contexts } from './commands/contexts.ts';
+import { commandGroups } from './commands/registry.ts';
+import type { Editor } from './editor.ts';
+import type { Findable } from './rank-entries.ts';
+import { tabs } from './tabs.ts';
+
+/** A row of the command palette. */
+export interface PaletteEntry extends Findable {
+  /** The heading under which it stands while nothing is typed. */
+  readonly group: string;
+  /** The name of its first key. */
+  readonly key?: string;
+  /** For a toggle: whether it is on. */
+  readonly isOn?: boolean;
+  readonly run: () => void;
+}
+
+/** Everything that can be done now, in the order of the palette while nothing is typed. */
+export function paletteEntries(editor: Editor): readonly PaletteEntry[] {
+  return [
+    ...commandGroups.flatMap(({ label: group, commands }) =>
+      commands.filter((command) => applies(command, editor)).map(toEntry(group, editor)),
+    ),
+    ...tabEntries(editor),
+    ...workspaceEntries(editor),
+    ...methodEntries(editor),
+    ...characterEntries(editor),
+    ...jointEntries(editor),
+  ];
+}
+
+/** Whether a command can do something now. The timeline's commands need only a clip. */
+function applies(command: Command, editor: Editor): boolean {
+  if (command.keyOnly || command.isEnabled?.(editor) === false) return false;
+  const { context = 'everywhere' } = command;
+  const state = contexts.find(({ id }) => id === context);
+  return context === 'timeline' || state?.isActive(editor) === true;
+}
+
+function toEntry(group: string, editor: Editor): (command: Command) => PaletteEntry {
+  return (command) => {
+    const { id, label, keys, isOn } = command;
+    const run = (): void => runCommand(command, editor);
+    return {
+      ...{ id, label, group, isCommand: true, run },
+      ...(keys?.[0] && { key: keyName(keys[0]) }),
+      ...(isOn && { isOn: isOn(editor) }),
+    };
+  };
+}
+
+function tabEntries(editor: Editor): PaletteEntry[] {
+  return tabs.map(({ id, label }) =>
+    dataEntry('Tabs', `tab ${id}`, `${label} tab`, () => (editor.tab.value = id)),
+  );
+}
+
+function workspaceEntries(editor: Editor): PaletteEntry[] {
+  return editor.workspaces.map(({ id, label }) =>
+    dataEntry('Looks', `look ${id}`, `${label} look`, () => editor.setWorkspace(id)),
+  );
+}
+
+function methodEntries({ store, session }: Editor): PaletteEntry[] {
+  const actor = selectedActor(store, session);
+  if (!actor) return [];
+  return methods.map(({ id, label }) =>
+    dataEntry('Methods', `method ${id}`, `Method: ${label}`, () =>
+      store.dispatch(setMethod(actor.id, id)),
+    ),
+  );
+}
+
+function characterEntries(editor: Editor): PaletteEntry[] {
+  return editor.bundled.value.flatMap(({ id, label }) => [
+    dataEntry('Characters', `open ${id}`, `Open ${label}`, () =>
+      attempt(editor, editor.openBundled(id)),
+    ),
+    dataEntry('Characters', `add ${id}`, `Add ${label}`, () =>
+      attempt(editor, editor.openBundled(id, true)),
+    ),
+  ]);
+}
+
+function jointEntries(editor: Editor): PaletteEntry[] {
+  const names = selectedActor(editor.store, editor.session)?.character.skeleton.names ?? [];
+  return names.map((name, joint) =>
+    dataEntry('Joint', `joint ${name}`, `Select ${printable(name, 80)}`, () =>
+      editor.editJoint(joint),
+    ),
+  );
+}
+
+function dataEntry(group: string, id: string, label: string, run: () => void): PaletteEntry {
+  return { id, label, group, isCommand: false, run };
+}

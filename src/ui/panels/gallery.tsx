@@ -1,0 +1,100 @@
+import { useState } from 'preact/hooks';
+import { isUntouched } from '../../document/untouched.ts';
+import { attempt } from '../attempt.ts';
+import type { BundledCharacter, Editor } from '../editor.ts';
+import { numberedNames } from '../numbered-names.ts';
+import { fitsQuery } from '../rank-entries.ts';
+import { shelvesOf } from '../shelves.ts';
+import { CommandButton } from './command-button.tsx';
+
+/**
+ * The characters that can be added: bundled ones as pictures, a shelf a course, and the user's own.
+ * A press adds one beside the others, or in place of a scene that nobody touched, and closes the
+ * gallery unless Shift is held.
+ */
+export function Gallery({ editor }: { readonly editor: Editor }) {
+  const [typed, setTyped] = useState('');
+  const shelves = shelvesOf(editor.bundled.value, typed);
+  const names = numberedNames(editor.own.value.map(({ character }) => character.name));
+  const own = editor.own.value
+    .map((read, index) => ({ read, name: names[index]! }))
+    .filter(({ name }) => fitsQuery(name, typed));
+  const close = (): void => void (editor.dialog.value = null);
+  const closeUnlessHeld = ({ shiftKey }: MouseEvent): void => {
+    if (!shiftKey) close();
+  };
+  return (
+    <>
+      <div class="find">
+        <input
+          type="search"
+          placeholder="Search characters"
+          aria-label="Search characters"
+          value={typed}
+          onInput={({ currentTarget }) => setTyped(currentTarget.value)}
+        />
+        <CommandButton editor={editor} command="open-files" onRun={close} />
+        <CommandButton editor={editor} command="open-folder" onRun={close} />
+      </div>
+      <p class="hint">Or drop files anywhere. They never leave this machine.</p>
+      {shelves.map(({ label, files, cards }) => (
+        <section key={label} aria-label={label}>
+          <h3>
+            {label} <small>{files}</small>
+          </h3>
+          <ul class="cards">
+            {cards.map((card) => (
+              <Card
+                key={card.id}
+                card={card}
+                theme={editor.viewer.theme.value}
+                onPress={(event) => {
+                  closeUnlessHeld(event);
+                  attempt(editor, editor.addBundled(card.id));
+                }}
+              />
+            ))}
+          </ul>
+        </section>
+      ))}
+      {own.length > 0 && (
+        <section aria-label="Your files">
+          <h3>Your files</h3>
+          <ul class="names">
+            {own.map(({ read, name }) => (
+              <li key={name}>
+                <button
+                  type="button"
+                  onClick={(event) => {
+                    closeUnlessHeld(event);
+                    editor.openOwn(read, !isUntouched(editor.store));
+                  }}
+                >
+                  {name}
+                </button>
+              </li>
+            ))}
+          </ul>
+        </section>
+      )}
+      {shelves.length === 0 && own.length === 0 && <p role="status">Nothing fits</p>}
+    </>
+  );
+}
+
+interface CardProperties {
+  readonly card: BundledCharacter;
+  readonly theme: 'light' | 'dark';
+  readonly onPress: (event: MouseEvent) => void;
+}
+
+function Card({ card: { id, label, credit }, theme, onPress }: CardProperties) {
+  return (
+    <li>
+      <button type="button" title={`${credit}. Shift keeps the gallery open.`} onClick={onPress}>
+        <img src={`data/pictures/${id}-${theme}.jpg`} alt="" width="288" height="216" />
+        {label}
+      </button>
+    </li>
+  );
+}

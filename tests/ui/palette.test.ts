@@ -1,0 +1,166 @@
+import { signal } from '@preact/signals-core';
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { bindClip } from '../../src/document/edits.ts';
+import { openCharacter } from '../../src/document/open-characters.ts';
+import { reconcile } from '../../src/document/reconcile.ts';
+import { Session } from '../../src/document/session.ts';
+import { Store } from '../../src/document/store.ts';
+import { Transport } from '../../src/document/transport.ts';
+import { workspaces } from '../../src/app/workspaces.ts';
+import { commands } from '../../src/ui/commands/registry.ts';
+import type { Editor, Progress } from '../../src/ui/editor.ts';
+import { paletteEntries } from '../../src/ui/palette-entries.ts';
+import { type Findable, fitsQuery, rankEntries } from '../../src/ui/rank-entries.ts';
+import { leg } from '../support/cse169-files.ts';
+import { readOne } from '../support/files.ts';
+
+const progress = signal<Progress | null>(null);
+
+/** An editor with a character that has a clip, whose names and joints are many and awkward. */
+async function createEditor(): Promise<Editor> {
+  const session = new Session();
+  const store = new Store((before, after) => reconcile(session, before, after));
+  store.dispatch(openCharacter(null, await readOne(leg), 'linear-blend'));
+  store.dispatch(openCharacter(null, await readOne(leg), 'linear-blend'));
+  const names = ['Reset', 'Open', 'Add', 'Select', 'Walk', 'Orbit'];
+  const parts = {
+    store,
+    session,
+    transport: new Transport(store, session),
+    workspaces,
+    bundled: signal(
+      names.flatMap((name) => [1, 2].map((n) => ({ id: `${name}${n}`, label: name }))),
+    ),
+    dialog: signal('palette'),
+    progress,
+  };
+  return parts as unknown as Editor;
+}
+
+const editor = await createEditor();
+
+const finds = (entries: readonly Findable[], typed: string, recent: readonly string[] = []) =>
+  rankEntries(entries, typed, recent).map(({ label }) => label);
+
+function entriesOf(...labels: readonly string[]): Findable[] {
+  return labels.map((label, index) => ({ id: `${index}`, label, isCommand: true }));
+}
+
+describe('the palette', () => {
+  it('has each command among its first eight after the first two letters of its name', () => {
+    const { session, store } = editor;
+    const entries = paletteEntries(editor);
+    const listed = entries.filter(({ isCommand }) => isCommand);
+    expect(listed.length).toBeGreaterThan(30);
+    const ids = entries.map(({ id }) => id);
+    expect(new Set(ids).size).toBe(ids.length);
+    fc.assert(
+      fc.property(
+        fc.constantFrom(...listed),
+        fc.shuffledSubarray(ids),
+        fc.boolean(),
+        ({ id, label }, recent, upper) => {
+          const two = label.slice(0, 2);
+          const found = rankEntries(entries, upper ? two.toUpperCase() : two.toLowerCase(), recent);
+          expect(found.slice(0, 8).map((each) => each.id)).toContain(id);
+        },
+      ),
+      { numRuns: 500 },
+    );
+    expect(store.scene.value.actors).toHaveLength(2);
+    expect(session.selectedActorId.value).not.toBeNull();
+  });
+
+  it('lists every command that does something now, and no other', () => {
+    const { session, store } = editor;
+    const listed = () => paletteEntries(editor).map(({ id }) => id);
+    const fitting = commands.filter(({ keyOnly }) => !keyOnly).map(({ id }) => id);
+    expect(listed()).not.toContain('palette');
+    expect(listed()).toContain('undo');
+    expect(listed()).not.toContain('redo');
+    store.undo();
+    expect(listed()).toContain('redo');
+    expect(listed()).not.toContain('undo');
+    expect(listed()).not.toContain('reset-joint');
+    session.selectedJoint.value = 0;
+    expect(listed()).toContain('reset-joint');
+    expect(listed()).not.toContain('remove-character');
+    expect(listed()).not.toContain('release-clip');
+    store.amend(bindClip(session.selectedActorId.value!, 0));
+    expect(listed()).toContain('release-clip');
+    expect(listed()).not.toContain('walk-ahead');
+    session.firstPerson.value = true;
+    expect(listed()).toContain('walk-ahead');
+    // Each is listed in one of the states above.
+    const seen = new Set(listed());
+    session.firstPerson.value = false;
+    session.boneMode.value = true;
+    progress.value = { label: 'Reading', fraction: 0 };
+    store.redo();
+    for (const id of listed()) seen.add(id);
+    session.selectedJoint.value = null;
+    for (const id of listed()) seen.add(id);
+    const never = fitting.filter((id) => !seen.has(id));
+    expect(never).toEqual(['palette']);
+  });
+
+  it('has rows for looks, methods, characters and joints', () => {
+    const labels = paletteEntries(editor).map(({ label }) => label);
+    for (const label of ['6.837 look', 'Method: Rigid parts', 'Add Walk', 'Select knee']) {
+      expect(labels).toContain(label);
+    }
+  });
+});
+
+describe('ranking', () => {
+  it('prefers starts of labels, then starts of words, then parts, then letters in order', () => {
+    const labels = ['aski.n', 'Reskin', 'Skewed inn', 'Show the skin', 'Skin', 'Bones'];
+    expect(finds(entriesOf(...labels), 'skin')).toEqual([
+      'Skin',
+      'Show the skin',
+      'Skewed inn',
+      'Reskin',
+      'aski.n',
+    ]);
+  });
+
+  it('finds words by their starts, in order', () => {
+    const entries = entriesOf('Select left elbow', 'Select elbow left', 'Select_right_elbow');
+    expect(finds(entries, ' le  el')[0]).toBe('Select left elbow');
+    expect(finds(entries, 'leel')[0]).toBe('Select left elbow');
+    expect(finds(entries, 'ri ELB')).toEqual(['Select_right_elbow']);
+  });
+
+  it('prefers what was used lately, and short labels, among equals', () => {
+    const entries = entriesOf('Open a folder', 'Open a pose', 'Open files');
+    expect(finds(entries, 'op')).toEqual(['Open files', 'Open a pose', 'Open a folder']);
+    expect(finds(entries, 'op', ['0', '1'])).toEqual([
+      'Open a folder',
+      'Open a pose',
+      'Open files',
+    ]);
+  });
+
+  it('finds a label by any of its letters that are in order, and by no others', () => {
+    const label = fc.string({ minLength: 1 }).filter((text) => text.trim() !== '');
+    fc.assert(
+      fc.property(label, fc.array(fc.nat()), fc.string(), (text, picks, other) => {
+        const places = [...new Set(picks.map((pick) => pick % text.length))].sort((a, b) => a - b);
+        const letters = places.map((place) => text[place]!).join('');
+        expect(finds(entriesOf(text), letters)).toEqual([text]);
+        const strange = Array.from(other).some(
+          (letter) => letter !== ' ' && !text.includes(letter),
+        );
+        const isPlain = /^[a-z ]*$/.test(text + other) && other.trim() === other;
+        if (isPlain && strange) expect(finds(entriesOf(text), other)).toEqual([]);
+      }),
+    );
+  });
+
+  it('filters a gallery by parts of names, not by scattered letters', () => {
+    expect(fitsQuery('Twisting tube', 'tub')).toBe(true);
+    expect(fitsQuery('Twisting tube', 'TW TU')).toBe(true);
+    expect(fitsQuery('Twisting tube', 'tgt')).toBe(false);
+  });
+});

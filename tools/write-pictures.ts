@@ -1,0 +1,159 @@
+/**
+ * Takes the pictures of the gallery (public/data/pictures) and of the README (docs/pictures) from the
+ * built app, in the browser of the tests: `npm run pictures`. The same sources give the same pictures,
+ * except for the text of the page, whose fonts are the system's.
+ */
+import { execFileSync, spawn } from 'node:child_process';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { createServer } from 'node:net';
+import path from 'node:path';
+import { type Browser, chromium, type Page } from '@playwright/test';
+import type { CatalogueEntry } from '../src/app/catalogue.ts';
+import type { CaptureOptions, Scripting } from '../src/app/scripting.ts';
+import { browserFlags, findBrowser } from './browser.mjs';
+import { packageCommand, root } from './commands.mjs';
+
+declare global {
+  interface Window {
+    sinew: Scripting;
+  }
+}
+
+/** Pictures of the gallery: twice as large as they are shown, and a little closer than the page. */
+const card: CaptureOptions = {
+  width: 288,
+  height: 216,
+  views: [{ camera: { fieldOfView: (25 * Math.PI) / 180 } }],
+};
+
+const themes = ['light', 'dark'] as const;
+
+/** Writes a picture of every bundled character in light and dark colors. */
+async function writeCards(browser: Browser, address: string): Promise<void> {
+  const folder = path.join(root, 'public/data/pictures');
+  mkdirSync(folder, { recursive: true });
+  const entries = readJson('public/data/catalogue.json') as readonly CatalogueEntry[];
+  for (const colorScheme of themes) {
+    const page = await browser.newPage({ colorScheme, viewport: { width: 860, height: 480 } });
+    for (const { id } of entries) {
+      await openPage(page, `${address}?test&model=${id}`);
+      write(path.join(folder, `${id}-${colorScheme}.jpg`), await capture(page, card));
+    }
+    await page.close();
+  }
+}
+
+/** Writes the pictures that the README shows. */
+async function writeReadmePictures(browser: Browser, address: string): Promise<void> {
+  const folder = path.join(root, 'docs/pictures');
+  const page = await browser.newPage({ viewport: { width: 1440, height: 900 } });
+
+  await openPage(page, `${address}?test&model=human`);
+  write(path.join(folder, 'human.jpg'), await capture(page, { width: 1200, height: 720 }));
+
+  await openPage(page, `${address}?model=insect`);
+  await page.getByRole('tab', { name: 'Animate' }).click();
+  await page.getByRole('region', { name: 'Timeline' }).waitFor();
+  await page.evaluate(() => window.sinew.seek(0.4));
+  await page.evaluate(() => window.sinew.settled());
+  await screenshot(page, path.join(folder, 'page.jpg'));
+
+  await openPage(page, `${address}?workspace=mannequin&model=human`);
+  await page.keyboard.press('m');
+  const view = (await page.locator('canvas').boundingBox())!;
+  await pointAtForearm(page, view);
+  await page.evaluate(() => window.sinew.settled());
+  await screenshot(page, path.join(folder, 'mannequin.jpg'), view);
+  await page.close();
+}
+
+type Box = Readonly<Record<'x' | 'y' | 'width' | 'height', number>>;
+
+/** Moves the pointer over the view, row by row, until a forearm lights up. */
+async function pointAtForearm(page: Page, { x, y, width, height }: Box): Promise<void> {
+  for (let down = 0.3; down < 0.6; down += 0.03) {
+    for (let across = 0.3; across < 0.7; across += 0.01) {
+      await page.mouse.move(x + across * width, y + down * height);
+      const lit = (await page.locator('.lit-bone').allTextContents()).join();
+      if (/^\w+ forearm/.test(lit)) return;
+    }
+  }
+  throw new Error('no forearm lights up under the pointer');
+}
+
+async function openPage(page: Page, address: string): Promise<void> {
+  await page.goto(address);
+  await page.evaluate(() => window.sinew.ready);
+  await page.evaluate(() => window.sinew.settled());
+}
+
+async function capture(page: Page, options: CaptureOptions): Promise<Buffer> {
+  const base64 = await page.evaluate(
+    async (options) => {
+      const blob = await window.sinew.capture(options);
+      const reader = new FileReader();
+      const read = new Promise((resolve) => (reader.onload = resolve));
+      reader.readAsDataURL(blob);
+      await read;
+      return (reader.result as string).replace(/^.*,/, '');
+    },
+    { ...options, format: 'jpeg' } as const,
+  );
+  return Buffer.from(base64, 'base64');
+}
+
+async function screenshot(page: Page, file: string, clip?: Box): Promise<void> {
+  write(file, await page.screenshot({ type: 'jpeg', quality: 80, ...(clip && { clip }) }));
+}
+
+function write(file: string, bytes: Buffer): void {
+  writeFileSync(file, bytes);
+  console.log(`${path.relative(root, file)} ${(bytes.length / 1024).toFixed(1)} KB`);
+}
+
+function readJson(file: string): unknown {
+  return JSON.parse(readFileSync(path.join(root, file), 'utf8'));
+}
+
+/** Builds the app and serves it on a free port. */
+async function serve(): Promise<{ readonly address: string; close(): void }> {
+  const [program = '', ...build] = packageCommand('vite', ['build', '--logLevel', 'warn']);
+  execFileSync(program, build, { cwd: root, stdio: 'inherit' });
+  const port = await freePort();
+  const words = ['preview', '--host', '127.0.0.1', '--port', `${port}`, '--strictPort'];
+  const server = spawn(program, packageCommand('vite', words).slice(1), { cwd: root });
+  await new Promise<void>((resolve, reject) => {
+    server.stdout.once('data', () => resolve());
+    server.once('exit', () => reject(new Error('the built app could not be served')));
+  });
+  return { address: `http://127.0.0.1:${port}/`, close: () => server.kill() };
+}
+
+function freePort(): Promise<number> {
+  return new Promise((resolve, reject) => {
+    const server = createServer();
+    server.once('error', reject);
+    server.listen(0, '127.0.0.1', () => {
+      const found = server.address();
+      server.close(() => {
+        if (found === null || typeof found === 'string') reject(new Error('no free port'));
+        else resolve(found.port);
+      });
+    });
+  });
+}
+
+const { path: executablePath } = findBrowser();
+const server = await serve();
+const browser = await chromium.launch({
+  ...(executablePath !== undefined && { executablePath }),
+  chromiumSandbox: false,
+  args: browserFlags,
+});
+try {
+  await writeCards(browser, server.address);
+  await writeReadmePictures(browser, server.address);
+} finally {
+  await browser.close();
+  server.close();
+}
