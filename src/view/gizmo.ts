@@ -20,7 +20,7 @@ const fullTurn = 2 * Math.PI;
 /** In CSS pixels. */
 const [ringWidth, activeWidth, markWidth] = [2.25, 3, 4];
 /** The opacity of a ring beyond its limits. */
-const beyondOpacity = 0.22;
+const beyondOpacity = 0.35;
 /** Where the mark of the present value begins and ends, as parts of the radius. */
 const [markStart, markEnd] = [0.86, 1.14];
 

@@ -10,7 +10,7 @@ import type { Pass } from '../pass.ts';
 /** The floats of a piece of a line: its two ends, its color with opacity, and its width. */
 const pieceSize = 11;
 /** The opacity of what the scene hides, as a part of its own. */
-const hiddenOpacity = 0.4;
+const hiddenOpacity = 0.55;
 
 /** Draws the overlay: lines of constant width over the scene, fainter where it hides them. */
 export const overlayPass: Pass = {
