@@ -4,7 +4,8 @@ import { sharedPage, test } from './support/test.ts';
 
 // The pointer needs no mode: a click selects a limb, a drag on the selected limb or on one of its
 // rings poses, and every other drag is the camera's.
-test.use({ viewport: { width: 1100, height: 700 } });
+// A small view is drawn faster.
+test.use({ viewport: { width: 900, height: 480 } });
 const page = sharedPage((page) => openApp(page, 'model=human'));
 
 const canvas = () => page().locator('canvas');
@@ -48,9 +49,9 @@ async function find(
         for (let x = from.x; x <= to.x; x += step) {
           const place = { clientX: x, clientY: y, pointerType: 'mouse' };
           view.dispatchEvent(new PointerEvent('pointermove', place));
-          // Picking waits for a frame if the pointer moves more often, and the label for another.
-          for (let i = 0; i < 2; i++)
-            await new Promise((resolve) => requestAnimationFrame(resolve));
+          // Picking waits for a frame if the pointer moves more often.
+          await new Promise((resolve) => requestAnimationFrame(resolve));
+          await new Promise((resolve) => setTimeout(resolve));
           const text = document.querySelector('.lit-bone strong')?.textContent ?? '';
           const { cursor } = getComputedStyle(view);
           const isLimb = wanted.limb === undefined || text.split(' → ')[0] === wanted.limb;
@@ -72,12 +73,12 @@ async function over({ x, y }: Place): Promise<Over> {
   return { limb, cursor: await canvas().evaluate((element) => getComputedStyle(element).cursor) };
 }
 
-async function findLimb(limb: string, from: Place = { x: 0.3, y: 0.15 }): Promise<Place> {
+async function findLimb(limb: string, from: Place = { x: 0.4, y: 0.12 }): Promise<Place> {
   return find(page(), await placeAt(from.x, from.y), await placeAt(0.75, 0.8), 16, { limb });
 }
 
 /** A place on a ring of the selected joint, near one on its limb: what poses and is no limb. */
-function findRing({ x, y }: Place, step = 9, reach = 140): Promise<Place> {
+function findRing({ x, y }: Place, step = 9, reach = 100): Promise<Place> {
   const [from, to] = [
     { x: x - reach, y: y - reach },
     { x: x + reach, y: y + reach },
@@ -222,7 +223,7 @@ test('saved pictures show neither rings nor the light on a limb', async () => {
 
 test('a ring stops at the limits of its value, and nothing is highlighted while a clip plays', async () => {
   await page().evaluate(() => window.sinew.open('insect'));
-  const head = await findLimb('head', { x: 0.1, y: 0.3 });
+  const head = await findLimb('head', { x: 0.25, y: 0.36 });
   await click(head);
   const before = await getPose(page());
   const from = await findRing(head);
@@ -298,7 +299,7 @@ test.describe('touch', () => {
     const pose = await getPose(own);
     const { x, y, width, height } = (await own.locator('canvas').boundingBox())!;
     const [from, to] = [
-      { x: x + 0.3 * width, y: y + 0.6 * height },
+      { x: x + 0.36 * width, y: y + 0.62 * height },
       { x: x + 0.7 * width, y: y + 0.7 * height },
     ];
     const limb = 'Right lower leg';

@@ -41,7 +41,7 @@ export function jointRings(
   limb: ReadonlyVec3 | null,
 ): JointRing[] {
   const { qMin, qMax, dofAxis, dofStart } = skeleton;
-  const frames = jointFrames(skeleton, joint, q, characterFromParent as mat4);
+  const frames = jointFrames(skeleton, joint, q, characterFromParent);
   const toLimb = limb && rotated(frames.characterFromJoint, limb);
   return frames.dofs.flatMap((dof, i): JointRing[] => {
     const after = frames.dofs[i + 1]?.worldFromDof ?? frames.characterFromJoint;
@@ -83,7 +83,7 @@ function mainAxis(axis: Float64Array): 0 | 1 | 2 {
 }
 
 function unitVector(axis: number): vec3 {
-  return coordinates.map((i) => (i === axis ? 1 : 0)) as [number, number, number];
+  return coordinates.map((i) => (i === axis ? 1 : 0));
 }
 
 function rotated(matrix: mat4, vector: ReadonlyVec3): vec3 {

@@ -33,7 +33,7 @@ const edgeOn = 0.2;
 export function seenRing(
   { center, first, second }: RingPlace,
   eye: ReadonlyVec3,
-  pixelsOf: (point: vec3) => Pixels,
+  pixelsOf: (point: ReadonlyVec3) => Pixels,
 ): SeenRing {
   const toEye = vec3.subtract(new Float64Array(3), eye, center);
   const half = (vector: ReadonlyVec3): Pixels => {
@@ -43,7 +43,7 @@ export function seenRing(
     return [(to![0] - from![0]) / 2, (to![1] - from![1]) / 2];
   };
   return {
-    center: pixelsOf(vec3.clone(center)),
+    center: pixelsOf(center),
     first: half(first),
     second: half(second),
     nearest: Math.atan2(vec3.dot(second, toEye), vec3.dot(first, toEye)),

@@ -5,6 +5,12 @@ import type { Looking } from './editor.ts';
 import type { ToolPlace } from './tool.ts';
 
 /**
+ * A scene of more triangles lights no limb outside of bone mode: after each change of the pose, the
+ * first pick would stop the page for longer than a moment.
+ */
+const mostTriangles = 400_000;
+
+/**
  * Highlights what a press at a place of the view would reach: a ring, or else a limb. While a clip
  * plays nothing is highlighted, since it would not stay under the pointer.
  */
@@ -15,7 +21,12 @@ export function hoverAt(editor: Looking, place: ToolPlace | null): void {
   }
   const ring = ringAt(editor, place);
   if (ring) showHoveredHandle(editor, ring.id);
-  else showHover(editor, place, boneAt(editor, place));
+  else showHover(editor, place, canLight(editor) ? boneAt(editor, place) : null);
+}
+
+function canLight({ store, session }: Looking): boolean {
+  const sizes = store.scene.value.actors.map(({ character }) => character.mesh.indices.length / 3);
+  return session.boneMode.value || sizes.reduce((sum, size) => sum + size, 0) <= mostTriangles;
 }
 
 /** Highlights the limb under the pointer, or nothing. */

@@ -65,7 +65,7 @@ export function gizmoLines(rings: readonly GizmoRing[], { hovered, active }: Giz
   return sorted.flatMap((each) => {
     const { id, ring } = each;
     const isMarked = id === active || id === hovered;
-    const plain = id === active ? palette.selected : palette.axes[ring.axis]!;
+    const plain = id === active ? palette.selected : palette.axes[ring.axis];
     const color = id === hovered && id !== active ? lighter(plain) : plain;
     const width = isMarked ? activeWidth : ringWidth;
     const line = (points: vec3[], opacity = 1, lineWidth = width): OverlayLine => {

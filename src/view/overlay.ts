@@ -30,7 +30,7 @@ export interface OverlayView {
 }
 
 /** Returns a function from points of the scene to pixels from the view's middle, y up. */
-export function pixelsIn({ camera, width, height }: OverlayView): (point: vec3) => Pixels {
+export function pixelsIn({ camera, width, height }: OverlayView): (point: ReadonlyVec3) => Pixels {
   const matrix = clipFromScene(camera, width / height);
   return (point) => {
     const [x, y] = vec3.transformMat4(new Float64Array(3), point, matrix);
@@ -63,7 +63,7 @@ export function pickOverlay(
   let found: HandleId | null = null;
   let least = tolerance;
   for (const { id, points } of overlay) {
-    const seen = points.map((point) => toPixels(vec3.clone(point)));
+    const seen = points.map(toPixels);
     for (let i = 0; i + 1 < seen.length; i++) {
       const distance = distanceToPiece(place, seen[i]!, seen[i + 1]!);
       if (distance > least) continue;

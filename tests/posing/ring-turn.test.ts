@@ -28,7 +28,7 @@ function placeOf({ center, mark, normal }: JointRing) {
 }
 
 function seenFrom(view: TestView, ring: JointRing) {
-  return seenRing(placeOf(ring), view.eye as [number, number, number], (at) => view.pixelsOf(at));
+  return seenRing(placeOf(ring), view.eye, (at) => view.pixelsOf(at));
 }
 
 /** The pose with one ring turned, computed without the code under test. */

@@ -5,7 +5,7 @@ import { axesOf } from '../../view/camera.ts';
 import { boneAt, type BoneTarget, characterRayAt } from '../../view/pick.ts';
 import { sizeOfPixel } from '../../view/picking.ts';
 import type { Looking } from '../editor.ts';
-import { isLive } from '../live-limb.ts';
+import { anyIsLive, isLive } from '../live-limb.ts';
 import { showHover } from '../hover.ts';
 import {
   distanceBetween,
@@ -23,7 +23,8 @@ export const boneTool: Tool = {
   id: 'bone',
   poses: true,
   press(place, button, editor) {
-    const target = button === 0 ? boneAt(editor, place) : null;
+    if (button !== 0 || !anyIsLive(editor.session)) return null;
+    const target = boneAt(editor, place);
     if (!target || !isLive(editor, target)) return null;
     showHover(editor, place, target);
     return turnBone(editor, place, target);
