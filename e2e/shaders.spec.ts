@@ -53,6 +53,18 @@ for (const method of await Promise.all(kernels.map(({ load }) => load()))) {
   });
 }
 
+test('the light on a limb links in every layout of influences', async () => {
+  const lights = influencePairs.map((pairs) => {
+    const defines = { INFLUENCE_PAIRS: pairs };
+    return {
+      name: `${pairs} pairs`,
+      vertex: resolveShader(files, 'passes/lit-limb.vert.glsl', defines),
+      fragment: resolveShader(files, 'passes/lit-limb.frag.glsl', defines),
+    };
+  });
+  expect(await problemsOf(page(), lights)).toEqual([]);
+});
+
 test('shaders that do not compile or link are reported', async () => {
   const [sound] = passes;
   const [problem, ...others] = await problemsOf(page(), [

@@ -149,6 +149,7 @@ export function createOpening(
       workspaceId.value = id;
       opening.resetCamera();
       session.show(workspace.look);
+      session.posesBy.value = workspace.posesBy;
       dressSelected(workspace);
     },
 

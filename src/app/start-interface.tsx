@@ -2,6 +2,7 @@
 import '@preact/signals';
 import { effect } from '@preact/signals-core';
 import { render } from 'preact';
+import { followCursor } from '../ui/cursor.ts';
 import type { Opening } from '../ui/editor.ts';
 import { listenToKeys } from '../ui/keys.ts';
 import { nameView } from '../ui/name-view.ts';
@@ -48,11 +49,7 @@ export function startInterface(
   runClock(editor.session, editor.transport);
   listenToPointer(layout.canvas, editor);
   nameView(layout.canvas, editor);
-  const { boneMode, hoveredJoint } = opening.session;
-  effect(() => {
-    const over = boneMode.value && hoveredJoint.value !== null;
-    layout.canvas.classList.toggle('over-bone', over);
-  });
+  followCursor(layout.canvas, editor);
   effect(() => {
     layout.root.dataset['drawer'] = editor.drawer.value ?? '';
   });

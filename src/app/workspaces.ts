@@ -28,6 +28,7 @@ export const workspaces: readonly Workspace[] = [
     framed: true,
     look: skinAlone,
     actorLook: { shading: 'smooth' },
+    posesBy: 'selection',
   },
   {
     id: '6.837',
@@ -47,6 +48,7 @@ export const workspaces: readonly Workspace[] = [
     framed: false,
     look: skinAlone,
     actorLook: { shading: 'faceted' },
+    posesBy: 'selection',
   },
   {
     id: 'cse169',
@@ -64,6 +66,7 @@ export const workspaces: readonly Workspace[] = [
     framed: true,
     look: { ...skinAlone, showSkin: false, showSkeleton: true, skeletonStyle: 'boxes' },
     actorLook: { shading: 'smooth' },
+    posesBy: 'selection',
   },
   {
     id: 'mannequin',
@@ -81,5 +84,6 @@ export const workspaces: readonly Workspace[] = [
     framed: true,
     look: { ...skinAlone, showSkeleton: true, skeletonStyle: 'lines', translucent: true },
     actorLook: { shading: 'smooth' },
+    posesBy: 'mode',
   },
 ];

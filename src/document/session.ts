@@ -1,4 +1,4 @@
-import { signal } from '@preact/signals-core';
+import { computed, signal } from '@preact/signals-core';
 import type { Bone } from '../core/bones.ts';
 import type { Diagnostic } from '../core/diagnostics.ts';
 import type { ActorId } from './scene.ts';
@@ -41,10 +41,32 @@ export interface ActiveDof {
   readonly ballAxis?: 0 | 1 | 2;
 }
 
+/** The id of a handle in the view, by which a value is dragged. */
+export type HandleId = string;
+
+/** The handle of a degree of freedom of the selected joint. */
+export function handleOf({ index, ballAxis }: Pick<ActiveDof, 'index' | 'ballAxis'>): HandleId {
+  return ballAxis === undefined ? `${index}` : `${index} ${ballAxis}`;
+}
+
 /**
  * How a skeleton is drawn: spheres and bones, the boxes of its file, both, or one line per bone.
  */
 export type SkeletonStyle = 'sticks' | 'boxes' | 'both' | 'lines';
+
+/**
+ * What a left drag may pose: the limb that was selected before, or, in bone mode alone, any limb.
+ * Bone mode makes every limb live in both.
+ */
+export type PosesBy = 'selection' | 'mode';
+
+/** A limb under the pointer. */
+export interface HoveredLimb {
+  readonly actorId: ActorId;
+  readonly joint: number;
+  /** A bone that starts at the joint, or null if none does. */
+  readonly bone: Bone | null;
+}
 
 /** How a dragged bone turns: its grabbed point follows the pointer, or as in CS354's program. */
 export type BoneDrag = 'follow' | 'course';
@@ -74,17 +96,24 @@ export class Session {
   readonly selectedActorId = signal<ActorId | null>(null);
   /** A joint of the selected actor. */
   readonly selectedJoint = signal<number | null>(null);
-  /** The joint under the pointer. */
-  readonly hoveredJoint = signal<number | null>(null);
-  /** The bone under the pointer, which is drawn as a cylinder. It starts at the hovered joint. */
-  readonly hoveredBone = signal<Bone | null>(null);
+  /** The limb under the pointer, of any actor. */
+  readonly hoveredLimb = signal<HoveredLimb | null>(null);
+  /** The joint under the pointer, if it is one of the selected actor. */
+  readonly hoveredJoint = computed(() => this.hoveredOfSelected?.joint ?? null);
+  /** The bone under the pointer, which starts at the hovered joint. */
+  readonly hoveredBone = computed(() => this.hoveredOfSelected?.bone ?? null);
+  /** The handle under the pointer, such as a ring; see `handleOf`. */
+  readonly hoveredHandle = signal<HandleId | null>(null);
   /**
    * The pointer's position over the view while it highlights a joint, in CSS pixels from the top
    * left.
    */
   readonly hoverPlace = signal<readonly [number, number] | null>(null);
-  /** Whether dragging a highlighted bone turns it. */
+  /** Whether every limb turns when it is dragged, not only the selected one. */
   readonly boneMode = signal(false);
+  readonly posesBy = signal<PosesBy>('selection');
+  /** Whether the view was last used by touch, where handles are larger. */
+  readonly byTouch = signal(false);
   readonly boneDrag = signal<BoneDrag>('follow');
   /** Whether the camera stays in place and looks around. */
   readonly firstPerson = signal(false);
@@ -106,6 +135,11 @@ export class Session {
   readonly verification = signal<Verification | null>(null);
   /** The problems of the last files. */
   readonly problems = signal<readonly Diagnostic[]>([]);
+
+  private get hoveredOfSelected(): HoveredLimb | null {
+    const limb = this.hoveredLimb.value;
+    return limb?.actorId === this.selectedActorId.value ? limb : null;
+  }
 
   show(look: Look): void {
     this.showSkin.value = look.showSkin;

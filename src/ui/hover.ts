@@ -1,14 +1,49 @@
-import type { BoneTarget } from '../view/pick.ts';
+import type { HandleId } from '../document/session.ts';
+import { boneAt, type BoneTarget } from '../view/pick.ts';
+import { ringAt } from '../view/pick-gizmo.ts';
 import type { Looking } from './editor.ts';
 import type { ToolPlace } from './tool.ts';
 
-/** Highlights the joint and bone under the pointer, or nothing. */
+/**
+ * A scene of more triangles lights no limb outside of bone mode: after each change of the pose, the
+ * first pick would stop the page for longer than a moment.
+ */
+const mostTriangles = 400_000;
+
+/**
+ * Highlights what a press at a place of the view would reach: a ring, or else a limb. While a clip
+ * plays nothing is highlighted, since it would not stay under the pointer.
+ */
+export function hoverAt(editor: Looking, place: ToolPlace | null): void {
+  if (!place || editor.session.playing.value) {
+    showHover(editor, null, null);
+    return;
+  }
+  const ring = ringAt(editor, place);
+  if (ring) showHoveredHandle(editor, ring.id);
+  else showHover(editor, place, canLight(editor) ? boneAt(editor, place) : null);
+}
+
+function canLight({ store, session }: Looking): boolean {
+  const sizes = store.scene.value.actors.map(({ character }) => character.mesh.indices.length / 3);
+  return session.boneMode.value || sizes.reduce((sum, size) => sum + size, 0) <= mostTriangles;
+}
+
+/** Highlights the limb under the pointer, or nothing. */
 export function showHover(
   { session }: Looking,
   place: ToolPlace | null,
   target: BoneTarget | null,
 ): void {
-  session.hoveredJoint.value = target?.joint ?? null;
-  session.hoveredBone.value = target?.bone ?? null;
+  session.hoveredHandle.value = null;
+  const { actorId, joint, bone } = session.hoveredLimb.value ?? {};
+  const isSame = target?.actorId === actorId && target?.joint === joint && target?.bone === bone;
+  if (!isSame) session.hoveredLimb.value = target;
   session.hoverPlace.value = place && target ? [place.pixelX, place.pixelY] : null;
+}
+
+/** Highlights a handle, which lies over all limbs. */
+export function showHoveredHandle(editor: Looking, handle: HandleId): void {
+  showHover(editor, null, null);
+  editor.session.hoveredHandle.value = handle;
 }

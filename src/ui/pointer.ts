@@ -1,31 +1,42 @@
 import { zoom } from '../view/camera.ts';
 import { selectActor } from '../document/reconcile.ts';
-import { boneAt, selectedBoneAt } from '../view/pick.ts';
+import { boneAt } from '../view/pick.ts';
+import { ringAt } from '../view/pick-gizmo.ts';
 import type { Looking } from './editor.ts';
-import { showHover } from './hover.ts';
-import type { ToolDrag, ToolPlace } from './tool.ts';
+import { hoverAt, showHover } from './hover.ts';
+import { onceAFrame } from './once-a-frame.ts';
+import {
+  distanceBetween,
+  stillDistance,
+  type Tool,
+  type ToolDrag,
+  type ToolPlace,
+} from './tool.ts';
 import { tools } from './tools/registry.ts';
 
 const zoomPerWheelPixel = 0.0012;
 const pixelsPerLine = 24;
 const panButton = 1;
-/** A pointer that moves less has clicked, not dragged; CSS pixels. */
-const stillDistance = 4;
 const mouseTolerance = 6;
 const touchTolerance = 20;
 
 /**
  * Sends drags on the canvas to the first tool that accepts them, and the wheel to the camera.
- * Hovering highlights a joint, and a click selects it. One finger drags like the left button. Two
- * fingers pan with their midpoint and zoom with their distance, whatever the first finger had
- * begun.
+ * Hovering lights a limb, a click selects it, and a click beside all limbs deselects it. One finger
+ * drags like the left button. Two fingers pan with their midpoint and zoom with their distance,
+ * whatever the first finger had begun.
  */
 export function listenToPointer(canvas: HTMLCanvasElement, editor: Looking): void {
   const { camera } = editor.viewer;
   const { session } = editor;
   const places = new Map<number, ToolPlace>();
   let drag: ToolDrag | null = null;
+  let tool: Tool | null = null;
   let pressed: ToolPlace | null = null;
+  // Picking tests triangles, so that one pick a frame is enough.
+  const hover = onceAFrame((place: ToolPlace | null) => {
+    if (places.size === 0) hoverAt(editor, place);
+  });
 
   canvas.addEventListener('pointerdown', (event) => {
     if (event.pointerType === 'mouse' && places.size > 0) return;
@@ -34,9 +45,10 @@ export function listenToPointer(canvas: HTMLCanvasElement, editor: Looking): voi
     canvas.setPointerCapture(event.pointerId);
     canvas.focus({ preventScroll: true });
     event.preventDefault();
+    session.byTouch.value = event.pointerType === 'touch';
     const isFirst = places.size === 1;
     if (!isFirst) drag?.cancel();
-    drag = press(place, isFirst ? event.button : panButton);
+    [tool, drag] = press(place, isFirst ? event.button : panButton);
     pressed = isFirst && event.button === 0 ? place : null;
   });
   canvas.addEventListener('pointermove', (event) => {
@@ -45,7 +57,8 @@ export function listenToPointer(canvas: HTMLCanvasElement, editor: Looking): voi
       hover(place);
       return;
     }
-    if (pressed && distance(pressed, place) > stillDistance) pressed = null;
+    if (pressed && distanceBetween(pressed, place) > stillDistance) pressed = null;
+    if (!pressed && !tool?.poses) showHover(editor, null, null);
     const [oldMiddle, oldSpread] = gather(places);
     places.set(event.pointerId, place);
     const [middle, spread] = gather(places);
@@ -57,8 +70,10 @@ export function listenToPointer(canvas: HTMLCanvasElement, editor: Looking): voi
     if (!places.delete(event.pointerId)) return;
     drag?.end();
     drag = null;
-    if (pressed) click(placeOf(event, canvas, editor.viewer.contents.length));
+    const place = placeOf(event, canvas, editor.viewer.contents.length);
+    if (pressed) click(place);
     pressed = null;
+    hover(session.byTouch.value ? null : place);
   });
   canvas.addEventListener('pointercancel', (event) => {
     places.delete(event.pointerId);
@@ -66,7 +81,7 @@ export function listenToPointer(canvas: HTMLCanvasElement, editor: Looking): voi
     drag = null;
     pressed = null;
   });
-  canvas.addEventListener('pointerleave', () => showHover(editor, null, null));
+  canvas.addEventListener('pointerleave', () => hover(null));
   canvas.addEventListener('contextmenu', (event) => event.preventDefault());
   canvas.addEventListener(
     'wheel',
@@ -74,60 +89,52 @@ export function listenToPointer(canvas: HTMLCanvasElement, editor: Looking): voi
       event.preventDefault();
       const pixels = event.deltaMode === 0 ? event.deltaY : event.deltaY * pixelsPerLine;
       camera.value = zoom(camera.value, Math.exp(pixels * zoomPerWheelPixel));
+      hover(placeOf(event, canvas, editor.viewer.contents.length));
     },
     { passive: false },
   );
 
-  function press(place: ToolPlace, button: number): ToolDrag | null {
-    for (const tool of tools) {
-      const begun = tool.press(place, button, editor);
-      if (begun) return begun;
+  function press(place: ToolPlace, button: number): [Tool, ToolDrag] | [null, null] {
+    for (const each of tools) {
+      const begun = each.press(place, button, editor);
+      if (begun) return [each, begun];
     }
-    return null;
-  }
-
-  /**
-   * If neither bones nor bone mode are on, nothing is highlighted, because the pointer moves the
-   * camera.
-   */
-  function hover(place: ToolPlace): void {
-    const lights = session.showSkeleton.value || session.boneMode.value;
-    showHover(
-      editor,
-      place,
-      lights && !session.playing.value ? selectedBoneAt(editor, place) : null,
-    );
+    return [null, null];
   }
 
   function click(place: ToolPlace): void {
+    if (ringAt(editor, place)) return;
     const target = boneAt(editor, place);
     const { selectedJoint, activeDof } = session;
-    if (!target) return;
-    selectActor(session, editor.store.scene.value, target.actorId);
-    if (selectedJoint.value !== target.joint) activeDof.value = null;
-    selectedJoint.value = target.joint;
+    if (target) selectActor(session, editor.store.scene.value, target.actorId);
+    // A click on the selected limb lets all of its angles turn again.
+    activeDof.value = null;
+    selectedJoint.value = target?.joint ?? null;
   }
 }
 
-function placeOf(event: PointerEvent, canvas: HTMLCanvasElement, viewCount: number): ToolPlace {
+function placeOf(
+  event: PointerEvent | WheelEvent,
+  canvas: HTMLCanvasElement,
+  viewCount: number,
+): ToolPlace {
   const { left, top, width, height } = canvas.getBoundingClientRect();
   const [pixelX, pixelY] = [event.clientX - left, event.clientY - top];
   // Views side by side each have their own left and right edge.
   const each = width / viewCount;
+  const isTouch = event instanceof PointerEvent && event.pointerType === 'touch';
   const within = pixelX - each * Math.min(viewCount - 1, Math.max(0, Math.floor(pixelX / each)));
   return {
     x: (within / each) * 2 - 1,
     y: 1 - (pixelY / height) * 2,
     pixelX,
     pixelY,
-    tolerance: event.pointerType === 'mouse' ? mouseTolerance : touchTolerance,
+    tolerance: isTouch ? touchTolerance : mouseTolerance,
     viewHeight: height,
     alt: event.altKey,
+    shift: event.shiftKey,
+    control: event.ctrlKey || event.metaKey,
   };
-}
-
-function distance(a: ToolPlace, b: ToolPlace): number {
-  return Math.hypot(a.pixelX - b.pixelX, a.pixelY - b.pixelY);
 }
 
 /** The midpoint of all pointers and their mean distance from it, in CSS pixels. */

@@ -6,8 +6,18 @@ export interface ToolPlace extends PickPlace {
   /** CSS pixels from the view's left and top edge. */
   readonly pixelX: number;
   readonly pixelY: number;
-  /** Whether Alt is held. */
+  /** The keys that are held; `control` is Ctrl or Cmd. */
   readonly alt: boolean;
+  readonly shift: boolean;
+  readonly control: boolean;
+}
+
+/** A pointer that moves less has clicked, not dragged; CSS pixels. */
+export const stillDistance = 4;
+
+/** In CSS pixels. */
+export function distanceBetween(a: ToolPlace, b: ToolPlace): number {
+  return Math.hypot(a.pixelX - b.pixelX, a.pixelY - b.pixelY);
 }
 
 /** A step of a drag; changes in CSS pixels, y down. */
@@ -30,6 +40,8 @@ export interface ToolDrag {
  */
 export interface Tool {
   readonly id: string;
+  /** Whether its drags change the pose; those of the others move the camera. */
+  readonly poses: boolean;
   /**
    * Begins a drag, or returns null to leave it to the next tool. @param button 0 left, 1 middle, 2
    * right

@@ -1,5 +1,5 @@
 import type { ActorLook } from '../document/actor-look.ts';
-import type { Look } from '../document/session.ts';
+import type { Look, PosesBy } from '../document/session.ts';
 import type { FormatId } from '../formats/registry.ts';
 import type { Camera } from '../view/camera.ts';
 
@@ -21,4 +21,5 @@ export interface Workspace {
   readonly look: Look;
   /** How the selected character and new ones are drawn. */
   readonly actorLook: Partial<ActorLook>;
+  readonly posesBy: PosesBy;
 }

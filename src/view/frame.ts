@@ -1,7 +1,7 @@
 import type { vec3 } from 'gl-matrix';
 import type { Detail } from '../document/session.ts';
 import type { UniformValue } from '../gl/program.ts';
-import { clipFromScene, eyeOf, nearOf } from './camera.ts';
+import { type Camera, clipFromScene, eyeOf, nearOf } from './camera.ts';
 import type { CharacterView } from './character-view.ts';
 import type { RenderView, Viewport } from './render-view.ts';
 import type { Theme } from './theme.ts';
@@ -14,10 +14,13 @@ export interface Frame {
   readonly characters: readonly CharacterView[];
   readonly options: ViewOptions;
   readonly theme: Theme;
+  readonly camera: Camera;
   readonly viewport: Viewport;
   readonly detail: Detail;
   /** The picture's pixels per pixel of the view, along one side. */
   readonly scale: number;
+  /** The picture's pixels per CSS pixel, along one side. */
+  readonly cssScale: number;
   /** The camera's place in the scene, and the distance before it at which things are cut off. */
   readonly eye: vec3;
   readonly near: number;
@@ -35,12 +38,14 @@ function scaleOf(detail: Detail): number {
   return detail === 'draft' ? 0.5 : 1;
 }
 
+/** @param pixelRatio the view's own pixels per CSS pixel */
 export function createFrame(
   characters: readonly CharacterView[],
   options: ViewOptions,
   theme: Theme,
   { camera, viewport }: RenderView,
   detail: Detail = 'full',
+  pixelRatio = 1,
 ): Frame {
   const { width, height } = viewport;
   const eye = eyeOf(camera);
@@ -55,9 +60,11 @@ export function createFrame(
     characters,
     options,
     theme,
+    camera,
     viewport,
     detail,
     scale: scaleOf(detail),
+    cssScale: scaleOf(detail) * pixelRatio,
     eye,
     near: nearOf(camera),
     uniforms,

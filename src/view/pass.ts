@@ -4,7 +4,15 @@ import type { Programs } from './programs.ts';
 import type { ViewOptions } from './view-options.ts';
 
 export type PassId =
-  'backdrop' | 'floor' | 'skeleton' | 'mesh' | 'hidden-skeleton' | 'bone-lines' | 'axes';
+  | 'backdrop'
+  | 'floor'
+  | 'skeleton'
+  | 'mesh'
+  | 'lit-limb'
+  | 'hidden-skeleton'
+  | 'bone-lines'
+  | 'overlay'
+  | 'axes';
 
 /**
  * An extension point: a pass draws something. A new pass is one file and one line in the registry.

@@ -38,7 +38,7 @@ export interface BoneTarget {
 }
 
 /** What picking needs, which the interface and the tools provide. */
-interface Looking {
+export interface Looking {
   readonly evaluations: Evaluations;
   readonly session: Session;
   readonly viewer: Viewer;
@@ -63,12 +63,6 @@ export function boneAt(look: Looking, place: PickPlace): BoneTarget | null {
     if (hit && hit.sceneDistance < (nearest?.sceneDistance ?? Infinity)) nearest = hit;
   }
   return nearest?.target ?? null;
-}
-
-/** Works like `boneAt`, but only for the selected actor, and only where no other actor hides it. */
-export function selectedBoneAt(look: Looking, place: PickPlace): BoneTarget | null {
-  const target = boneAt(look, place);
-  return target?.actorId === look.session.selectedActorId.value ? target : null;
 }
 
 /**

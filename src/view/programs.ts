@@ -24,7 +24,7 @@ export class Programs {
 
   /** Returns the program of shaders/passes/NAME.vert.glsl and NAME.frag.glsl. */
   pass(name: string, defines: Defines = {}): Program {
-    return this.find([name, ...Object.keys(defines)].join(' '), () => ({
+    return this.find([name, ...Object.entries(defines).flat()].join(' '), () => ({
       vertex: resolveShader(shaderFiles, `passes/${name}.vert.glsl`, defines),
       fragment: resolveShader(shaderFiles, `passes/${name}.frag.glsl`, defines),
     }));

@@ -111,15 +111,25 @@ export class SkinnedMesh {
     paletteBuffer.write(palette);
     const program = this.programs.skinStage({
       method,
-      influencePairs: this.influences.value.pairs,
+      influencePairs: this.influencePairs,
       paletteRows: paletteBuffer.blockRows,
     });
     program.use();
     paletteBuffer.bind(program);
-    this.influences.value.texture?.bind(influenceUnit);
-    program.set({ influenceTexture: influenceUnit });
+    this.bindInfluences(program);
     this.arrayFor(program).bind();
     this.feedback.run(this.mesh.vertexCount);
+  }
+
+  /** The pairs of attributes that hold the influences, or 0 if a texture does. */
+  get influencePairs(): number {
+    return this.influences.value.pairs;
+  }
+
+  /** Connects the influences with a program that is in use and reads them. */
+  bindInfluences(program: Program): void {
+    this.influences.value.texture?.bind(influenceUnit);
+    program.set({ influenceTexture: influenceUnit });
   }
 
   /** Fills the posed buffers with vertices that were skinned on the CPU. */

@@ -20,10 +20,13 @@ export interface JointMarks {
   readonly hovered: number | null;
 }
 
-/** Returns the marks of a view. Selected and hovered joints belong to the selected actor. */
+/** Returns the marks of a view. */
 export function marksOf({ state }: CharacterView, options: ViewOptions): JointMarks {
-  if (state.id !== options.selectedActorId) return { selected: null, hovered: null };
-  return { selected: options.selectedJoint, hovered: options.hoveredJoint };
+  const { selectedActorId, selectedJoint, hoveredLimb } = options;
+  return {
+    selected: state.id === selectedActorId ? selectedJoint : null,
+    hovered: state.id === hoveredLimb?.actorId ? hoveredLimb.joint : null,
+  };
 }
 
 /**

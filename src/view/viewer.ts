@@ -19,7 +19,7 @@ import { Renderer } from './renderer.ts';
 import { type RenderView, sideBySide, type ViewContent } from './render-view.ts';
 import type { LayoutChoice } from './skinned-mesh.ts';
 import { type ThemeName, themes } from './theme.ts';
-import { viewOptionsOf } from './view-options.ts';
+import { type ViewOptions, viewOptionsOf } from './view-options.ts';
 
 export interface CaptureSize {
   readonly width: number;
@@ -70,6 +70,8 @@ export class Viewer {
   private seenDetail: Detail = 'full';
   private renderer: Renderer | null = null;
   private frameRequest = 0;
+  /** The view's own pixels per CSS pixel. */
+  private pixelRatio = 1;
   /** The camera that was fitted to a box, to fit it again when the view's size changes. */
   private framed: { readonly camera: Camera; readonly box: Bounds } | null = null;
 
@@ -120,6 +122,7 @@ export class Viewer {
 
   resize(width: number, height: number): void {
     const { width: oldWidth, height: oldHeight } = this.size.value;
+    this.pixelRatio = height / (this.canvas.clientHeight || height);
     if (width === oldWidth && height === oldHeight) return;
     this.canvas.width = width;
     this.canvas.height = height;
@@ -147,7 +150,8 @@ export class Viewer {
     showStudio: boolean,
     contents: readonly ViewContent[] = this.contents,
   ): Uint8Array {
-    const frames = this.createFrames(sideBySide(contents, width, height), showStudio);
+    const views = sideBySide(contents, width, height);
+    const frames = this.createFrames(views, { showStudio, showOverlay: false });
     return this.present().capture(frames, width, height);
   }
 
@@ -250,7 +254,7 @@ export class Viewer {
     // Views that are compared are compared in full.
     const detail = contents.length > 1 ? 'full' : this.session.detail.value;
     const { width, height } = pictureSize(this.size.value, detail);
-    const frames = this.createFrames(sideBySide(contents, width, height), true, detail);
+    const frames = this.createFrames(sideBySide(contents, width, height), {}, detail);
     const renderer = this.present();
     renderer.draw(frames, width, height, detail).show();
     if (contents.length === 1) this.pace?.drawn(begin, renderer.gpu);
@@ -259,11 +263,11 @@ export class Viewer {
 
   private createFrames(
     views: readonly RenderView[],
-    showStudio: boolean,
+    changed: Partial<ViewOptions>,
     detail: Detail = 'full',
   ): Frame[] {
     const { selected, device, options: own, theme } = this.readState();
-    const options = { ...own, showStudio };
+    const options = { ...own, ...changed };
     const renderer = this.present();
     renderer.passes = this.passes.peek();
     const shown = views.map(({ overrides }) => this.evaluations.visible(overrides));
@@ -272,9 +276,10 @@ export class Viewer {
     this.refusal.value = selected ? renderer.refusalOf(selected) : null;
     const [first] = selected ? renderer.viewsOf([this.evaluations.of(selected)]) : [];
     if (first) this.poseMilliseconds.value = first.poseMilliseconds;
-    return views.map((view, index) =>
-      createFrame(renderer.viewsOf(shown[index]!), options, themes[theme], view, detail),
-    );
+    return views.map((view, index) => {
+      const characters = renderer.viewsOf(shown[index]!);
+      return createFrame(characters, options, themes[theme], view, detail, this.pixelRatio);
+    });
   }
 
   /** Reads all signals that the picture depends on. */

@@ -53,8 +53,7 @@ const actions: readonly ((walk: Walk, number: number) => void)[] = [
     const { bones } = stateOf(walk).character;
     const bone = bones[number % bones.length];
     if (!bone) return;
-    walk.session.hoveredBone.value = bone;
-    walk.session.hoveredJoint.value = bone.joint;
+    walk.session.hoveredLimb.value = { actorId: stateOf(walk).id, joint: bone.joint, bone };
     walk.session.hoverPlace.value = [1, 1];
   },
   (walk, number) => {

@@ -61,10 +61,16 @@ export function keyRows(context: ContextId): readonly HelpRow[] {
 
 /** The actions of the pointer on the view. */
 export const pointerRows: readonly HelpRow[] = [
+  ['Click', 'Select the limb, or deselect it beside all limbs'],
   [
-    'Left drag',
-    'Orbit; with the first-person camera, look around; in bone mode, turn the bone (Alt: roll it)',
+    'Left drag on the selected limb',
+    'Turn it (Alt: roll it); in bone mode, any limb; in the Mannequin workspace, in bone mode alone',
   ],
+  [
+    'Left drag on a ring',
+    'Turn one angle of the selected joint (Shift: a tenth; Ctrl/Cmd: in steps of 15°)',
+  ],
+  ['Left drag elsewhere', 'Orbit; with the first-person camera, look around'],
   ['Middle drag', 'Pan'],
   ['Right drag, wheel', 'Zoom'],
 ];

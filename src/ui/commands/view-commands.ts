@@ -50,7 +50,7 @@ export const viewCommands = [
   },
   {
     id: 'bone-mode',
-    label: 'Bone mode: drag bones to turn them',
+    label: 'Bone mode: drag any limb to turn it, without selecting it',
     short: 'Bone mode',
     keys: [{ key: 'm' }],
     isOn: ({ session }) => session.boneMode.value,

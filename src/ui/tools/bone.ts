@@ -1,28 +1,31 @@
 import { setPose } from '../../document/edits.ts';
 import { jointOfValue } from '../../core/pose.ts';
 import { beginDrag, type DragMode, type DragPointer } from '../../posing/drag.ts';
-import { canTurn } from '../../posing/joint-frames.ts';
 import { axesOf } from '../../view/camera.ts';
-import { type BoneTarget, selectedBoneAt, characterRayAt } from '../../view/pick.ts';
+import { boneAt, type BoneTarget, characterRayAt } from '../../view/pick.ts';
 import { sizeOfPixel } from '../../view/picking.ts';
 import type { Looking } from '../editor.ts';
+import { anyIsLive, isLive } from '../live-limb.ts';
 import { showHover } from '../hover.ts';
-import type { Tool, ToolDrag, ToolPlace } from '../tool.ts';
+import {
+  distanceBetween,
+  stillDistance,
+  type Tool,
+  type ToolDrag,
+  type ToolPlace,
+} from '../tool.ts';
 
-/** A pointer that moves less has clicked; CSS pixels. */
-const stillDistance = 4;
 /** A grabbed point that is nearer than this to its joint does not follow; CSS pixels. */
 const leastReach = 8;
 
-/** Bone mode: a left drag on a bone, or on the skin of a joint, turns it. */
+/** A left drag on the selected limb, in bone mode on any, turns it by its bone or its skin. */
 export const boneTool: Tool = {
   id: 'bone',
+  poses: true,
   press(place, button, editor) {
-    const { evaluations, session } = editor;
-    if (!session.boneMode.value || button !== 0) return null;
-    const target = selectedBoneAt(editor, place);
-    const shown = evaluations.selected();
-    if (!target || !shown || !canTurn(shown.state.character.skeleton, target.joint)) return null;
+    if (button !== 0 || !anyIsLive(editor.session)) return null;
+    const target = boneAt(editor, place);
+    if (!target || !isLive(editor, target)) return null;
     showHover(editor, place, target);
     return turnBone(editor, place, target);
   },
@@ -46,8 +49,7 @@ function turnBone(editor: Looking, from: ToolPlace, target: BoneTarget): ToolDra
 
   return {
     move({ place }) {
-      const distance = Math.hypot(place.pixelX - from.pixelX, place.pixelY - from.pixelY);
-      moved ||= distance > stillDistance;
+      moved ||= distanceBetween(from, place) > stillDistance;
       // After the drag was canceled or ended by an undo, it has no effect until the button is
       // released.
       if (!moved || !gesture.isOpen) return;

@@ -7,6 +7,7 @@ const turnPerHeight = 2;
 /** In first person, a left drag turns the camera in place. */
 export const lookTool: Tool = {
   id: 'look',
+  poses: false,
   press(_, button, { session, viewer: { camera } }) {
     if (!session.firstPerson.value || button !== 0) return null;
     return {

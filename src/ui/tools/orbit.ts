@@ -10,6 +10,7 @@ const zoomPerHeight = 3;
  */
 export const orbitTool: Tool = {
   id: 'orbit',
+  poses: false,
   press: (_, button, { viewer: { camera } }) => ({
     move({ place: { viewHeight }, deltaX, deltaY }) {
       const [x, y] = [deltaX / viewHeight, deltaY / viewHeight];

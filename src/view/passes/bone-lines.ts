@@ -18,7 +18,7 @@ const [boneWidth, gridWidth] = [2.5, 1.25];
  */
 export const boneLinesPass: Pass = {
   id: 'bone-lines',
-  isShown: (options) => showsLines(options) || options.hoveredBone !== null,
+  isShown: showsLines,
   create(gpu, programs) {
     const { gl } = gpu;
     const program = programs.pass('line');
@@ -27,9 +27,8 @@ export const boneLinesPass: Pass = {
     return {
       draw(frame) {
         const { options } = frame;
-        const withLines = showsLines(options) ? frame.characters : [];
-        bones.update(keyOf(withLines, options), () =>
-          withLines.map((view) => boneLineInstances(view, marksOf(view, options))),
+        bones.update(keyOf(frame.characters, options), () =>
+          frame.characters.map((view) => boneLineInstances(view, marksOf(view, options))),
         );
         updateLit(frame);
         program.use();
@@ -49,12 +48,12 @@ export const boneLinesPass: Pass = {
       },
     };
 
-    /** Only bones of the selected actor can be hovered. */
-    function updateLit({ characters, options: { hoveredBone, selectedActorId } }: Frame): void {
-      const view = hoveredBone && characters.find(({ state }) => state.id === selectedActorId);
-      const index = view ? view.state.character.bones.indexOf(hoveredBone) : -1;
+    function updateLit({ characters, options: { hoveredLimb } }: Frame): void {
+      const { actorId, bone } = hoveredLimb ?? {};
+      const view = characters.find(({ state }) => state.id === actorId);
+      const index = view && bone ? view.state.character.bones.indexOf(bone) : -1;
       lit.update(view ? `${index} ${keyOf([view])}` : '', () =>
-        view ? [litBoneInstance(view, hoveredBone)] : [],
+        view && bone ? [litBoneInstance(view, bone)] : [],
       );
     }
 

@@ -2,7 +2,7 @@ import { addShaderFiles } from '../shader-files.ts';
 
 /** These shaders belong to the passes that are not in the first picture. */
 addShaderFiles(
-  import.meta.glob<string>('../../../shaders/passes/{line,solid}.*.glsl', {
+  import.meta.glob<string>('../../../shaders/passes/{line,lit-limb,overlay,solid}.*.glsl', {
     query: '?raw',
     import: 'default',
     eager: true,

@@ -4,7 +4,9 @@ import { axesPass } from './axes.ts';
 import { backdropPass } from './backdrop.ts';
 import { boneLinesPass } from './bone-lines.ts';
 import { floorPass } from './floor.ts';
+import { litLimbPass } from './lit-limb.ts';
 import { meshPass } from './mesh.ts';
+import { overlayPass } from './overlay.ts';
 import { hiddenSkeletonPass, skeletonPass } from './skeleton.ts';
 
 /** All passes, in the order of drawing. */
@@ -13,7 +15,9 @@ export const passes: readonly Pass[] = [
   backdropPass,
   skeletonPass,
   meshPass,
+  litLimbPass,
   hiddenSkeletonPass,
   boneLinesPass,
+  overlayPass,
   axesPass,
 ];

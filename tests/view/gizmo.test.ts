@@ -1,0 +1,129 @@
+import { vec3 } from 'gl-matrix';
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { openCharacter } from '../../src/document/open-characters.ts';
+import { emptyScene, type Transform } from '../../src/document/scene.ts';
+import { Evaluator } from '../../src/evaluation/evaluator.ts';
+import { type Camera, clipFromScene } from '../../src/view/camera.ts';
+import { gizmoLines, gizmoRings } from '../../src/view/gizmo.ts';
+import { type OverlayView, pickOverlay } from '../../src/view/overlay.ts';
+import { readOne } from '../support/files.ts';
+
+/** The middle joint has limits about x, none about y, and is locked about z. */
+const skel = `balljoint root {
+  offset 0 0 0
+  balljoint middle {
+    offset 0 4 0
+    rotxlimit -0.5 1
+    rotzlimit 0.2 0.2
+    pose 0.3 -0.4 0.2
+    balljoint end { offset 0 4 1 }
+  }
+}`;
+const radius = 70;
+const plain = { radius, hovered: null, active: null };
+
+const number = (min: number, max: number) => fc.double({ min, max, noNaN: true });
+const cameras = fc.record({
+  target: fc.tuple(number(-0.2, 0.2), number(0.3, 0.7), number(-0.2, 0.2)),
+  distance: number(1.5, 12),
+  azimuth: number(-3, 3),
+  elevation: number(-1.4, 1.4),
+  fieldOfView: number(0.3, 0.9),
+});
+const transforms = fc.record({
+  position: fc.tuple(number(-0.1, 0.1), number(-0.1, 0.1), number(-0.1, 0.1)),
+  rotation: fc.tuple(number(-1, 1), number(-1, 1), number(-1, 1)).map(([x, y, z]) => {
+    const size = Math.hypot(x, y, z, 1);
+    return [x / size, y / size, z / size, 1 / size] as const;
+  }),
+  scale: number(0.7, 1.3),
+});
+
+async function evaluationOf(transform: Transform) {
+  const character = await readOne({ 'a.skel': skel });
+  const scene = openCharacter(null, character, 'linear-blend').apply(emptyScene);
+  return new Evaluator({ ...scene.actors[0]!, transform });
+}
+
+function viewOf(camera: Camera): OverlayView {
+  return { camera, width: 1000, height: 800 };
+}
+
+/** Where the picture shows a point, computed from the matrix alone. */
+function pixelsOf({ camera, width, height }: OverlayView, point: vec3): [number, number] {
+  const m = clipFromScene(camera, width / height);
+  const [x, y, w] = [0, 1, 3].map(
+    (row) => m[row]! * point[0] + m[row + 4]! * point[1] + m[row + 8]! * point[2] + m[row + 12]!,
+  );
+  return [((x! / w!) * width) / 2, ((y! / w!) * height) / 2];
+}
+
+describe('the rings of a joint', () => {
+  it('have one radius in the picture, wherever camera and character are', async () => {
+    await fc.assert(
+      fc.asyncProperty(cameras, transforms, async (camera, transform) => {
+        const view = viewOf(camera);
+        const rings = gizmoRings(await evaluationOf(transform), 1, view, plain);
+        expect(rings.map(({ ring }) => ring.axis)).toEqual([1, 0]);
+        for (const { center, first, second } of rings) {
+          const [cx, cy] = pixelsOf(view, center);
+          let largest = 0;
+          for (let turn = 0; turn < Math.PI; turn += 0.05) {
+            const point = vec3.scaleAndAdd([0, 0, 0], center, first, Math.cos(turn));
+            vec3.scaleAndAdd(point, point, second, Math.sin(turn));
+            const [x, y] = pixelsOf(view, point);
+            largest = Math.max(largest, Math.hypot(x - cx, y - cy));
+          }
+          // A near ring is seen larger at one side, and at the picture's edge it is stretched.
+          expect(largest).toBeGreaterThan(radius * 0.95);
+          expect(largest).toBeLessThan(radius * 1.25);
+        }
+      }),
+      { numRuns: 60 },
+    );
+  });
+
+  it('are found at their lines, and nowhere else', async () => {
+    await fc.assert(
+      fc.asyncProperty(cameras, transforms, fc.nat(1e6), async (camera, transform, seed) => {
+        const view = viewOf(camera);
+        const rings = gizmoRings(await evaluationOf(transform), 1, view, plain);
+        const lines = gizmoLines(rings, plain);
+        const line = lines[seed % lines.length]!;
+        const place = pixelsOf(view, line.points[seed % line.points.length] as vec3);
+        expect(lines.map(({ id }) => id)).toContain(pickOverlay(lines, view, place, 6));
+        expect(pickOverlay([line], view, place, 1e-6)).toBe(line.id);
+        const [cx, cy] = pixelsOf(view, rings[0]!.center);
+        expect(pickOverlay(lines, view, [cx + radius * 1.8, cy], 6)).toBeNull();
+      }),
+      { numRuns: 60 },
+    );
+  });
+
+  it('are strong within their limits and faint beyond; the active one is on top', async () => {
+    const camera = { target: [0, 0.5, 0], distance: 3, azimuth: 0.3, elevation: 0.2 } as const;
+    const view = viewOf({ ...camera, fieldOfView: 0.5 });
+    const evaluation = await evaluationOf({
+      position: [0, 0, 0],
+      rotation: [0, 0, 0, 1],
+      scale: 1,
+    });
+    const rings = gizmoRings(evaluation, 1, view, plain);
+    const [y, x] = rings.map(({ id }) => id);
+    const lengthOf = (id: string, isStrong: boolean): number =>
+      gizmoLines(rings, plain)
+        .filter((line) => line.id === id && (line.opacity === 1) === isStrong)
+        .flatMap(({ points }) => points.slice(1).map((p, i) => vec3.distance(p, points[i]!)))
+        .reduce((sum, piece) => sum + piece, 0) / vec3.length(rings[0]!.first);
+    // The mark of the present value adds its own length.
+    const mark = lengthOf(y!, true) - 2 * Math.PI;
+    expect(mark).toBeGreaterThan(0.1);
+    expect(mark).toBeLessThan(0.5);
+    expect(lengthOf(y!, false)).toBe(0);
+    expect(lengthOf(x!, true) - mark).toBeCloseTo(1.5, 2);
+    expect(lengthOf(x!, false)).toBeCloseTo(2 * Math.PI - 1.5, 2);
+    expect(gizmoLines(rings, { ...plain, active: y! }).at(-1)!.id).toBe(y);
+    expect(gizmoLines(rings, { ...plain, active: x! }).at(-1)!.id).toBe(x);
+  });
+});
