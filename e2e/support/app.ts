@@ -92,8 +92,12 @@ export async function expectFittingCanvas(page: Page): Promise<void> {
   });
 }
 
+/** Most tests are about one character; a visit without a name would open a scene. */
 async function open(page: Page, address: string): Promise<void> {
-  await page.goto(address);
+  const named = /[?&]model=/.test(address)
+    ? address
+    : `${address}${/\?/.test(address) ? '&' : '?'}model=human`;
+  await page.goto(named);
   await page.evaluate(() => window.sinew.ready);
 }
 

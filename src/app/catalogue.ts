@@ -15,9 +15,13 @@ export interface CatalogueEntry extends BundledCharacter {
 }
 
 /** Bundled characters that belong together. The first one is nearest to the camera. */
-interface CatalogueScene {
+export interface CatalogueScene {
   readonly id: string;
   readonly label: string;
+  /** The box around all of it, in scene space. */
+  readonly bounds: { readonly min: readonly number[]; readonly max: readonly number[] };
+  /** In degrees. */
+  readonly camera: { readonly azimuth: number; readonly elevation: number };
   readonly actors: readonly {
     /** The id of a character. */
     readonly character: string;

@@ -11,13 +11,19 @@ import { failureText } from '../ui/attempt.ts';
 import type { Opening, ThemeChoice } from '../ui/editor.ts';
 import type { Workspace, WorkspaceId } from '../ui/workspace.ts';
 import type { Viewer } from '../view/viewer.ts';
-import type { CatalogueEntry } from './catalogue.ts';
+import type { CatalogueEntry, CatalogueScene } from './catalogue.ts';
 import { FileOpener, type OpenOutcome } from './open-files.ts';
+import { type OpeningScene, openScene } from './open-scene.ts';
 import { ProgressMeter } from './progress-meter.ts';
 import { workspaces } from './workspaces.ts';
 
 /** The number of your own characters that stay in the list in addition to those opened last. */
 const mostEarlier = 12;
+
+/** What opens characters, and bundled scenes too. */
+export interface OpeningOfScenes extends Opening {
+  openScene(scene: CatalogueScene): OpeningScene;
+}
 
 /**
  * Opens characters and workspaces. It contains everything of the editor that the first picture
@@ -29,7 +35,7 @@ export function createOpening(
   evaluations: Evaluations,
   viewer: Viewer,
   catalogue: Signal<readonly CatalogueEntry[]>,
-): Opening {
+): OpeningOfScenes {
   const workspaceId = signal<WorkspaceId>(workspaces[0]!.id);
   const workspaceNow = () => workspaces.find(({ id }) => id === workspaceId.value)!;
   const opener = new FileOpener(store, session, evaluations, () => workspaceNow().actorLook);
@@ -163,7 +169,10 @@ export function createOpening(
       if (workspaceNow().framed) viewer.frameAll();
     },
   };
-  return opening;
+  return {
+    ...opening,
+    openScene: (scene) => openScene(scene, catalogue.value, opener, opening),
+  };
 
   /** Draws the selected character as a workspace does; this is a step of undo, unlike the rest. */
   function dressSelected({ label, actorLook }: Workspace): void {

@@ -2,7 +2,7 @@ import type { Character } from '../core/character.ts';
 import { loadPart } from '../core/failure.ts';
 import { openCharacter, openCharacters } from '../document/open-characters.ts';
 import type { ActorLook } from '../document/actor-look.ts';
-import type { Actor, KeptState, Source } from '../document/scene.ts';
+import type { Actor, KeptState, Source, Transform } from '../document/scene.ts';
 import { dropJoints } from '../document/reconcile.ts';
 import { selectedActor } from '../document/selected-actor.ts';
 import type { Session } from '../document/session.ts';
@@ -26,6 +26,10 @@ import { loadReadHere, readFiles } from './read-files.ts';
 export interface OpenWay {
   readonly source: Source;
   readonly add: boolean;
+  /** Where a character stands; beside the others, if absent. */
+  readonly place?: Transform;
+  /** Whether opening is no step of undo, as for a scene that is on its way. */
+  readonly quiet?: boolean;
 }
 
 /**
@@ -113,7 +117,8 @@ export class FileOpener {
    *
    * @param q a pose for the first character
    */
-  showAll(found: readonly ReadCharacter[], { source, add }: OpenWay, q?: Float64Array): void {
+  showAll(found: readonly ReadCharacter[], way: OpenWay, q?: Float64Array): void {
+    const { source, add } = way;
     const shown = found.slice(0, mostAtOnce);
     const replaced = add ? [] : this.replaced;
     const ids = replaced.map(({ id }) => id);
@@ -134,11 +139,13 @@ export class FileOpener {
       look: this.newLook(),
       kept: {
         source,
-        transform: kept ?? places[index]!,
+        transform: way.place ?? kept ?? places[index]!,
         ...(q && index === 0 && { q }),
       },
     }));
-    this.store.dispatch(openCharacters(ids, actors));
+    const edit = openCharacters(ids, actors);
+    if (way.quiet) this.store.amend(edit);
+    else this.store.dispatch(edit);
     this.beginClip(shown[0]!.character);
     dropJoints(this.session);
   }

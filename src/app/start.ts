@@ -7,12 +7,16 @@ import { Evaluations } from '../evaluation/evaluations.ts';
 import { Kernels } from '../evaluation/kernels.ts';
 import { failureText } from '../ui/attempt.ts';
 import { listenToDrops } from '../ui/drop-zone.ts';
-import type { Opening } from '../ui/editor.ts';
 import { listenToPaste } from '../ui/paste.ts';
 import { loadSkinningShader } from '../view/skinning-shaders.ts';
 import { Viewer } from '../view/viewer.ts';
-import { type Catalogue, type CatalogueEntry, fetchCatalogue } from './catalogue.ts';
-import { createOpening } from './create-opening.ts';
+import {
+  type Catalogue,
+  type CatalogueEntry,
+  type CatalogueScene,
+  fetchCatalogue,
+} from './catalogue.ts';
+import { createOpening, type OpeningOfScenes } from './create-opening.ts';
 import { createLayout } from './layout.ts';
 import type { Scripting } from './scripting.ts';
 import { followTheme } from './theme.ts';
@@ -80,11 +84,11 @@ export async function start(root: HTMLElement): Promise<void> {
 }
 
 /**
- * Opens what the page's address names. An unknown name gives a message, and the first entry is
- * opened.
+ * Opens what the page's address names; without names, the first scene. An unknown name gives a
+ * message, and the first entry is opened.
  */
 async function openNamed(
-  opening: Opening,
+  opening: OpeningOfScenes,
   catalogue: Signal<readonly CatalogueEntry[]>,
   listed: Promise<Catalogue>,
   parameters: URLSearchParams,
@@ -97,13 +101,20 @@ async function openNamed(
     return found ?? list[0];
   };
   opening.setWorkspace(named(workspaces, 'workspace')!.id);
+  let scene: CatalogueScene | undefined;
   try {
-    catalogue.value = (await listed).characters;
+    const { characters, scenes } = await listed;
+    catalogue.value = characters;
+    scene = scenes[0];
   } catch (error) {
     if (!(error instanceof Failure)) throw error;
     notes.push(error.message);
   }
-  const character = named(catalogue.value, 'model');
-  if (character) await opening.openBundled(character.id);
+  if (scene && !parameters.has('model') && !parameters.has('workspace')) {
+    await opening.openScene(scene).first;
+  } else {
+    const character = named(catalogue.value, 'model');
+    if (character) await opening.openBundled(character.id);
+  }
   if (notes.length > 0) opening.notice.value = notes.join('; ');
 }

@@ -193,7 +193,8 @@ export class Viewer {
     return this.renderer?.gpu.liveObjects ?? {};
   }
 
-  private frame(box: Bounds): void {
+  /** Changes the camera's distance and target so that a box of the scene is in the picture. */
+  frame(box: Bounds): void {
     const camera = frameBox(this.camera.value, box, this.aspect);
     this.framed = { camera, box };
     this.camera.value = camera;

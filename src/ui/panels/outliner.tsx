@@ -27,7 +27,7 @@ export function Outliner({ editor }: { readonly editor: Editor }) {
         >
           <Icon id="list" />
         </button>
-        <CommandButton editor={editor} command="add-files" class="add" />
+        <CommandButton editor={editor} command="gallery" class="add" />
       </header>
       <ul class="actors">
         {actors.map((actor, index) => (

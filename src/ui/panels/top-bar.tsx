@@ -14,6 +14,7 @@ export function TopBar({ editor }: { readonly editor: Editor }) {
         <CommandButton editor={editor} command="undo" icon="undo" />
         <CommandButton editor={editor} command="redo" icon="redo" />
         <CommandButton editor={editor} command="save-picture" icon="picture" />
+        <CommandButton editor={editor} command="palette" icon="search" />
         <CommandButton editor={editor} command="keys" icon="help" />
       </div>
     </>
