@@ -26,7 +26,7 @@ const firstScripts = [
     name: 'reading',
     test: modules(
       'app/bundled-pose',
-      'core/(bones|build-[a-z]+|coincident-joints|corner-values|equal-tuples|report-rows)',
+      'core/(build-[a-z]+|coincident-joints|corner-values|equal-tuples|report-rows)',
       'core/split-corners',
       'formats/(axis-values|ball-values|json/decoder|junk|pose-json|read-characters|registry)',
       'formats/(mit|cse169|mmd)/(shape|recognize)',
@@ -65,11 +65,7 @@ export default defineConfig({
   build: {
     target: 'es2022',
     sourcemap: false,
-    // The scripts that the first one imports are requested with it, and others when they are wanted.
-    modulePreload: {
-      polyfill: false,
-      resolveDependencies: (_file, scripts, { hostType }) => (hostType === 'html' ? scripts : []),
-    },
+    modulePreload: false,
     // Small files are not inlined, because a strict content policy allows no data: addresses.
     assetsInlineLimit: 0,
     rolldownOptions: { output: { codeSplitting: { groups: firstScripts } } },

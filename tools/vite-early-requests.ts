@@ -4,8 +4,8 @@ import type { Plugin } from 'vite';
 const readingScript = 'reading';
 
 /**
- * Lets the built page request what its first script would ask for later: the list of characters
- * and the script that reads the first of them.
+ * Lets the built page request what its first script would ask for later: the scripts that it
+ * imports, the one that reads the first character, and the list of characters.
  */
 export function earlyRequests(): Plugin {
   return {
@@ -14,13 +14,16 @@ export function earlyRequests(): Plugin {
     transformIndexHtml: {
       order: 'post',
       handler(_html, { bundle }) {
-        const reading = Object.values(bundle ?? {}).find(
-          (output) => output.type === 'chunk' && output.name === readingScript,
-        );
+        const chunks = Object.values(bundle ?? {}).filter((output) => output.type === 'chunk');
+        const early = new Set(chunks.filter(({ isEntry }) => isEntry).flatMap((c) => c.imports));
+        const reading = chunks.find(({ name }) => name === readingScript);
         if (!reading) throw new Error(`no script is named ${readingScript}`);
+        const scripts = [...early, reading.fileName].map((file) => ({
+          rel: 'modulepreload',
+          href: `./${file}`,
+        }));
         const list = { rel: 'preload', as: 'fetch', href: './data/catalogue.json' };
-        const script = { rel: 'modulepreload', href: `./${reading.fileName}` };
-        return [list, script].map((attributes) => ({
+        return [...scripts, list].map((attributes) => ({
           tag: 'link',
           attrs: { ...attributes, crossorigin: true },
           injectTo: 'head',

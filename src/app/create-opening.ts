@@ -1,6 +1,6 @@
 import { computed, type Signal, signal } from '@preact/signals-core';
 import { loadPart } from '../core/failure.ts';
-import { setLook } from '../document/edits.ts';
+import { setLook } from '../document/look-edits.ts';
 import { selectActor } from '../document/reconcile.ts';
 import { selectedActor } from '../document/selected-actor.ts';
 import type { Session } from '../document/session.ts';
@@ -22,7 +22,8 @@ const mostEarlier = 12;
 
 /** What opens characters, and bundled scenes too. */
 export interface OpeningOfScenes extends Opening {
-  openScene(scene: CatalogueScene): OpeningScene;
+  /** @param shown settles when the first character was drawn, for which the others wait */
+  openScene(scene: CatalogueScene, shown: Promise<void>): OpeningScene;
 }
 
 /**
@@ -171,7 +172,7 @@ export function createOpening(
   };
   return {
     ...opening,
-    openScene: (scene) => openScene(scene, catalogue.value, opener, opening),
+    openScene: (scene, shown) => openScene(scene, catalogue.value, opener, opening, shown),
   };
 
   /** Draws the selected character as a workspace does; this is a step of undo, unlike the rest. */

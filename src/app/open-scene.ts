@@ -16,12 +16,15 @@ export interface OpeningScene {
 /**
  * Opens the characters of a bundled scene, one after another, without steps of undo. The camera
  * frames all of them from the start, so that it stays when the others come.
+ *
+ * @param shown settles when the first one was drawn, for which the others wait
  */
 export function openScene(
   { label, actors, bounds, camera }: CatalogueScene,
   entries: readonly CatalogueEntry[],
   opener: FileOpener,
   { whileWorking, viewer, session, store, notice }: Opening,
+  shown: Promise<void>,
 ): OpeningScene {
   let firstCame = (): void => undefined;
   const first = new Promise<void>((resolve) => (firstCame = resolve));
@@ -46,6 +49,7 @@ export function openScene(
         });
         notice.value = label;
         firstCame();
+        await shown;
       } else if (selected !== null) selectActor(session, store.scene.value, selected);
     }
   });

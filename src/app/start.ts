@@ -63,7 +63,7 @@ export async function start(root: HTMLElement): Promise<void> {
 
   // An empty picture would only keep the first character waiting.
   viewer.waiting.value = true;
-  const opened = openNamed(opening, catalogue, listed, parameters);
+  const opened = openNamed(opening, catalogue, listed, parameters, firstFrame);
   // Creating a context keeps the page busy for a while, so the character is requested first.
   await listed.catch(() => undefined); // the failure is reported by what opens
   const textures = (parameters.get('textures') ?? '').split(',');
@@ -92,6 +92,7 @@ async function openNamed(
   catalogue: Signal<readonly CatalogueEntry[]>,
   listed: Promise<Catalogue>,
   parameters: URLSearchParams,
+  firstFrame: Promise<void>,
 ): Promise<void> {
   const notes: string[] = [];
   const named = <T extends { readonly id: string }>(list: readonly T[], key: string) => {
@@ -111,7 +112,7 @@ async function openNamed(
     notes.push(error.message);
   }
   if (scene && !parameters.has('model') && !parameters.has('workspace')) {
-    await opening.openScene(scene).first;
+    await opening.openScene(scene, firstFrame).first;
   } else {
     const character = named(catalogue.value, 'model');
     if (character) await opening.openBundled(character.id);

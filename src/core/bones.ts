@@ -1,4 +1,5 @@
 import { quat, vec3 } from 'gl-matrix';
+import type { Character } from './character.ts';
 import type { Mesh } from './mesh.ts';
 import { noParent, type Skeleton } from './skeleton.ts';
 import { noJoint, type Skin } from './skin.ts';
@@ -19,6 +20,18 @@ export interface Bone {
  * A shorter link has no direction; files put several joints at one point (all the MIT models do).
  */
 const shortest = 1e-8;
+
+const known = new WeakMap<Character, readonly Bone[]>();
+
+/** Returns the bones of a character; they are derived when someone first asks. */
+export function bonesOf(character: Character): readonly Bone[] {
+  let bones = known.get(character);
+  if (!bones) {
+    bones = deriveBones(character.skeleton, character.skin, character.mesh);
+    known.set(character, bones);
+  }
+  return bones;
+}
 
 /** Returns all bones that have a length, in the order of their joints. */
 export function deriveBones(skeleton: Skeleton, skin: Skin, mesh: Mesh): Bone[] {

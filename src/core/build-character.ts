@@ -1,4 +1,3 @@
-import { deriveBones } from './bones.ts';
 import { type Bounds, emptyBounds, includePositions } from './bounds.ts';
 import { boxCorners } from './display-boxes.ts';
 import { buildMesh } from './build-mesh.ts';
@@ -67,7 +66,6 @@ function assemble(
     clips: parts.clips ?? [],
     materials: parts.mesh?.materials ?? [],
     images: [],
-    bones: deriveBones(skeleton, skin, mesh),
     bounds: restBounds(skeleton, mesh),
     missing: parts.missing,
     meta: { fileSpace: parts.fileSpace ?? 'right-handed' },

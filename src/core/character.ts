@@ -1,4 +1,3 @@
-import type { Bone } from './bones.ts';
 import type { Bounds } from './bounds.ts';
 import type { ClipParts, FileSpace, MaterialParts } from './character-parts.ts';
 import type { Mesh } from './mesh.ts';
@@ -33,7 +32,6 @@ export interface Character {
   readonly materials: readonly MaterialParts[];
   /** The image files that materials name, if they were found. */
   readonly images: readonly CharacterImage[];
-  readonly bones: readonly Bone[];
   /** Bounds of the mesh and the joints in the file's pose, in the character's space. */
   readonly bounds: Bounds;
   /** What was missing, for the user: kinds of file (".attach") and images ("head.bmp"). */

@@ -2,14 +2,8 @@ import { assert } from '../core/assert.ts';
 import { jointRange } from '../core/pose.ts';
 import type { NormalsId } from '../core/skin.ts';
 import type { MethodId } from '../skinning/method.ts';
-import type { ActorLook } from './actor-look.ts';
-import type { Actor, ActorId, Scene, Transform } from './scene.ts';
-
-/** An edit: a pure function from scene to scene, with a name for the Undo button. */
-export interface Edit {
-  readonly label: string;
-  apply(scene: Scene): Scene;
-}
+import { type Edit, editActor } from './edit.ts';
+import type { Actor, ActorId, Transform } from './scene.ts';
 
 /**
  * Sets one value of a character's pose. An edit applies to the pose that is shown: if a clip is
@@ -91,11 +85,6 @@ export function setNormalizeWeights(id: ActorId, normalizeWeights: boolean): Edi
   return editActor(id, label, (actor) => ({ ...actor, normalizeWeights }));
 }
 
-/** Changes some of how an actor is drawn. */
-export function setLook(id: ActorId, change: Partial<ActorLook>, label: string): Edit {
-  return editActor(id, label, (actor) => ({ ...actor, look: { ...actor.look, ...change } }));
-}
-
 /** Removes an actor from the scene. */
 export function removeActor({ id, character }: Actor): Edit {
   return {
@@ -112,14 +101,4 @@ export function removeActors(): Edit {
 /** Moves, rotates or scales an actor in the scene. */
 export function setTransform(id: ActorId, transform: Transform, label: string): Edit {
   return editActor(id, label, (actor) => ({ ...actor, transform }));
-}
-
-function editActor(id: ActorId, label: string, edit: (actor: Actor) => Actor): Edit {
-  return {
-    label,
-    apply: (scene) => ({
-      ...scene,
-      actors: scene.actors.map((actor) => (actor.id === id ? edit(actor) : actor)),
-    }),
-  };
 }

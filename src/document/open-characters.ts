@@ -1,6 +1,6 @@
 import type { Character } from '../core/character.ts';
 import type { MethodId } from '../skinning/method.ts';
-import type { Edit } from './edits.ts';
+import type { Edit } from './edit.ts';
 import { type ActorLook, nextClay, plainLook } from './actor-look.ts';
 import { type Actor, type ActorId, createActor, freeId, type KeptState } from './scene.ts';
 

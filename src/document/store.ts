@@ -1,5 +1,5 @@
 import { batch, computed, type ReadonlySignal, signal } from '@preact/signals-core';
-import type { Edit } from './edits.ts';
+import type { Edit } from './edit.ts';
 import { emptyScene, sameScene, type Scene } from './scene.ts';
 import {
   emptyHistory,

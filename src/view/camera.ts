@@ -1,6 +1,5 @@
 import { mat4, vec3 } from 'gl-matrix';
 import { type Bounds, isEmpty } from '../core/bounds.ts';
-import type { ViewAxes } from '../posing/mouse-turns.ts';
 
 /**
  * An orbit camera in scene space, which looks at `target` from `distance` away. Angles are in
@@ -29,8 +28,7 @@ export const startCamera: Camera = {
   fieldOfView: 0.5,
 };
 
-/** The largest angle at which a camera looks up or down; it never turns over. */
-export const highest = (89 * Math.PI) / 180;
+/** The limits of a camera's distance, in scene units. */
 const [nearest, farthest] = [0.02, 40];
 
 export function eyeOf(camera: Camera): vec3 {
@@ -58,45 +56,10 @@ export function clipFromScene(camera: Camera, aspect: number): mat4 {
   return mat4.multiply(new Float64Array(16), clipFromView, viewFromScene);
 }
 
-/** Returns unit vectors of the scene that point to the picture's right, to its top and into it. */
-export function axesOf({ azimuth, elevation }: Camera): ViewAxes {
-  const [sin, cos] = [Math.sin(azimuth), Math.cos(azimuth)];
-  const [rise, level] = [Math.sin(elevation), Math.cos(elevation)];
-  return {
-    right: [cos, 0, -sin],
-    up: [-sin * rise, level, -cos * rise],
-    look: [-sin * level, -rise, -cos * level],
-  };
-}
-
-export function orbit(camera: Camera, azimuthChange: number, elevationChange: number): Camera {
-  const elevation = camera.elevation + elevationChange;
-  return {
-    ...camera,
-    azimuth: camera.azimuth + azimuthChange,
-    elevation: Math.min(highest, Math.max(-highest, elevation)),
-  };
-}
-
 /** Moves the camera nearer (factor below 1) or farther. */
 export function zoom(camera: Camera, factor: number): Camera {
   const distance = Math.min(farthest, Math.max(nearest, camera.distance * factor));
   return { ...camera, distance };
-}
-
-/** Moves the target in the picture's plane, right and up, by fractions of the picture's height. */
-export function pan(camera: Camera, right: number, up: number): Camera {
-  const { azimuth, elevation, distance, fieldOfView } = camera;
-  const scale = 2 * distance * Math.tan(fieldOfView / 2);
-  const [sin, cos] = [Math.sin(azimuth), Math.cos(azimuth)];
-  const rise = Math.cos(elevation) * up * scale;
-  const back = Math.sin(elevation) * up * scale;
-  const side = right * scale;
-  const [x, y, z] = camera.target;
-  return {
-    ...camera,
-    target: [x + cos * side - sin * back, y + rise, z - sin * side - cos * back],
-  };
 }
 
 /** The room around what is framed, as a factor of its size. */

@@ -1,5 +1,6 @@
 import { vec3 } from 'gl-matrix';
-import { axesOf, type Camera, eyeOf, highest } from './camera.ts';
+import { type Camera, eyeOf } from './camera.ts';
+import { axesOf, highest } from './camera-moves.ts';
 
 /**
  * A camera that stands at its eye and looks around, in scene space and radians. It is drawn as the

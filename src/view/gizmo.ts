@@ -1,4 +1,5 @@
 import { mat4, vec3 } from 'gl-matrix';
+import { bonesOf } from '../core/bones.ts';
 import { handleOf, type HandleId } from '../document/session.ts';
 import type { Evaluation } from '../evaluation/evaluation.ts';
 import { noParent } from '../core/skeleton.ts';
@@ -31,13 +32,13 @@ export function gizmoRings(
   view: OverlayView,
   { radius }: Pick<Gizmo, 'radius'>,
 ): GizmoRing[] {
-  const { skeleton, bones } = character;
+  const { skeleton } = character;
   const parent = skeleton.parents[joint]!;
   const characterFromParent =
     parent === noParent
       ? mat4.identity(new Float64Array(16))
       : characterFromJoint.subarray(parent * 16, parent * 16 + 16);
-  const limb = bones.find((bone) => bone.joint === joint)?.vector ?? null;
+  const limb = bonesOf(character).find((bone) => bone.joint === joint)?.vector ?? null;
   const { sceneFromCharacter, scale } = display;
   const inScene = (vector: vec3, length: number): vec3 => {
     const origin = mat4.getTranslation(new Float64Array(3), sceneFromCharacter);

@@ -1,5 +1,5 @@
 import { vec3 } from 'gl-matrix';
-import type { Bone } from '../core/bones.ts';
+import { type Bone, bonesOf } from '../core/bones.ts';
 import { distanceToSegment, pointOnRay, type Ray } from '../core/ray.ts';
 import type { ActorId } from '../document/scene.ts';
 import type { Session } from '../document/session.ts';
@@ -114,7 +114,7 @@ function atJoint(
 ): BoneTarget {
   const [x, y, z] = pointOnRay(ray, distance) as [number, number, number];
   const matrix = characterFromJoint.subarray(joint * 16, joint * 16 + 16);
-  const own = character.bones.filter((bone) => bone.joint === joint);
+  const own = bonesOf(character).filter((bone) => bone.joint === joint);
   const gaps = own.map(({ vector }) => {
     const start = vec3.transformMat4(new Float64Array(3), [0, 0, 0], matrix);
     const end = vec3.transformMat4(new Float64Array(3), vector, matrix);

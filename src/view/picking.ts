@@ -1,4 +1,5 @@
 import { mat4, vec3 } from 'gl-matrix';
+import { bonesOf } from '../core/bones.ts';
 import type { Character } from '../core/character.ts';
 import { type Ray, rayInFrame } from '../core/ray.ts';
 import { type BoneHit, pickBone as pickPosedBone } from '../posing/pick-bone.ts';
@@ -57,7 +58,8 @@ export function pickBone(target: PickTarget, ray: Ray, tolerance: number): BoneH
 
 function pick(target: PickTarget, ray: Ray, tolerance: number, sphere: number): BoneHit | null {
   const { character, display, characterFromJoint } = target;
-  const { skeleton, bones } = character;
+  const { skeleton } = character;
+  const bones = bonesOf(character);
   return pickPosedBone({ skeleton, bones, characterFromJoint }, characterRay(display, ray), {
     boneRadius: boneReach / display.scale,
     jointRadius: sphere / display.scale,

@@ -1,6 +1,6 @@
 import { mat4 } from 'gl-matrix';
 import { tangentAxes } from '../core/bone-frames.ts';
-import type { Bone } from '../core/bones.ts';
+import { type Bone, bonesOf } from '../core/bones.ts';
 import type { CharacterView } from './character-view.ts';
 import type { ViewOptions } from './view-options.ts';
 import { instanceSize } from './instanced-solid.ts';
@@ -70,12 +70,12 @@ export function jointInstances(view: CharacterView, marks: JointMarks): Float32A
 
 /** Creates a cylinder along every bone, in the frame of the joint that turns it. */
 export function boneInstances(view: CharacterView, marks: JointMarks): Float32Array {
-  return instancesAlong(view, view.state.character.bones, marks, boneRadius, palette.bone);
+  return instancesAlong(view, bonesOf(view.state.character), marks, boneRadius, palette.bone);
 }
 
 /** Creates a line along every bone. */
 export function boneLineInstances(view: CharacterView, marks: JointMarks): Float32Array {
-  return instancesAlong(view, view.state.character.bones, marks, boneRadius, palette.boneLine);
+  return instancesAlong(view, bonesOf(view.state.character), marks, boneRadius, palette.boneLine);
 }
 
 /** Creates the cylinder around the highlighted bone, with the radius that picking uses. */
@@ -100,7 +100,7 @@ function instancesAlong(
 
 /** Creates the handout's t, n and b of every bone at its origin, a quarter of its length. */
 export function boneAxisInstances(view: CharacterView): Float32Array {
-  const { bones } = view.state.character;
+  const bones = bonesOf(view.state.character);
   const instances = new Float32Array(bones.length * 3 * instanceSize);
   bones.forEach(({ joint, vector }, index) => {
     const axes = tangentAxes([...vector]);

@@ -1,4 +1,5 @@
 import { beforeAll, expect, it } from 'vitest';
+import { bonesOf } from '../../src/core/bones.ts';
 import type { Character } from '../../src/core/character.ts';
 import { largestInfluenceCount } from '../../src/core/skin.ts';
 import { jointMatrices } from '../../src/core/forward-kinematics.ts';
@@ -94,7 +95,9 @@ describeWithShared('Model2 of 6.837, with CRLF line ends', [`${data}/crlf`], () 
     const { characters, diagnostics } = await readContents(modelFiles('crlf/Model2'));
     expect(diagnostics).toEqual([]);
     expect(characters).toHaveLength(1);
-    const { skeleton, mesh, skin, bones } = characters[0]!.character;
+    const { character } = characters[0]!;
+    const { skeleton, mesh, skin } = character;
+    const bones = bonesOf(character);
     expect(mesh.pointCount).toBe(13_336);
     expect(mesh.indices).toHaveLength(26_668 * 3);
     expect(largestInfluenceCount(skin)).toBe(13);

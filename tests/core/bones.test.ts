@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import type { Bone } from '../../src/core/bones.ts';
+import { type Bone, bonesOf } from '../../src/core/bones.ts';
 import { largestDifference, numbersAt } from '../support/compare.ts';
 import { characterOfRig } from '../fixtures/character-of-rig.ts';
 import type { Rig } from '../fixtures/rig.ts';
@@ -16,17 +16,19 @@ function joint(parent: number, offset: readonly number[], rotation = still): Joi
   return { parent, offset, rotation, freedoms: [] };
 }
 
-function bonesOf(joints: readonly Joint[], skin: Pick<Rig, 'points' | 'rows'>): readonly Bone[] {
+function bonesOfRig(joints: readonly Joint[], skin: Pick<Rig, 'points' | 'rows'>): readonly Bone[] {
   const triangles = skin.points.length > 0 ? [[0, 0, 0]] : [];
   const rest = joints.map(() => []);
-  return characterOfRig({ joints, rest, triangles, ...skin }).bones;
+  return bonesOf(characterOfRig({ joints, rest, triangles, ...skin }));
 }
 
 const noSkin = { points: [], rows: [] };
 
 describe('deriveBones', () => {
   it("gives the course's model a bone for forearms, head and feet, none where joints meet", async () => {
-    const { skeleton, bones } = await readOne({ 'a.skel': courseSkel });
+    const character = await readOne({ 'a.skel': courseSkel });
+    const { skeleton } = character;
+    const bones = bonesOf(character);
     const ends = bones.map(({ joint, child }) => [
       skeleton.names[joint],
       child === -1 ? 'tip' : skeleton.names[child],
@@ -55,7 +57,7 @@ describe('deriveBones', () => {
   });
 
   it('ends a leaf nine tenths of the way through the points that mostly follow it', () => {
-    const bones = bonesOf([joint(-1, [0, 0, 0]), joint(0, [1, 0, 0])], {
+    const bones = bonesOfRig([joint(-1, [0, 0, 0]), joint(0, [1, 0, 0])], {
       points: [
         [1, 1, 0],
         [1, 2, 0],
@@ -83,17 +85,17 @@ describe('deriveBones', () => {
   it('tells vectors in the frame of their joint, turned as it may be', () => {
     // The second joint is rotated by 90° about z, so the character's +y is its own +x.
     const joints = [joint(-1, [0, 0, 0]), joint(0, [1, 0, 0], quarterTurn), joint(1, [0, 2, 0])];
-    const withSkin = bonesOf(joints.slice(0, 2), { points: [[1, 3, 0]], rows: [[[1, 1]]] });
+    const withSkin = bonesOfRig(joints.slice(0, 2), { points: [[1, 3, 0]], rows: [[[1, 1]]] });
     expect(largestDifference(withSkin[1]!.vector, [2.7, 0, 0])).toBeLessThan(tolerances.float32);
-    expect(bonesOf(joints, noSkin)[1]!.vector).toEqual([0, 2, 0]);
+    expect(bonesOfRig(joints, noSkin)[1]!.vector).toEqual([0, 2, 0]);
     // Without a skin, the tip continues in its parent's direction: the character's +x, its own −y.
-    const extended = bonesOf(joints.slice(0, 2), noSkin);
+    const extended = bonesOfRig(joints.slice(0, 2), noSkin);
     expect(largestDifference(extended[1]!.vector, [0, -0.6, 0])).toBeLessThan(1e-12);
   });
 
   it('gives none to links without length and to a lone root', () => {
-    expect(bonesOf([joint(-1, [1, 2, 3])], noSkin)).toEqual([]);
-    expect(bonesOf([joint(-1, [0, 0, 0]), joint(0, [0, 0, 0])], noSkin)).toEqual([]);
+    expect(bonesOfRig([joint(-1, [1, 2, 3])], noSkin)).toEqual([]);
+    expect(bonesOfRig([joint(-1, [0, 0, 0]), joint(0, [0, 0, 0])], noSkin)).toEqual([]);
     // All points at the joint, and points whose centroid is the joint, have no direction.
     const around = {
       points: [
@@ -102,11 +104,13 @@ describe('deriveBones', () => {
       ],
       rows: [[[0, 1] as const], [[0, 1] as const]],
     };
-    expect(bonesOf([joint(-1, [0, 0, 0])], around)).toEqual([]);
+    expect(bonesOfRig([joint(-1, [0, 0, 0])], around)).toEqual([]);
   });
 
   it.each(Object.entries(allRigs))('is finite for the rig "%s"', (_, makeRig) => {
-    const { bones, bounds } = characterOfRig(makeRig());
+    const character = characterOfRig(makeRig());
+    const { bounds } = character;
+    const bones = bonesOf(character);
     expect(bones.length).toBeGreaterThan(3);
     for (const { vector } of bones) {
       expect(Math.hypot(...vector)).toBeGreaterThan(1e-8);

@@ -1,6 +1,6 @@
 import { expect, it } from 'vitest';
 import { clayCount, nextClay } from '../../src/document/actor-look.ts';
-import { setLook } from '../../src/document/edits.ts';
+import { setLook } from '../../src/document/look-edits.ts';
 import { openCharacter, openCharacters } from '../../src/document/open-characters.ts';
 import { emptyScene } from '../../src/document/scene.ts';
 import { Store } from '../../src/document/store.ts';
@@ -25,10 +25,13 @@ it('characters get one clay after another, and one that is free again', () => {
 });
 
 it('characters that are opened together differ, and one that replaces another looks like it', () => {
-  const both = openCharacters([], [
-    { character, method },
-    { character, method, look: { shading: 'faceted' } },
-  ]).apply(emptyScene);
+  const both = openCharacters(
+    [],
+    [
+      { character, method },
+      { character, method, look: { shading: 'faceted' } },
+    ],
+  ).apply(emptyScene);
   const [first, second] = both.actors;
   const replaced = openCharacter(first!.id, character, method).apply(both);
 

@@ -6,7 +6,6 @@ import { axisDofs } from '../../src/core/pose.ts';
 import { DofKind } from '../../src/core/skeleton.ts';
 import {
   bindClip,
-  type Edit,
   resetJoint,
   resetPose,
   setMethod,
@@ -16,6 +15,7 @@ import {
   setTransform,
   setValue,
 } from '../../src/document/edits.ts';
+import type { Edit } from '../../src/document/edit.ts';
 import { openCharacter } from '../../src/document/open-characters.ts';
 import { type Actor, type Scene, type Transform, unmoved } from '../../src/document/scene.ts';
 import { Store } from '../../src/document/store.ts';

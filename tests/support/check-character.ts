@@ -1,4 +1,5 @@
 import { expect } from 'vitest';
+import { bonesOf } from '../../src/core/bones.ts';
 import type { Character } from '../../src/core/character.ts';
 import { normalizeSkin } from '../../src/core/skin.ts';
 import { restPose } from '../../src/core/pose.ts';
@@ -7,7 +8,8 @@ import { skinVertices } from './skin-vertices.ts';
 
 /** Expects what holds for every character, whatever file it came from. */
 export function expectSound(character: Character): void {
-  const { skeleton, mesh, skin, bones, bounds } = character;
+  const { skeleton, mesh, skin, bounds } = character;
+  const bones = bonesOf(character);
   const { jointCount } = skeleton;
   expect(jointCount + mesh.pointCount).toBeGreaterThan(0);
   skeleton.parents.forEach((parent, joint) => {

@@ -2,15 +2,8 @@ import { vec3 } from 'gl-matrix';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { emptyBounds, includePositions } from '../../src/core/bounds.ts';
-import {
-  type Camera,
-  clipFromScene,
-  eyeOf,
-  frameBox,
-  orbit,
-  pan,
-  zoom,
-} from '../../src/view/camera.ts';
+import { type Camera, clipFromScene, eyeOf, frameBox, zoom } from '../../src/view/camera.ts';
+import { orbit, pan } from '../../src/view/camera-moves.ts';
 
 const camera: Camera = {
   target: [0.1, 0.5, -0.2],

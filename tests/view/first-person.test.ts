@@ -1,7 +1,8 @@
 import { vec3 } from 'gl-matrix';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { axesOf, type Camera, clipFromScene, eyeOf } from '../../src/view/camera.ts';
+import { type Camera, clipFromScene, eyeOf } from '../../src/view/camera.ts';
+import { axesOf } from '../../src/view/camera-moves.ts';
 import {
   type FirstPerson,
   firstPersonFrom,

@@ -1,4 +1,4 @@
-import { orbit } from '../../view/camera.ts';
+import { orbit } from '../../view/camera-moves.ts';
 import { firstPersonFrom, orbitFrom, walk } from '../../view/first-person.ts';
 import type { Editor } from '../editor.ts';
 import type { Command } from './command.ts';

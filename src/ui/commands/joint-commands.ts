@@ -1,3 +1,4 @@
+import { bonesOf } from '../../core/bones.ts';
 import { setPose } from '../../document/edits.ts';
 import { selectedActor } from '../../document/selected-actor.ts';
 import type { Session } from '../../document/session.ts';
@@ -57,8 +58,8 @@ function rollBone({ store, session, evaluations }: Editor, direction: 1 | -1): v
   const joint = rolledJoint(session);
   if (!shown || joint === null) return;
   const { id, character } = shown.state;
-  const { skeleton, bones } = character;
-  const bone = session.hoveredBone.value ?? bones.find((each) => each.joint === joint);
+  const { skeleton } = character;
+  const bone = session.hoveredBone.value ?? bonesOf(character).find((each) => each.joint === joint);
   if (bone?.joint !== joint) return;
   const q = rollJoint(skeleton, shown.pose.q, joint, bone.vector, direction * rollStep);
   store.dispatch(setPose(id, q, `Roll ${skeleton.names[joint]!}`));

@@ -1,6 +1,7 @@
 import type { GUI } from 'lil-gui';
 import { diagonal } from '../../core/bounds.ts';
-import { type Edit, setPose, setValue } from '../../document/edits.ts';
+import type { Edit } from '../../document/edit.ts';
+import { setPose, setValue } from '../../document/edits.ts';
 import type { Actor } from '../../document/scene.ts';
 import type { Looking, Posing } from '../editor.ts';
 import { axisNames, type JointValue, jointValues, valueName } from '../joint-values.ts';

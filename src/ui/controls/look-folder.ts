@@ -1,6 +1,6 @@
 import type { GUI } from 'lil-gui';
 import { type ActorLook, clayCount, plainLook, type Shading } from '../../document/actor-look.ts';
-import { setLook } from '../../document/edits.ts';
+import { setLook } from '../../document/look-edits.ts';
 import { selectedActor } from '../../document/selected-actor.ts';
 import type { Looking } from '../editor.ts';
 import { watch } from '../watch.ts';

@@ -1,4 +1,4 @@
-import { setLook } from '../../document/edits.ts';
+import { setLook } from '../../document/look-edits.ts';
 import type { Actor } from '../../document/scene.ts';
 import { clayColors } from '../../view/theme.ts';
 import type { Editor } from '../editor.ts';

@@ -1,4 +1,5 @@
-import { orbit, pan, zoom } from '../../view/camera.ts';
+import { zoom } from '../../view/camera.ts';
+import { orbit, pan } from '../../view/camera-moves.ts';
 import type { Tool } from '../tool.ts';
 
 /** Radians for a drag over the height of the view. */

@@ -1,3 +1,4 @@
+import { bonesOf } from '../../core/bones.ts';
 import type { Frame } from '../frame.ts';
 import { InstancedSolid } from '../instanced-solid.ts';
 import type { Pass } from '../pass.ts';
@@ -51,7 +52,7 @@ export const boneLinesPass: Pass = {
     function updateLit({ characters, options: { hoveredLimb } }: Frame): void {
       const { actorId, bone } = hoveredLimb ?? {};
       const view = characters.find(({ state }) => state.id === actorId);
-      const index = view && bone ? view.state.character.bones.indexOf(bone) : -1;
+      const index = view && bone ? bonesOf(view.state.character).indexOf(bone) : -1;
       lit.update(view ? `${index} ${keyOf([view])}` : '', () =>
         view && bone ? [litBoneInstance(view, bone)] : [],
       );
