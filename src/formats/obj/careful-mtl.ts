@@ -3,7 +3,7 @@ import { DiagnosticLog, type Parsed } from '../../core/diagnostics.ts';
 import type { Limits } from '../../core/limits.ts';
 import type { LineReader } from '../text/line-reader.ts';
 import { openText } from '../text/open-text.ts';
-import { finishMaterial, type MaterialLines } from './read-mtl.ts';
+import { finishMaterial, type MaterialLines } from './material-lines.ts';
 
 const effect = 'the line is left out';
 

@@ -1,21 +1,9 @@
-import type { Color, MaterialColors, MaterialParts } from '../../core/character-parts.ts';
+import type { Color, MaterialParts } from '../../core/character-parts.ts';
 import type { Parsed } from '../../core/diagnostics.ts';
 import { loadPart } from '../../core/failure.ts';
 import { defaultLimits, type Limits } from '../../core/limits.ts';
 import { decodeText } from '../text/decode-text.ts';
-
-const black: Color = [0, 0, 0];
-
-/** A material as its lines fill it. */
-export interface MaterialLines {
-  name: string;
-  texture?: string;
-  diffuse?: Color;
-  specular?: Color;
-  ambient?: Color;
-  shininess?: number;
-  alpha?: number;
-}
+import { finishMaterial, type MaterialLines } from './material-lines.ts';
 
 /**
  * Reads a material library of Wavefront OBJ: `newmtl` with `Kd`, `Ks`, `Ns`, `Ka`, `d` or `Tr`, and
@@ -51,14 +39,4 @@ function readPlainMtl(text: string): MaterialLines[] | undefined {
     else return undefined;
   }
   return materials;
-}
-
-export function finishMaterial({ name, texture, ...rest }: MaterialLines): MaterialParts {
-  const colors = colorsOf(rest);
-  return { name, ...(texture === undefined ? {} : { texture }), ...(colors ? { colors } : {}) };
-}
-
-function colorsOf(draft: Omit<MaterialLines, 'name' | 'texture'>): MaterialColors | undefined {
-  const { diffuse, specular = black, ambient = black, shininess = 0, alpha = 1 } = draft;
-  return diffuse && { diffuse, alpha, specular, shininess, ambient, shown: diffuse };
 }
