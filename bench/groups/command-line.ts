@@ -15,7 +15,7 @@ export async function commandLine({ rounds }: BenchOptions): Promise<GroupResult
     : packageCommand('tsx', [path.join(root, 'src/cli/main.ts')]);
   const info = [...program, 'info', ...unpackedHuman()];
   const nothing = [process.execPath, '-e', '0'];
-  expectRight(/13886 vertices/.test(run(info)), 'info names the number of vertices');
+  expectRight(/14307 vertices/.test(run(info)), 'info names the number of vertices');
   const contenders: readonly Contender[] = [
     { id: 'sinew info', sample: () => timed(info) },
     { id: 'node -e 0', sample: () => timed(nothing) },

@@ -39,7 +39,11 @@ function bodyOf(obj, attach, jointCount) {
     const [keyword, ...words] = line.split(' ');
     if (keyword === 'v') positions.push(...words.map(Number));
     if (keyword !== 'f') continue;
-    const corners = words.map((word) => parseInt(word, 10) - 1);
+    // Faces count from the first vertex, or back from the last one before them.
+    const corners = words.map((word) => {
+      const index = parseInt(word, 10);
+      return index < 0 ? positions.length / 3 + index : index - 1;
+    });
     for (let i = 2; i < corners.length; i++) indices.push(corners[0], corners[i - 1], corners[i]);
   }
   const start = new Uint32Array(attach.length + 1);

@@ -51,9 +51,9 @@ export function shapeTargets(): ReadonlyMap<string, number> {
 /** The colors of its materials, in tone with clay; the skin has none and is clay itself. */
 export const MATERIALS: readonly Material[] = [
   { name: 'skin' },
-  { name: 'lips', color: [0.75, 0.65, 0.61] },
-  { name: 'brows', color: [0.55, 0.49, 0.45] },
-  { name: 'eyes', color: [0.86, 0.85, 0.82], gloss: [0.25, 60] },
+  { name: 'lips', color: [0.78, 0.62, 0.55] },
+  { name: 'brows', color: [0.52, 0.4, 0.33] },
+  { name: 'eyes', color: [0.88, 0.84, 0.8], gloss: [0.25, 60] },
   { name: 'iris rims', color: [0.25, 0.21, 0.18], gloss: [0.4, 120] },
   { name: 'irises', color: [0.42, 0.34, 0.27], gloss: [0.4, 120] },
   { name: 'pupils', color: [0.05, 0.05, 0.05], gloss: [0.4, 120] },

@@ -55,8 +55,11 @@ function partsOf(source: PandaSource, table: JointTable): CharacterParts {
       ),
   );
   const center: Vector3 = [0, -low![0]!, -(low![1]! + high![1]!) / 2];
+  // Rounded first, so that offsets and bindings agree exactly.
   const places = bones.map((bone): Vector3 => {
-    return add(source.bones.get(bone === '' ? 'Dummy_hips' : bone)!, center);
+    const place = add(source.bones.get(bone === '' ? 'Dummy_hips' : bone)!, center);
+    const [x, y, z] = rounded(place, 5);
+    return [x!, y!, z!];
   });
   const positions = source.positions.map((point) => add(point, center));
   const skin = skinParts(source, table, places);

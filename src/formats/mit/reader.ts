@@ -64,7 +64,7 @@ async function withMaterials(
   const diagnostics = [...mesh.diagnostics];
   const materials: MaterialParts[] = [];
   for (const library of libraries) {
-    const parsed = readMtl(baseName(library.path), await library.bytes(), limits);
+    const parsed = await readMtl(baseName(library.path), await library.bytes(), limits);
     diagnostics.push(...parsed.diagnostics);
     materials.push(...(parsed.value ?? []));
   }

@@ -1,11 +1,12 @@
 import type { DofParts, JointParts, SkeletonParts } from '../../core/character-parts.ts';
 import { DiagnosticLog, type Parsed, type Place } from '../../core/diagnostics.ts';
+import { loadPart } from '../../core/failure.ts';
 import { defaultLimits, type Limits } from '../../core/limits.ts';
 import { DofKind, noParent } from '../../core/skeleton.ts';
 import { checkFloat32 } from '../text/check-float32.ts';
 import type { LineReader } from '../text/line-reader.ts';
 import { openText } from '../text/open-text.ts';
-import { jointNames } from './joint-names.ts';
+import { hasTopology, makeHuman } from './human-joint-names.ts';
 
 const effect = 'the skeleton is not used';
 
@@ -21,11 +22,11 @@ interface JointLine {
  * parent; -1 marks a root. Parents may follow their children; blank lines and `#` comments are not
  * counted. The builder of all skeletons checks that parents exist and lead to a root.
  */
-export function readSkel(
+export async function readSkel(
   file: string,
   bytes: Uint8Array,
   limits: Limits = defaultLimits,
-): Parsed<SkeletonParts> {
+): Promise<Parsed<SkeletonParts>> {
   const log = new DiagnosticLog(file);
   const reader = openText(file, bytes, log, { limits });
   if (!reader) return log.finish<SkeletonParts>(undefined);
@@ -40,9 +41,16 @@ export function readSkel(
     log.error({ code: 'skel/limit', ...lines.at(-1)!.place, expected, found: 'more', effect });
   }
   if (!log.failed) checkRoots(lines, log);
-  const names = jointNames(lines.map(({ parent }) => parent));
+  const names = await namesOf(lines.map(({ parent }) => parent));
   const joints = lines.map((line, index) => jointOf(line, names[index]!));
   return log.finish({ file, joints });
+}
+
+/** The human is in the first picture, which does not wait for the names of other skeletons. */
+async function namesOf(parents: readonly number[]): Promise<readonly string[]> {
+  if (hasTopology(makeHuman, parents)) return makeHuman.names;
+  const { jointNames } = await loadPart(import('./joint-names.ts'));
+  return jointNames(parents);
 }
 
 function readJoint(reader: LineReader, log: DiagnosticLog): JointLine | undefined {

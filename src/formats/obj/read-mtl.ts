@@ -1,153 +1,42 @@
-import type { Color, MaterialColors, MaterialParts } from '../../core/character-parts.ts';
-import { DiagnosticLog, type Parsed } from '../../core/diagnostics.ts';
+import type { Color, MaterialParts } from '../../core/character-parts.ts';
+import type { Parsed } from '../../core/diagnostics.ts';
+import { loadPart } from '../../core/failure.ts';
 import { defaultLimits, type Limits } from '../../core/limits.ts';
-import type { LineReader } from '../text/line-reader.ts';
-import { openText } from '../text/open-text.ts';
-
-const effect = 'the line is left out';
-
-/** Colors beyond this are damaged; programs write up to about 1. */
-const largestColor = 1000;
-const black: Color = [0, 0, 0];
-
-/** Ignored without a message: the studio's surfaces have none of these properties. */
-const silent = new Set([
-  ...['illum', 'Ni', 'Ke', 'Tf', 'sharpness', 'Pr', 'Pm', 'Ps', 'Pc', 'Pcr', 'aniso', 'anisor'],
-  ...['map_Ka', 'map_Ks', 'map_Ns', 'map_d', 'map_Ke', 'map_Bump', 'map_bump', 'bump', 'disp'],
-  ...['decal', 'refl', 'norm', 'map_Pr', 'map_Pm', 'map_Ps', 'map_Kn', 'map_refl'],
-]);
-
-/** An option before the name of an image, with its words and numbers. */
-const imageOption = /^-[a-z]+(\s+(on|off|[rgbmlz]|[-+]?\.?\d\S*)(?=\s))*\s+/i;
-
-/** Reports that the current line is wrong. */
-type Report = (expected: string) => void;
-
-/** A material as its lines fill it. */
-interface Draft {
-  name: string;
-  texture?: string;
-  diffuse?: Color;
-  specular?: Color;
-  ambient?: Color;
-  shininess?: number;
-  alpha?: number;
-}
+import { decodeText } from '../text/decode-text.ts';
+import { finishMaterial, type MaterialLines } from './material-lines.ts';
 
 /**
  * Reads a material library of Wavefront OBJ: `newmtl` with `Kd`, `Ks`, `Ns`, `Ka`, `d` or `Tr`, and
- * `map_Kd`. A material without `Kd` has no color of its own.
+ * `map_Kd`. A material without `Kd` has no color of its own. A library of only plain lines, as that
+ * of the first picture, does not need the code for the others.
  */
-export function readMtl(
+export async function readMtl(
   file: string,
   bytes: Uint8Array,
   limits: Limits = defaultLimits,
-): Parsed<readonly MaterialParts[]> {
-  const log = new DiagnosticLog(file);
-  const reader = openText(file, bytes, log, { limits });
-  if (!reader) return log.finish<readonly MaterialParts[]>(undefined);
-  const drafts: Draft[] = [];
-  const unknown = new Set<string>();
-  while (reader.next()) {
-    if (!reader.token()) continue;
-    const keyword = reader.text();
-    const draft = drafts.at(-1);
-    if (keyword === 'newmtl') drafts.push({ name: reader.rest() });
-    else if (!draft) reportEarly(reader, log);
-    else if (!readLine(keyword, draft, reader, log) && !silent.has(keyword)) {
-      if (!unknown.has(keyword)) reportUnknown(reader, keyword, log);
-      unknown.add(keyword);
-    }
+): Promise<Parsed<readonly MaterialParts[]>> {
+  const plain = readPlainMtl(decodeText(bytes));
+  if (plain) return { value: plain.map(finishMaterial), diagnostics: [] };
+  const { readCarefulMtl } = await loadPart(import('./careful-mtl.ts'));
+  return readCarefulMtl(file, bytes, limits);
+}
+
+const plainLine = /^(newmtl|Kd|Ks|Ns) ([a-z][a-z ]*[a-z]|\d?\.?\d+( \d?\.?\d+){2}|\d{1,3})$/;
+
+/** Returns nothing if a line is not plain: lower-case words, colors of three numbers, exponents. */
+function readPlainMtl(text: string): MaterialLines[] | undefined {
+  const materials: MaterialLines[] = [];
+  for (const line of text.trimEnd().split('\n')) {
+    const [, keyword, words = ''] = plainLine.exec(line) ?? [];
+    const numbers = words.split(' ').map(Number);
+    const material = materials.at(-1);
+    const isColor = numbers.length === 3 && !Number.isNaN(numbers[0]);
+    if (keyword === 'newmtl' && Number.isNaN(numbers[0])) materials.push({ name: words });
+    else if (!material) return undefined;
+    else if (keyword === 'Ns' && numbers.length === 1) material.shininess = numbers[0]!;
+    else if (keyword === 'Kd' && isColor) material.diffuse = numbers as unknown as Color;
+    else if (keyword === 'Ks' && isColor) material.specular = numbers as unknown as Color;
+    else return undefined;
   }
-  if (drafts.length === 0 && !log.failed) {
-    const expected = 'at least one "newmtl"';
-    log.warn({ code: 'mtl/empty', expected, found: 'none', effect: 'the file gives no color' });
-  }
-  return log.finish(drafts.map(finish));
-}
-
-/** Reads the rest of the line; returns false if the keyword is of no use here. */
-function readLine(keyword: string, draft: Draft, reader: LineReader, log: DiagnosticLog): boolean {
-  const found = reader.rest();
-  const report = (expected: string): void => {
-    log.warn({ code: 'mtl/number', ...reader.linePlace, expected, found, effect });
-  };
-  switch (keyword) {
-    case 'Kd':
-      return set('diffuse', readColor(reader, report));
-    case 'Ks':
-      return set('specular', readColor(reader, report));
-    case 'Ka':
-      return set('ambient', readColor(reader, report));
-    case 'Ns':
-      return set('shininess', readNumber(reader, report, 'an exponent', [0, Infinity]));
-    case 'd':
-      return set('alpha', readNumber(reader, report, 'an opacity from 0 to 1', [0, 1]));
-    case 'Tr': {
-      const clear = readNumber(reader, report, 'a transparency from 0 to 1', [0, 1]);
-      return set('alpha', clear === undefined ? undefined : 1 - clear);
-    }
-    case 'map_Kd':
-      return set('texture', readImageName(found, report));
-    default:
-      return false;
-  }
-
-  function set<Key extends keyof Draft>(key: Key, value: Draft[Key] | undefined): true {
-    if (value !== undefined) draft[key] = value;
-    return true;
-  }
-}
-
-function readColor(reader: LineReader, report: Report): Color | undefined {
-  const channels: number[] = [];
-  while (channels.length < 3 && reader.token()) channels.push(reader.number());
-  // One number stands for all three.
-  const [red = NaN, green = red, blue = red] = channels;
-  const color: Color = [red, green, blue];
-  const isColor = color.every((channel) => Math.abs(channel) <= largestColor);
-  if (isColor) return color;
-  report('three numbers for red, green and blue');
-  return undefined;
-}
-
-function readNumber(
-  reader: LineReader,
-  report: Report,
-  expected: string,
-  [low, high]: readonly [number, number],
-): number | undefined {
-  const value = reader.token() ? reader.number() : NaN;
-  if (value >= low && value <= high && value < Infinity) return value;
-  report(expected);
-  return undefined;
-}
-
-function readImageName(rest: string, report: Report): string | undefined {
-  let name = rest;
-  while (imageOption.test(name)) name = name.replace(imageOption, '');
-  if (name !== '') return name;
-  report('the name of an image');
-  return undefined;
-}
-
-function finish({ name, texture, ...rest }: Draft): MaterialParts {
-  const colors = colorsOf(rest);
-  return { name, ...(texture === undefined ? {} : { texture }), ...(colors ? { colors } : {}) };
-}
-
-function colorsOf(draft: Omit<Draft, 'name' | 'texture'>): MaterialColors | undefined {
-  const { diffuse, specular = black, ambient = black, shininess = 0, alpha = 1 } = draft;
-  return diffuse && { diffuse, alpha, specular, shininess, ambient, shown: diffuse };
-}
-
-function reportEarly(reader: LineReader, log: DiagnosticLog): void {
-  const expected = '"newmtl" before the properties of a material';
-  log.warn({ code: 'mtl/token', ...reader.place, expected, found: reader.text(), effect });
-}
-
-function reportUnknown(reader: LineReader, keyword: string, log: DiagnosticLog): void {
-  const expected = 'a property of a material';
-  const leftOut = 'such lines are left out';
-  log.warn({ code: 'mtl/unknown', ...reader.place, expected, found: keyword, effect: leftOut });
+  return materials;
 }

@@ -1,4 +1,7 @@
+import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import { defaultLimits } from '../../../src/core/limits.ts';
+import { readCarefulMtl } from '../../../src/formats/obj/careful-mtl.ts';
 import { readMtl } from '../../../src/formats/obj/read-mtl.ts';
 import { shown } from '../../support/diagnose.ts';
 import { bytesOf, type FileContents, readContents, readOne } from '../../support/files.ts';
@@ -9,13 +12,13 @@ function read(text: string) {
   return readMtl('a.mtl', bytesOf(text));
 }
 
-function warned(text: string): readonly string[] {
-  return shown(read(text).diagnostics);
+async function warned(text: string): Promise<readonly string[]> {
+  return shown((await read(text)).diagnostics);
 }
 
 describe('a material library', () => {
-  it('gives the colors and textures of its materials', () => {
-    const { value, diagnostics } = read(
+  it('gives the colors and textures of its materials', async () => {
+    const { value, diagnostics } = await read(
       'newmtl skin\nillum 2\nKd 0.5 0.25 1\nKs 0.1 0.2 0.3\nKa 0 0 1\nNs 20\nd 0.5\n' +
         '# a comment\n\nnewmtl cloth of gold\nmap_Kd -s 2 2 1 -o 0.5 -clamp on my cloth.png\n' +
         'newmtl gray\nKd 0.5\nTr 0.25\n',
@@ -42,9 +45,25 @@ describe('a material library', () => {
     ]);
   });
 
-  it('leaves out lines that are wrong, and says where', () => {
+  it('reads plain lines and careful ones alike', async () => {
+    const line = fc.oneof(
+      fc.constantFrom('newmtl a', 'newmtl eye rims', 'newmtl b1', 'newmtl 1', 'Kd 1', 'Ns', 'Kd'),
+      fc.constantFrom('Kd .5 0.25 1', 'Ks 0 0 .125', 'Ns 60', 'Ns 1e3', 'Ks a b c', 'Ns a', ''),
+      fc.constantFrom('Kd 1 2 3 4', 'Ns 1 2 3', 'd 0.5', 'newmtl', 'Kd 1  2 3', 'Kd . . .'),
+    );
+    await fc.assert(
+      fc.asyncProperty(fc.array(line, { maxLength: 8 }), async (lines) => {
+        const bytes = bytesOf(`newmtl first\n${lines.join('\n')}\n`);
+        const careful = readCarefulMtl('a.mtl', bytes, defaultLimits);
+        expect(await readMtl('a.mtl', bytes)).toEqual(careful);
+      }),
+      { numRuns: 500 },
+    );
+  });
+
+  it('leaves out lines that are wrong, and says where', async () => {
     const text = 'Kd 1 1 1\nnewmtl a\nKd 1 red 1\nKd 1 1 1e9\nd 1.5\nNs\nmap_Kd\nglow 1\nglow 2\n';
-    expect(warned(text)).toEqual([
+    expect(await warned(text)).toEqual([
       'warning: a.mtl:1:1: expected "newmtl" before the properties of a material, found "Kd" ' +
         '[mtl/token]; the line is left out',
       'warning: a.mtl:3: expected three numbers for red, green and blue, found "1 red 1" ' +
@@ -59,8 +78,8 @@ describe('a material library', () => {
       'warning: a.mtl:8:1: expected a property of a material, found "glow" [mtl/unknown]; ' +
         'such lines are left out',
     ]);
-    expect(read(text).value).toEqual([{ name: 'a' }]);
-    expect(warned('# nothing\n')).toEqual([
+    expect((await read(text)).value).toEqual([{ name: 'a' }]);
+    expect(await warned('# nothing\n')).toEqual([
       'warning: a.mtl: expected at least one "newmtl", found "none" [mtl/empty]; ' +
         'the file gives no color',
     ]);
