@@ -64,7 +64,7 @@ function lightsOf(options: ViewOptions): LimbLight[] {
   const lights: LimbLight[] = [];
   if (gizmo && selectedActorId !== null) {
     const limb = { actorId: selectedActorId, joint: gizmo.joint };
-    lights.push({ ...limb, lightColor: palette.selected, faceLight: 0.06, rimLight: 0.5 });
+    lights.push({ ...limb, lightColor: palette.selected, faceLight: 0.1, rimLight: 0.6 });
   }
   if (hoveredLimb) {
     const { actorId, joint } = hoveredLimb;
