@@ -1,6 +1,7 @@
 import { expect } from '@playwright/test';
 import {
   capture,
+  choose,
   controlRow,
   getPose,
   openApp,
@@ -151,7 +152,7 @@ test('the method of the course’s program is a setting, and gives another pose'
   const followed = await getPose(page());
   await page().keyboard.press('Escape');
   await page().mouse.up();
-  await controlRow(page(), 'Dragging').locator('select').selectOption('as in CS354');
+  await choose(page(), 'Dragging', 'as in CS354');
   await drag(place, [-24, 0]);
   const course = await getPose(page());
   expect(await jointsChangedFrom(pose)).toEqual(['Right upper leg']);
@@ -159,7 +160,7 @@ test('the method of the course’s program is a setting, and gives another pose'
   await page().mouse.move(place.x, place.y, { steps: 2 });
   expect(await getPose(page())).toEqual(pose);
   await page().mouse.up();
-  await controlRow(page(), 'Dragging').locator('select').selectOption('follows the pointer');
+  await choose(page(), 'Dragging', 'follows the pointer');
 });
 
 test('with one angle active, dragging its limb changes only that angle', async () => {

@@ -18,7 +18,6 @@ export function reconcile(session: Session, before: Scene, after: Scene): void {
   const now = came ?? actorById(after, selectedActorId.value) ?? after.actors.at(-1);
   selectedActorId.value = now?.id ?? null;
   if (old !== now) fitActor(session, old, now);
-  dropLostLimb(session, before, after);
   if (!after.actors.some(({ clip }) => clip !== null)) playing.value = false;
 }
 
@@ -34,20 +33,14 @@ export function selectActor(session: Session, scene: Scene, id: ActorId): void {
 }
 
 function fitActor(session: Session, old?: Actor, now?: Actor): void {
-  // A verification belongs to one actor as it was opened.
-  if (old?.id !== now?.id || old?.character !== now?.character) session.verification.value = null;
+  // A verification and a limb belong to one actor as it was opened.
+  if (old?.id !== now?.id || old?.character !== now?.character) {
+    session.verification.value = null;
+    session.hoveredLimb.value = null;
+  }
   if (!haveSameJoints(old?.character, now?.character)) dropJoints(session);
   const { clipIndex } = session;
   if (!now?.clips[clipIndex.value]) clipIndex.value = 0;
-}
-
-/** Lights no limb that is gone, or of a character that was replaced. */
-function dropLostLimb(session: Session, before: Scene, after: Scene): void {
-  const { hoveredLimb, hoverPlace } = session;
-  const id = hoveredLimb.value?.actorId ?? null;
-  if (id === null) return;
-  const [old, now] = [before, after].map((scene) => actorById(scene, id)?.character);
-  if (old !== now) [hoveredLimb.value, hoverPlace.value] = [null, null];
 }
 
 /** Deselects the joint, bone and degree of freedom. */

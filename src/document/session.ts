@@ -1,4 +1,4 @@
-import { computed, signal } from '@preact/signals-core';
+import { signal } from '@preact/signals-core';
 import type { Bone } from '../core/bones.ts';
 import type { Diagnostic } from '../core/diagnostics.ts';
 import type { ActorId } from './scene.ts';
@@ -43,11 +43,6 @@ export interface ActiveDof {
 
 /** The id of a handle in the view, by which a value is dragged. */
 export type HandleId = string;
-
-/** The handle of a degree of freedom of the selected joint. */
-export function handleOf({ index, ballAxis }: Pick<ActiveDof, 'index' | 'ballAxis'>): HandleId {
-  return ballAxis === undefined ? `${index}` : `${index} ${ballAxis}`;
-}
 
 /**
  * How a skeleton is drawn: spheres and bones, the boxes of its file, both, or one line per bone.
@@ -98,11 +93,7 @@ export class Session {
   readonly selectedJoint = signal<number | null>(null);
   /** The limb under the pointer, of any actor. */
   readonly hoveredLimb = signal<HoveredLimb | null>(null);
-  /** The joint under the pointer, if it is one of the selected actor. */
-  readonly hoveredJoint = computed(() => this.hoveredOfSelected?.joint ?? null);
-  /** The bone under the pointer, which starts at the hovered joint. */
-  readonly hoveredBone = computed(() => this.hoveredOfSelected?.bone ?? null);
-  /** The handle under the pointer, such as a ring; see `handleOf`. */
+  /** The handle under the pointer, such as a ring. */
   readonly hoveredHandle = signal<HandleId | null>(null);
   /**
    * The pointer's position over the view while it highlights a joint, in CSS pixels from the top
@@ -135,11 +126,6 @@ export class Session {
   readonly verification = signal<Verification | null>(null);
   /** The problems of the last files. */
   readonly problems = signal<readonly Diagnostic[]>([]);
-
-  private get hoveredOfSelected(): HoveredLimb | null {
-    const limb = this.hoveredLimb.value;
-    return limb?.actorId === this.selectedActorId.value ? limb : null;
-  }
 
   show(look: Look): void {
     this.showSkin.value = look.showSkin;

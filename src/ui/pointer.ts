@@ -20,6 +20,11 @@ const panButton = 1;
 const mouseTolerance = 6;
 const touchTolerance = 20;
 
+/** A press needs no outline of what has the focus; keys show it. Not every browser knows this. */
+const withoutRing: FocusOptions & { readonly focusVisible: boolean } = {
+  ...{ preventScroll: true, focusVisible: false },
+};
+
 /**
  * Sends drags on the canvas to the first tool that accepts them, and the wheel to the camera.
  * Hovering lights a limb, a click selects it, and a click beside all limbs deselects it. One finger
@@ -43,7 +48,7 @@ export function listenToPointer(canvas: HTMLCanvasElement, editor: Looking): voi
     const place = placeOf(event, canvas, editor.viewer.contents.length);
     places.set(event.pointerId, place);
     canvas.setPointerCapture(event.pointerId);
-    canvas.focus({ preventScroll: true });
+    canvas.focus(withoutRing);
     event.preventDefault();
     session.byTouch.value = event.pointerType === 'touch';
     const isFirst = places.size === 1;

@@ -19,8 +19,6 @@ export interface Frame {
   readonly detail: Detail;
   /** The picture's pixels per pixel of the view, along one side. */
   readonly scale: number;
-  /** The picture's pixels per CSS pixel, along one side. */
-  readonly cssScale: number;
   /** The camera's place in the scene, and the distance before it at which things are cut off. */
   readonly eye: vec3;
   readonly near: number;
@@ -38,14 +36,12 @@ function scaleOf(detail: Detail): number {
   return detail === 'draft' ? 0.5 : 1;
 }
 
-/** @param pixelRatio the view's own pixels per CSS pixel */
 export function createFrame(
   characters: readonly CharacterView[],
   options: ViewOptions,
   theme: Theme,
   { camera, viewport }: RenderView,
   detail: Detail = 'full',
-  pixelRatio = 1,
 ): Frame {
   const { width, height } = viewport;
   const eye = eyeOf(camera);
@@ -64,7 +60,6 @@ export function createFrame(
     viewport,
     detail,
     scale: scaleOf(detail),
-    cssScale: scaleOf(detail) * pixelRatio,
     eye,
     near: nearOf(camera),
     uniforms,

@@ -1,13 +1,23 @@
 import { mat4, vec3 } from 'gl-matrix';
 import { bonesOf } from '../core/bones.ts';
-import { handleOf, type HandleId } from '../document/session.ts';
+import type { ActiveDof, HandleId } from '../document/session.ts';
 import type { Evaluation } from '../evaluation/evaluation.ts';
 import { noParent } from '../core/skeleton.ts';
 import { type JointRing, jointRings } from '../posing/joint-rings.ts';
 import type { RingPlace } from '../posing/ring-turn.ts';
 import { type Overlay, type OverlayLine, type OverlayView, pixelSizeAt } from './overlay.ts';
 import { palette } from './theme.ts';
-import type { Gizmo } from './view-options.ts';
+import type { ViewOptions } from './view-options.ts';
+
+/** How the rings at the selected joint look. */
+export interface Gizmo {
+  readonly joint: number;
+  /** In CSS pixels. */
+  readonly radius: number;
+  readonly hovered: HandleId | null;
+  /** The ring of the active degree of freedom. */
+  readonly active: HandleId | null;
+}
 
 /** A ring of the selected joint as it is placed in the scene. */
 export interface GizmoRing extends RingPlace {
@@ -15,6 +25,8 @@ export interface GizmoRing extends RingPlace {
   readonly ring: JointRing;
 }
 
+/** In CSS pixels: for a mouse, and for fingers. */
+const [mouseRadius, touchRadius] = [70, 96];
 /** The number of straight pieces of a full circle. */
 const pieces = 96;
 const fullTurn = 2 * Math.PI;
@@ -25,12 +37,30 @@ const beyondOpacity = 0.35;
 /** Where the mark of the present value begins and ends, as parts of the radius. */
 const [markStart, markEnd] = [0.86, 1.14];
 
-/** Returns the rings of a joint, each of a constant radius in the picture. */
+/**
+ * Rings are shown where the selected joint can be posed by them, and not while it moves by itself.
+ */
+export function gizmoOf(options: ViewOptions): Gizmo | null {
+  const { showOverlay, posesBy, playing, selectedJoint, byTouch, activeDof } = options;
+  if (!showOverlay || posesBy === 'mode' || playing || selectedJoint === null) return null;
+  return {
+    joint: selectedJoint,
+    radius: byTouch ? touchRadius : mouseRadius,
+    hovered: options.hoveredHandle,
+    active: activeDof && handleOf(activeDof),
+  };
+}
+
+/** The handle of a degree of freedom of the selected joint. */
+function handleOf({ index, ballAxis }: Pick<ActiveDof, 'index' | 'ballAxis'>): HandleId {
+  return ballAxis === undefined ? `${index}` : `${index} ${ballAxis}`;
+}
+
+/** Returns the rings of the selected joint, each of a constant radius in the picture. */
 export function gizmoRings(
   { state: { character }, pose, characterFromJoint, display }: Evaluation,
-  joint: number,
   view: OverlayView,
-  { radius }: Pick<Gizmo, 'radius'>,
+  { joint, radius }: Gizmo,
 ): GizmoRing[] {
   const { skeleton } = character;
   const parent = skeleton.parents[joint]!;

@@ -1,5 +1,5 @@
 import type { HandleId } from '../document/session.ts';
-import { type GizmoRing, gizmoLines, gizmoRings } from './gizmo.ts';
+import { gizmoLines, gizmoOf, type GizmoRing, gizmoRings } from './gizmo.ts';
 import { type OverlayView, pickOverlay } from './overlay.ts';
 import type { Looking, PickPlace } from './pick.ts';
 import { viewOptionsOf } from './view-options.ts';
@@ -17,11 +17,11 @@ export function pixelsAt(view: OverlayView, { x, y }: PickPlace): [number, numbe
 
 /** Returns the ring of the selected joint at a place of the view, or null. */
 export function ringAt(look: Looking, place: PickPlace): GizmoRing | null {
-  const { gizmo, selectedJoint } = viewOptionsOf(look.session);
+  const gizmo = gizmoOf(viewOptionsOf(look.session));
   const shown = look.evaluations.selected();
-  if (!gizmo || !shown || selectedJoint === null) return null;
+  if (!gizmo || !shown) return null;
   const view = overlayViewAt(look, place);
-  const rings = gizmoRings(shown, selectedJoint, view, gizmo);
+  const rings = gizmoRings(shown, view, gizmo);
   const lines = gizmoLines(rings, gizmo);
   const id: HandleId | null = pickOverlay(lines, view, pixelsAt(view, place), place.tolerance);
   return rings.find((ring) => ring.id === id) ?? null;

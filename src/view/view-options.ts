@@ -1,11 +1,12 @@
 import type { ActorId } from '../document/scene.ts';
-import {
-  type HandleId,
-  handleOf,
-  type HoveredLimb,
-  type Light,
-  type Session,
-  type SkeletonStyle,
+import type {
+  ActiveDof,
+  HandleId,
+  HoveredLimb,
+  Light,
+  PosesBy,
+  Session,
+  SkeletonStyle,
 } from '../document/session.ts';
 
 /** What is shown of the scene, in addition to the document. */
@@ -24,25 +25,19 @@ export interface ViewOptions {
   readonly hoveredLimb: HoveredLimb | null;
   /** Shows what belongs to the page and not to the picture: handles and the light on a limb. */
   readonly showOverlay: boolean;
-  /** The rings at the selected joint, if they are shown. */
-  readonly gizmo: Gizmo | null;
+  readonly hoveredHandle: HandleId | null;
+  readonly activeDof: ActiveDof | null;
+  readonly posesBy: PosesBy;
+  readonly playing: boolean;
+  readonly byTouch: boolean;
   /** The key, fill and rim lights. */
   readonly lights: readonly Light[];
 }
 
-/** How the rings at the selected joint look. */
-export interface Gizmo {
-  /** In CSS pixels. */
-  readonly radius: number;
-  readonly hovered: HandleId | null;
-  /** The handle of the active degree of freedom. */
-  readonly active: HandleId | null;
-}
-
-/** In CSS pixels: for a mouse, and for fingers. */
-const [ringRadius, touchRingRadius] = [70, 96];
-
-/** Returns the session's options, with the studio and the overlay shown. Reading subscribes to the session. */
+/**
+ * Returns the session's options, with the studio and the overlay shown. Reading subscribes to the
+ * session.
+ */
 export function viewOptionsOf(session: Session): ViewOptions {
   return {
     showStudio: true,
@@ -56,20 +51,11 @@ export function viewOptionsOf(session: Session): ViewOptions {
     selectedJoint: session.selectedJoint.value,
     hoveredLimb: session.hoveredLimb.value,
     showOverlay: true,
-    gizmo: gizmoOf(session),
+    hoveredHandle: session.hoveredHandle.value,
+    activeDof: session.activeDof.value,
+    posesBy: session.posesBy.value,
+    playing: session.playing.value,
+    byTouch: session.byTouch.value,
     lights: session.lights.value,
-  };
-}
-
-/**
- * Rings are shown where the selected joint can be posed by them, and not while it moves by itself.
- */
-function gizmoOf(session: Session): Gizmo | null {
-  const { posesBy, playing, selectedJoint, hoveredHandle, activeDof, byTouch } = session;
-  if (posesBy.value === 'mode' || playing.value || selectedJoint.value === null) return null;
-  return {
-    radius: byTouch.value ? touchRingRadius : ringRadius,
-    hovered: hoveredHandle.value,
-    active: activeDof.value && handleOf(activeDof.value),
   };
 }

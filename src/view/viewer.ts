@@ -70,8 +70,6 @@ export class Viewer {
   private seenDetail: Detail = 'full';
   private renderer: Renderer | null = null;
   private frameRequest = 0;
-  /** The view's own pixels per CSS pixel. */
-  private pixelRatio = 1;
   /** The camera that was fitted to a box, to fit it again when the view's size changes. */
   private framed: { readonly camera: Camera; readonly box: Bounds } | null = null;
 
@@ -122,7 +120,6 @@ export class Viewer {
 
   resize(width: number, height: number): void {
     const { width: oldWidth, height: oldHeight } = this.size.value;
-    this.pixelRatio = height / (this.canvas.clientHeight || height);
     if (width === oldWidth && height === oldHeight) return;
     this.canvas.width = width;
     this.canvas.height = height;
@@ -277,10 +274,9 @@ export class Viewer {
     this.refusal.value = selected ? renderer.refusalOf(selected) : null;
     const [first] = selected ? renderer.viewsOf([this.evaluations.of(selected)]) : [];
     if (first) this.poseMilliseconds.value = first.poseMilliseconds;
-    return views.map((view, index) => {
-      const characters = renderer.viewsOf(shown[index]!);
-      return createFrame(characters, options, themes[theme], view, detail, this.pixelRatio);
-    });
+    return views.map((view, index) =>
+      createFrame(renderer.viewsOf(shown[index]!), options, themes[theme], view, detail),
+    );
   }
 
   /** Reads all signals that the picture depends on. */

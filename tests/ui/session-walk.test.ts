@@ -10,6 +10,7 @@ import { Session } from '../../src/document/session.ts';
 import { Store } from '../../src/document/store.ts';
 import { jointOfValue } from '../../src/core/pose.ts';
 import { ancestorsOf } from '../../src/ui/joint-rows.ts';
+import { hoveredOf } from '../../src/ui/hovered-limb.ts';
 import { jointValues } from '../../src/ui/joint-values.ts';
 import { characterOfRig } from '../fixtures/character-of-rig.ts';
 import { allRigs } from '../fixtures/rigs.ts';
@@ -94,13 +95,14 @@ function expectFits(walk: Walk): void {
   expect(stateOf(walk)).toBeDefined();
   const { character } = stateOf(walk);
   const { skeleton, clips } = character;
-  const { selectedJoint, hoveredJoint, hoveredBone, activeDof, clipIndex } = walk.session;
-  for (const joint of [selectedJoint.value, hoveredJoint.value]) {
+  const { selectedJoint, activeDof, clipIndex } = walk.session;
+  const limb = hoveredOf(walk.session);
+  for (const joint of [selectedJoint.value, limb?.joint ?? null]) {
     if (joint === null) continue;
     expect(joint).toBeLessThan(skeleton.jointCount);
     expect(ancestorsOf(skeleton, joint).length).toBe(skeleton.depths[joint]);
   }
-  if (hoveredBone.value) expect(bonesOf(character)).toContain(hoveredBone.value);
+  if (limb?.bone) expect(bonesOf(character)).toContain(limb.bone);
   const dof = activeDof.value;
   if (dof) expect(dof.name).toBe(skeleton.names[jointOfValue(skeleton, dof.index)]);
   expect(clipIndex.value).toBeLessThan(Math.max(1, clips.length));

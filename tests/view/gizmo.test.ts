@@ -21,7 +21,7 @@ const skel = `balljoint root {
   }
 }`;
 const radius = 70;
-const plain = { radius, hovered: null, active: null };
+const plain = { joint: 1, radius, hovered: null, active: null };
 
 const number = (min: number, max: number) => fc.double({ min, max, noNaN: true });
 const cameras = fc.record({
@@ -64,7 +64,7 @@ describe('the rings of a joint', () => {
     await fc.assert(
       fc.asyncProperty(cameras, transforms, async (camera, transform) => {
         const view = viewOf(camera);
-        const rings = gizmoRings(await evaluationOf(transform), 1, view, plain);
+        const rings = gizmoRings(await evaluationOf(transform), view, plain);
         expect(rings.map(({ ring }) => ring.axis)).toEqual([1, 0]);
         for (const { center, first, second } of rings) {
           const [cx, cy] = pixelsOf(view, center);
@@ -88,7 +88,7 @@ describe('the rings of a joint', () => {
     await fc.assert(
       fc.asyncProperty(cameras, transforms, fc.nat(1e6), async (camera, transform, seed) => {
         const view = viewOf(camera);
-        const rings = gizmoRings(await evaluationOf(transform), 1, view, plain);
+        const rings = gizmoRings(await evaluationOf(transform), view, plain);
         const lines = gizmoLines(rings, plain);
         const line = lines[seed % lines.length]!;
         const place = pixelsOf(view, line.points[seed % line.points.length] as vec3);
@@ -109,7 +109,7 @@ describe('the rings of a joint', () => {
       rotation: [0, 0, 0, 1],
       scale: 1,
     });
-    const rings = gizmoRings(evaluation, 1, view, plain);
+    const rings = gizmoRings(evaluation, view, plain);
     const [y, x] = rings.map(({ id }) => id);
     const lengthOf = (id: string, isStrong: boolean): number =>
       gizmoLines(rings, plain)

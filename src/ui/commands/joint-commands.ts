@@ -4,6 +4,7 @@ import { selectedActor } from '../../document/selected-actor.ts';
 import type { Session } from '../../document/session.ts';
 import { rollJoint } from '../../posing/roll-joint.ts';
 import type { Editor } from '../editor.ts';
+import { hoveredOf } from '../hovered-limb.ts';
 import type { Command } from './command.ts';
 
 /** In radians, as in CS354's program. */
@@ -40,8 +41,8 @@ export const jointCommands = [
 ] as const satisfies readonly Command[];
 
 /** The joint that the arrow keys roll: the highlighted one, or else the selected one. */
-export function rolledJoint({ hoveredJoint, selectedJoint }: Session): number | null {
-  return hoveredJoint.value ?? selectedJoint.value;
+export function rolledJoint(session: Session): number | null {
+  return hoveredOf(session)?.joint ?? session.selectedJoint.value;
 }
 
 /** Selects the joint before or after the selected one, cyclically. */
@@ -59,7 +60,7 @@ function rollBone({ store, session, evaluations }: Editor, direction: 1 | -1): v
   if (!shown || joint === null) return;
   const { id, character } = shown.state;
   const { skeleton } = character;
-  const bone = session.hoveredBone.value ?? bonesOf(character).find((each) => each.joint === joint);
+  const bone = hoveredOf(session)?.bone ?? bonesOf(character).find((each) => each.joint === joint);
   if (bone?.joint !== joint) return;
   const q = rollJoint(skeleton, shown.pose.q, joint, bone.vector, direction * rollStep);
   store.dispatch(setPose(id, q, `Roll ${skeleton.names[joint]!}`));

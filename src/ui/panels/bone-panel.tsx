@@ -2,6 +2,7 @@ import { useState } from 'preact/hooks';
 import { posedRotation } from '../../core/bone-frames.ts';
 import { bonesAt, framesOf, weighedCount } from '../bone-facts.ts';
 import type { Looking } from '../editor.ts';
+import { hoveredOf } from '../hovered-limb.ts';
 import { fixedText } from '../number-text.ts';
 
 /**
@@ -14,7 +15,7 @@ export function BonePanel({ editor }: { readonly editor: Looking }) {
   const selected = session.selectedJoint.value;
   const open = chosenOpen ?? selected !== null;
   // While the panel is closed, it subscribes to nothing.
-  const joint = open ? (selected ?? session.hoveredJoint.value) : null;
+  const joint = open ? (selected ?? hoveredOf(session)?.joint ?? null) : null;
   return (
     <details class="bone" open={open}>
       <summary

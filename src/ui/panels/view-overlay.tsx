@@ -1,4 +1,5 @@
 import { printable } from '../../core/diagnostics.ts';
+import { actorById } from '../../document/scene.ts';
 import { selectedActor } from '../../document/selected-actor.ts';
 import type { ActiveDof } from '../../document/session.ts';
 import { kernelById, kernelOf } from '../../skinning/registry.ts';
@@ -82,10 +83,11 @@ function ActiveDofText({ editor }: { readonly editor: Looking & Posing }) {
 /** The highlighted bone's name and its ancestors, next to the pointer. */
 function LitBoneLabel({ editor: { store, session } }: { readonly editor: Looking }) {
   const place = session.hoverPlace.value;
-  const joint = session.hoveredJoint.value;
-  const skeleton = selectedActor(store, session)?.character.skeleton;
-  if (!place || joint === null || !skeleton) return null;
-  const end = session.hoveredBone.value?.child ?? -1;
+  const limb = session.hoveredLimb.value;
+  const skeleton = actorById(store.scene.value, limb?.actorId ?? null)?.character.skeleton;
+  if (!place || !limb || !skeleton || limb.joint >= skeleton.jointCount) return null;
+  const { joint } = limb;
+  const end = limb.bone?.child ?? -1;
   const chain = ancestorsOf(skeleton, joint).slice(0, longestChain).reverse();
   const nameOf = (each: number): string => printable(skeleton.names[each] ?? '', 40);
   return (

@@ -1,5 +1,6 @@
 import type { CharacterView } from '../character-view.ts';
 import type { Frame } from '../frame.ts';
+import { gizmoOf } from '../gizmo.ts';
 import type { Pass } from '../pass.ts';
 import { palette } from '../theme.ts';
 import type { ViewOptions } from '../view-options.ts';
@@ -58,11 +59,12 @@ export const litLimbPass: Pass = {
 };
 
 function lightsOf(options: ViewOptions): LimbLight[] {
-  const { gizmo, hoveredLimb, selectedActorId, selectedJoint } = options;
+  const { hoveredLimb, selectedActorId } = options;
+  const gizmo = gizmoOf(options);
   const lights: LimbLight[] = [];
-  if (gizmo && selectedActorId !== null && selectedJoint !== null) {
-    const limb = { actorId: selectedActorId, joint: selectedJoint };
-    lights.push({ ...limb, lightColor: palette.selected, faceLight: 0.06, rimLight: 0.5 });
+  if (gizmo && selectedActorId !== null) {
+    const limb = { actorId: selectedActorId, joint: gizmo.joint };
+    lights.push({ ...limb, lightColor: palette.selected, faceLight: 0.1, rimLight: 0.6 });
   }
   if (hoveredLimb) {
     const { actorId, joint } = hoveredLimb;

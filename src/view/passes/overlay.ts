@@ -3,7 +3,7 @@ import type { Gpu } from '../../gl/gpu.ts';
 import type { Program } from '../../gl/program.ts';
 import { type Attribute, VertexArray } from '../../gl/vertex-array.ts';
 import type { Frame } from '../frame.ts';
-import { gizmoLines, gizmoRings } from '../gizmo.ts';
+import { gizmoLines, gizmoOf, gizmoRings } from '../gizmo.ts';
 import type { Overlay } from '../overlay.ts';
 import type { Pass } from '../pass.ts';
 
@@ -15,17 +15,20 @@ const hiddenOpacity = 0.55;
 /** Draws the overlay: lines of constant width over the scene, fainter where it hides them. */
 export const overlayPass: Pass = {
   id: 'overlay',
-  isShown: ({ showOverlay, gizmo }) => showOverlay && gizmo !== null,
+  isShown: (options) => gizmoOf(options) !== null,
   create(gpu, programs) {
     const { gl } = gpu;
     const program = programs.pass('overlay');
+    // The overlay is drawn on the page alone, so that the picture fills the canvas.
+    const canvas = gl.canvas as HTMLCanvasElement;
     const pieces = new LinePieces(gpu, program);
     return {
       draw(frame) {
-        pieces.write(overlayOf(frame));
+        const cssScale = frame.viewport.height / canvas.clientHeight;
+        pieces.write(overlayOf(frame, cssScale));
         program.use();
         program.set(frame.uniforms);
-        program.set({ cssScale: frame.cssScale });
+        program.set({ cssScale });
         gl.depthMask(false);
         gl.enable(gl.BLEND);
         gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
@@ -44,12 +47,13 @@ export const overlayPass: Pass = {
   },
 };
 
-function overlayOf({ characters, options, camera, viewport, cssScale }: Frame): Overlay {
-  const { gizmo, selectedJoint, selectedActorId } = options;
-  const character = characters.find(({ state }) => state.id === selectedActorId);
-  if (!gizmo || !character || selectedJoint === null) return [];
+/** @param cssScale the picture's pixels per CSS pixel */
+function overlayOf({ characters, options, camera, viewport }: Frame, cssScale: number): Overlay {
+  const gizmo = gizmoOf(options);
+  const character = characters.find(({ state }) => state.id === options.selectedActorId);
+  if (!gizmo || !character) return [];
   const view = { camera, width: viewport.width / cssScale, height: viewport.height / cssScale };
-  return gizmoLines(gizmoRings(character.evaluation, selectedJoint, view, gizmo), gizmo);
+  return gizmoLines(gizmoRings(character.evaluation, view, gizmo), gizmo);
 }
 
 /** The straight pieces of lines, which one call draws. */
