@@ -31,7 +31,6 @@ export function createEditor(opening: Opening, canvas: HTMLCanvasElement): Edito
     ...opening,
     transport: new Transport(store, session),
     ballAngles: new BallAngles(),
-    dialog: signal(null),
     recentEntries: signal([]),
     letterKeys: signal(true),
     tab: signal('pose'),

@@ -27,7 +27,7 @@ export interface BundledCharacter {
 export type ThemeChoice = 'system' | 'light' | 'dark';
 
 /** A sheet over the page; dialogs.ts has the contents. */
-export type DialogId = 'gallery' | 'keys' | 'palette';
+export type DialogId = 'arrival' | 'gallery' | 'keys' | 'palette';
 
 /** The panel that is open on narrow pages: a sheet on phones; on tablets, the unfolded outliner. */
 export type Drawer = 'left' | 'right';
@@ -59,6 +59,16 @@ export interface Looking {
 /** A list, or a promise of one. */
 type Listed<T> = readonly T[] | Promise<readonly T[]>;
 
+/** The question whether opened characters replace the selected one or are added beside it. */
+export interface ArrivalQuestion {
+  /** The name of what came. */
+  readonly name: string;
+  /** The name of the selected character. */
+  readonly replaced: string;
+  /** Only the first answer counts; null opens nothing. */
+  answer(add: boolean | null): void;
+}
+
 /** The sources of characters. */
 export interface Gallery {
   readonly bundled: ReadonlySignal<readonly BundledCharacter[]>;
@@ -70,11 +80,13 @@ export interface Gallery {
    * Replaces a running opening at once, even while the new files are still being listed.
    *
    * @param add keeps the other characters; otherwise the selected one is replaced, or all of an
-   *   untouched scene
+   *   untouched scene; 'ask' asks the user where there is a choice
    */
-  openFiles(files: Listed<FileEntry>, add?: boolean): Promise<void>;
+  openFiles(files: Listed<FileEntry>, add?: boolean | 'ask'): Promise<void>;
   openBundled(id: string, add?: boolean): Promise<void>;
   openOwn(character: ReadCharacter, add?: boolean): void;
+  /** What the arrival dialog asks, or null. */
+  readonly question: Signal<ArrivalQuestion | null>;
 }
 
 /** Work that can take longer than a moment, such as opening files. Only one runs at a time. */
@@ -165,7 +177,12 @@ export interface Actions {
 }
 
 /** The parts that open characters: all that the page needs before its panels are loaded. */
-export type Opening = Looking & Gallery & Working & Courses & Telling & Pick<PageState, 'theme'>;
+export type Opening = Looking &
+  Gallery &
+  Working &
+  Courses &
+  Telling &
+  Pick<PageState, 'theme' | 'dialog'>;
 
 /** All parts, assembled in src/app. Each panel declares only those that it needs. */
 export type Editor = Opening & PageState & Posing & Actions;
