@@ -29,28 +29,26 @@ export function listenToDrops(target: DropTarget, view: HTMLElement): void {
   };
 
   window.addEventListener('dragenter', (event) => {
-    if (!hasFiles(event)) return;
     event.preventDefault();
     depth++;
-    follow(event);
+    if (hasFiles(event)) follow(event);
   });
   window.addEventListener('dragleave', () => {
     depth = Math.max(0, depth - 1);
     if (depth === 0) halves?.hide();
   });
   window.addEventListener('dragover', (event) => {
-    if (!hasFiles(event)) return;
     event.preventDefault();
-    follow(event);
+    depth = Math.max(depth, 1); // elements that vanish during the drag are never left
+    if (hasFiles(event)) follow(event);
   });
   window.addEventListener('drop', (event) => {
-    if (!hasFiles(event)) return;
     event.preventDefault();
     const add = halves?.addsAt(event.clientX) === true;
     depth = 0;
     halves?.hide();
     const { dataTransfer } = event;
-    if (!dataTransfer) return;
+    if (!dataTransfer || !hasFiles(event)) return;
     // Both lists are emptied after the event, so they are read before any await.
     const files = Array.from(dataTransfer.files);
     const entries = Array.from(dataTransfer.items, (item) => item.webkitGetAsEntry());
