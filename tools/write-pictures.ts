@@ -8,7 +8,7 @@ import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { createServer } from 'node:net';
 import path from 'node:path';
 import { type Browser, chromium, type Page } from '@playwright/test';
-import type { CatalogueEntry } from '../src/app/catalogue.ts';
+import type { Catalogue } from '../src/app/catalogue.ts';
 import type { CaptureOptions, Scripting } from '../src/app/scripting.ts';
 import { browserFlags, findBrowser } from './browser.mjs';
 import { packageCommand, root } from './commands.mjs';
@@ -32,10 +32,10 @@ const themes = ['light', 'dark'] as const;
 async function writeCards(browser: Browser, address: string): Promise<void> {
   const folder = path.join(root, 'public/data/pictures');
   mkdirSync(folder, { recursive: true });
-  const entries = readJson('public/data/catalogue.json') as readonly CatalogueEntry[];
+  const { characters } = readJson('public/data/catalogue.json') as Catalogue;
   for (const colorScheme of themes) {
     const page = await browser.newPage({ colorScheme, viewport: { width: 860, height: 480 } });
-    for (const { id } of entries) {
+    for (const { id } of characters) {
       await openPage(page, `${address}?test&model=${id}`);
       write(path.join(folder, `${id}-${colorScheme}.jpg`), await capture(page, card));
     }

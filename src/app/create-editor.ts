@@ -45,6 +45,21 @@ export function createEditor(opening: Opening, canvas: HTMLCanvasElement): Edito
       return opened;
     },
 
+    async listRecent() {
+      const { listRecent } = await loadPart(import('./recent-files.ts'));
+      return listRecent();
+    },
+
+    async openRecent({ handles }) {
+      const { filesOf } = await loadPart(import('./recent-files.ts'));
+      await opening.openFiles(await filesOf(handles), !isUntouched(store), handles);
+    },
+
+    async forgetRecent() {
+      const { forgetRecent } = await loadPart(import('./recent-files.ts'));
+      await forgetRecent();
+    },
+
     select(id) {
       selectActor(session, store.scene.value, id);
     },

@@ -65,7 +65,7 @@ export function createOpening(
     dialog: signal(null),
     question: signal(null),
 
-    async openFiles(files, add = false) {
+    async openFiles(files, add = false, handles = []) {
       const outcome = await opening.whileWorking('Reading', async (signal) => {
         const [{ openOwnFiles }, { askToAdd }, entries] = await Promise.all([
           loadPart(import('./open-own-files.ts')),
@@ -96,6 +96,8 @@ export function createOpening(
         const came = new Set(found.flatMap(pathsOf));
         const earlier = own.value.filter((read) => !pathsOf(read).every((path) => came.has(path)));
         own.value = [...earlier.slice(-mostEarlier), ...found];
+        const { rememberFiles } = await loadPart(import('./recent-files.ts'));
+        await rememberFiles(nameOf(found), await handles);
         showOpened(nameOf(found), reopened ? 'updated; pose and camera kept' : word(added));
       } else if (posed) notice.value = 'Pose set';
       else notice.value = 'Nothing could be opened; see Problems';

@@ -52,12 +52,20 @@ export function listenToDrops(target: DropTarget, view: HTMLElement): void {
     // Both lists are emptied after the event, so they are read before any await.
     const files = Array.from(dataTransfer.files);
     const entries = Array.from(dataTransfer.items, (item) => item.webkitGetAsEntry());
-    attempt(target, target.openFiles(list(files, entries), add));
+    const handles = handlesOf(dataTransfer.items);
+    attempt(target, target.openFiles(list(files, entries), add, handles));
   });
 }
 
 function hasFiles({ dataTransfer }: DragEvent): boolean {
   return dataTransfer?.types.includes('Files') === true;
+}
+
+/** By which the browser finds the files at a later visit; only some browsers give them. */
+async function handlesOf(items: DataTransferItemList): Promise<readonly FileSystemHandle[]> {
+  const given = Array.from(items, async (item) => item.getAsFileSystemHandle?.());
+  const settled = await Promise.allSettled(given);
+  return settled.flatMap((each) => (each.status === 'fulfilled' && each.value) || []);
 }
 
 async function list(

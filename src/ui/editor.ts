@@ -69,6 +69,13 @@ export interface ArrivalQuestion {
   answer(add: boolean | null): void;
 }
 
+/** Files that were opened lately. */
+export interface RecentFiles {
+  readonly name: string;
+  /** By which the browser finds them again; none where it gives no handles, or for chosen files. */
+  readonly handles: readonly FileSystemHandle[];
+}
+
 /** The sources of characters. */
 export interface Gallery {
   readonly bundled: ReadonlySignal<readonly BundledCharacter[]>;
@@ -81,8 +88,13 @@ export interface Gallery {
    *
    * @param add keeps the other characters; otherwise the selected one is replaced, or all of an
    *   untouched scene; 'ask' asks the user where there is a choice
+   * @param handles by which the browser finds the files again
    */
-  openFiles(files: Listed<FileEntry>, add?: boolean | 'ask'): Promise<void>;
+  openFiles(
+    files: Listed<FileEntry>,
+    add?: boolean | 'ask',
+    handles?: Listed<FileSystemHandle>,
+  ): Promise<void>;
   openBundled(id: string, add?: boolean): Promise<void>;
   openOwn(character: ReadCharacter, add?: boolean): void;
   /** What the arrival dialog asks, or null. */
@@ -155,6 +167,11 @@ export interface Actions {
    * openings it waits for those in progress, so that several can be added at once.
    */
   addBundled(id: string): Promise<void>;
+  /** What was opened lately in this browser, the last first. */
+  listRecent(): Promise<readonly RecentFiles[]>;
+  /** Adds what was opened lately, by its handles. */
+  openRecent(recent: RecentFiles): Promise<void>;
+  forgetRecent(): Promise<void>;
   /** Selects an actor of the scene. */
   select(id: ActorId): void;
   /** Removes all characters, as one step of undo. */
