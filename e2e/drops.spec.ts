@@ -116,6 +116,19 @@ test('a drop on an open dialog shows the halves over it', async () => {
   await page().keyboard.press('Escape');
 });
 
+test('the first visit shows several characters, and a drop replaces all of them at once', async () => {
+  await page().goto('./');
+  await page().evaluate(() => window.sinew.ready);
+  await expect.poll(async () => (await names()).length).toBeGreaterThan(1);
+  await page().evaluate(() => window.sinew.settled());
+  const first = await names();
+  await dropAt(filesOf('one'), 0.8);
+  await expect.poll(names).toEqual(['one']);
+  await page().keyboard.press('Control+z');
+  await expect.poll(names).toEqual(first);
+  await page().keyboard.press('Control+Shift+z');
+});
+
 /** Opens files by the menu, as without a mouse that drags. */
 async function choose(page: Page, files: readonly string[]): Promise<void> {
   const choosing = page.waitForEvent('filechooser');
@@ -126,25 +139,25 @@ async function choose(page: Page, files: readonly string[]): Promise<void> {
 test('chosen files offer the same by name: Enter replaces, Escape opens nothing', async () => {
   await choose(page(), filesOf('six'));
   await expect(dialog()).toBeVisible();
-  const replace = dialog().getByRole('button', { name: 'Replace five' });
+  const replace = dialog().getByRole('button', { name: 'Replace one' });
   await expect(replace).toBeFocused();
   expect(await violations(page())).toEqual([]);
   await page().emulateMedia({ colorScheme: 'dark' });
   expect(await violations(page())).toEqual([]);
   await page().keyboard.press('Enter');
   await expect(dialog()).toHaveCount(0);
-  await expect.poll(names).toEqual(['one', 'two', 'six']);
+  await expect.poll(names).toEqual(['six']);
 
   await choose(page(), filesOf('seven'));
   await dialog().getByRole('button', { name: 'Add seven' }).click();
-  await expect.poll(names).toEqual(['one', 'two', 'six', 'seven']);
+  await expect.poll(names).toEqual(['six', 'seven']);
   await expect(page().locator('output.notice')).toHaveText('seven added');
 
   await choose(page(), filesOf('eight'));
   await expect(dialog()).toBeVisible();
   await page().keyboard.press('Escape');
   await expect(dialog()).toHaveCount(0);
-  expect(await names()).toHaveLength(4);
+  expect(await names()).toHaveLength(2);
 });
 
 test('files that complete or update the open character are not asked about', async () => {
@@ -154,6 +167,6 @@ test('files that complete or update the open character are not asked about', asy
   await expect.poll(async () => (await names()).at(-1)).toBe('nine');
   await choose(page(), rest);
   await expect(page().locator('output.notice')).toContainText('updated');
-  expect(await names()).toHaveLength(5);
+  expect(await names()).toHaveLength(3);
   await expect(dialog()).toHaveCount(0);
 });
