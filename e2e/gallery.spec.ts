@@ -1,7 +1,8 @@
 import { expect, type Page } from '@playwright/test';
-import { openApp } from './support/app.ts';
+import { drop, type NamedFile, openApp } from './support/app.ts';
 import { violations } from './support/axe.ts';
 import { catalogue } from './support/catalogue.ts';
+import { madeCharacter } from './support/made-character.ts';
 import { madePmd } from './support/made-pmd.ts';
 import { test } from './support/test.ts';
 
@@ -13,11 +14,9 @@ const shelf = (page: Page, name: string) => gallery(page).getByRole('region', { 
 const card = (page: Page, name: string) => gallery(page).getByRole('button', { name, exact: true });
 const names = (page: Page) => page.evaluate(() => window.sinew.characters.map(({ name }) => name));
 
-/** Opens the gallery by the palette, as its command has no key. */
+/** Opens the gallery by one press. */
 async function openGallery(page: Page): Promise<void> {
-  await page.keyboard.press('Control+k');
-  await page.getByRole('combobox', { name: 'Search the commands' }).fill('Add a character');
-  await page.keyboard.press('Enter');
+  await page.getByRole('button', { name: 'Add…' }).click();
   await expect(card(page, 'Human')).toBeVisible();
 }
 
@@ -29,7 +28,7 @@ async function listPmd(page: Page): Promise<void> {
     files: files.map(({ name }) => `made/${name}`),
   };
   await page.route('**/data/catalogue.json', (route) =>
-    route.fulfill({ json: [...catalogue, entry] }),
+    route.fulfill({ json: { characters: [...catalogue, entry], scenes: [] } }),
   );
   await page.route('**/data/made/*', (route) => {
     const name = decodeURIComponent(new URL(route.request().url()).pathname.split('/').at(-1)!);
@@ -99,7 +98,7 @@ test('pictures are requested when the gallery opens, and the search filters card
 
   const search = gallery(page).getByRole('searchbox', { name: 'Search characters' });
   await search.fill('cse');
-  await expect(gallery(page).locator('.cards button')).toHaveText(['Insect']);
+  await expect(gallery(page).locator('.cards button')).toHaveText(['Panda', 'Insect']);
   await search.fill('do');
   await expect(gallery(page).locator('.cards button')).toHaveText(['Dog']);
   // By keyboard: from the field past the two buttons to the card.
@@ -127,4 +126,66 @@ test('the gallery has no violations in light and dark colors, and fits a phone',
     const { x, width } = (await each.boundingBox())!;
     expect(x + width).toBeLessThanOrEqual(box.x + box.width);
   }
+});
+
+declare global {
+  interface Window {
+    /** The handle of each dropped file, by its name. */
+    handles: Map<string, FileSystemFileHandle>;
+  }
+}
+
+/** Gives drops the handles of files in the page's own file system, which browsers keep alike. */
+async function giveHandles(page: Page, files: readonly NamedFile[]): Promise<void> {
+  const contents = files.map(({ name, content }) => ({ name, text: String(content) }));
+  await page.evaluate(async (contents) => {
+    window.handles = new Map();
+    const folder = await navigator.storage.getDirectory();
+    for (const { name, text } of contents) {
+      const handle = await folder.getFileHandle(name, { create: true });
+      const writable = await handle.createWritable();
+      await writable.write(text);
+      await writable.close();
+      window.handles.set(name, handle);
+    }
+    Object.assign(DataTransferItem.prototype, {
+      getAsFileSystemHandle(this: DataTransferItem) {
+        return Promise.resolve(window.handles.get(this.getAsFile()?.name ?? '') ?? null);
+      },
+    });
+  }, contents);
+}
+
+test('files of an earlier visit are offered again, by handle or by name', async ({ page }) => {
+  const recent = shelf(page, 'Recent').getByRole('button');
+  await openApp(page, 'model=tube');
+  const [kept, chosen] = ['kept', 'chosen'].map((name) =>
+    madeCharacter(3, 1).map((file) => ({ ...file, name: file.name.replace('made', name) })),
+  );
+  await drop(page, chosen!);
+  await giveHandles(page, kept!);
+  await drop(page, kept!);
+  await expect.poll(() => names(page)).toEqual(['kept']);
+  await openGallery(page);
+  await expect(shelf(page, 'Your files').getByRole('button')).toHaveText(['chosen', 'kept']);
+  await expect(recent).toHaveCount(0);
+
+  await openApp(page, 'model=tube');
+  await openGallery(page);
+  await expect(recent).toHaveText(['kept', 'chosenchoose it again', 'Forget these']);
+  expect(await violations(page)).toEqual([]);
+  await recent.first().click();
+  await expect.poll(() => names(page)).toEqual(['kept']);
+  expect(await page.evaluate(() => window.sinew.problems)).toEqual([]);
+
+  await openGallery(page);
+  const choosing = page.waitForEvent('filechooser');
+  await recent.first().click();
+  await choosing;
+  await openGallery(page);
+  await recent.last().click();
+  await expect(shelf(page, 'Recent')).toHaveCount(0);
+  await openApp(page, 'model=tube');
+  await openGallery(page);
+  await expect(recent).toHaveCount(0);
 });

@@ -31,7 +31,6 @@ export function createEditor(opening: Opening, canvas: HTMLCanvasElement): Edito
     ...opening,
     transport: new Transport(store, session),
     ballAngles: new BallAngles(),
-    dialog: signal(null),
     recentEntries: signal([]),
     letterKeys: signal(true),
     tab: signal('pose'),
@@ -44,6 +43,21 @@ export function createEditor(opening: Opening, canvas: HTMLCanvasElement): Edito
       const opened = added.then(() => opening.whenDone()).then(open);
       added = opened.catch(() => undefined); // the failure is reported by who waits for this one
       return opened;
+    },
+
+    async listRecent() {
+      const { listRecent } = await loadPart(import('./recent-files.ts'));
+      return listRecent();
+    },
+
+    async openRecent({ handles }) {
+      const { filesOf } = await loadPart(import('./recent-files.ts'));
+      await opening.openFiles(await filesOf(handles), !isUntouched(store), handles);
+    },
+
+    async forgetRecent() {
+      const { forgetRecent } = await loadPart(import('./recent-files.ts'));
+      await forgetRecent();
     },
 
     select(id) {

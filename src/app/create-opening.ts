@@ -63,11 +63,14 @@ export function createOpening(
     progress: meter.shown,
     notice,
     theme: signal<ThemeChoice>('system'),
+    dialog: signal(null),
+    question: signal(null),
 
-    async openFiles(files, add = false) {
+    async openFiles(files, add = false, handles = []) {
       const outcome = await opening.whileWorking('Reading', async (signal) => {
-        const [{ openOwnFiles }, entries] = await Promise.all([
+        const [{ openOwnFiles }, { askToAdd }, entries] = await Promise.all([
           loadPart(import('./open-own-files.ts')),
+          loadPart(import('./ask-to-add.ts')),
           files,
         ]);
         const openBundled = async (id: string): Promise<void> => {
@@ -78,18 +81,25 @@ export function createOpening(
           signal,
           onProgress: meter.report,
           openBundled,
-          add,
+          add: add === true,
+          ...(add === 'ask' && {
+            ask: (found) => {
+              meter.clear(); // the question would stand over it
+              return askToAdd(opening, nameOf(found), opener.selected!.character.name, signal);
+            },
+          }),
         });
       });
       if (!outcome) return;
-      const { found, opened, reopened, posed } = outcome;
+      const { found, opened, reopened, posed, added } = outcome;
       if (opened) {
         // If files that were opened before are opened again, the list shows them once.
         const came = new Set(found.flatMap(pathsOf));
         const earlier = own.value.filter((read) => !pathsOf(read).every((path) => came.has(path)));
         own.value = [...earlier.slice(-mostEarlier), ...found];
-        const more = found.length > 1 ? ` and ${found.length - 1} more` : '';
-        showOpened(`${opened.name}${more}`, reopened ? 'updated; pose and camera kept' : word(add));
+        const { rememberFiles } = await loadPart(import('./recent-files.ts'));
+        await rememberFiles(nameOf(found), await handles);
+        showOpened(nameOf(found), reopened ? 'updated; pose and camera kept' : word(added));
       } else if (posed) notice.value = 'Pose set';
       else notice.value = 'Nothing could be opened; see Problems';
     },
@@ -200,6 +210,12 @@ export function createOpening(
     if (!what.startsWith('updated')) opening.frameOpened();
     notice.value = `${name} ${what}`;
   }
+}
+
+/** What several characters are called together: the first one's name and the count of the others. */
+function nameOf([first, ...others]: readonly ReadCharacter[]): string {
+  const more = others.length > 0 ? ` and ${others.length} more` : '';
+  return `${first?.character.name ?? ''}${more}`;
 }
 
 function pathsOf({ files }: ReadCharacter): string[] {

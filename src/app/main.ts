@@ -7,6 +7,7 @@ import '../ui/styles/bars.css';
 import '../ui/styles/dialog.css';
 import '../ui/styles/palette.css';
 import '../ui/styles/gallery.css';
+import '../ui/styles/arrival.css';
 import '../ui/styles/controls.css';
 import '../ui/styles/screens.css';
 import { failureText } from '../ui/attempt.ts';

@@ -46,6 +46,8 @@ export interface OpenOutcome {
   /** True if the same files were opened again; pose and camera stay. */
   readonly reopened: boolean;
   readonly posed: boolean;
+  /** Whether the characters were added beside the others. */
+  readonly added: boolean;
 }
 
 /**
@@ -102,7 +104,7 @@ export class FileOpener {
     if (first) this.showAll([first], way, q);
     this.session.problems.value = problems;
     const opened = first?.character ?? null;
-    return { found: characters, opened, reopened: false, posed: false };
+    return { found: characters, opened, reopened: false, posed: false, added: way.add };
   }
 
   /** Loads the kernels of the characters, so that none is first shown with a substitute method. */
@@ -178,6 +180,11 @@ export class FileOpener {
   private get replaced(): readonly Actor[] {
     if (isUntouched(this.store)) return this.store.scene.value.actors;
     return this.selected ? [this.selected] : [];
+  }
+
+  /** Whether opening replaces a character of a scene that the user made. */
+  get isReplacing(): boolean {
+    return this.selected !== undefined && !isUntouched(this.store);
   }
 
   get selected(): Actor | undefined {

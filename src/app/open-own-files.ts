@@ -3,12 +3,19 @@ import type { Diagnostic } from '../core/diagnostics.ts';
 import { setPose } from '../document/edits.ts';
 import type { FileEntry } from '../formats/format.ts';
 import { decodePose } from '../formats/pose-json.ts';
-import type { ReadProgress } from '../formats/read-characters.ts';
+import type { ReadCharacter, ReadProgress } from '../formats/read-characters.ts';
 import { readPoseJson } from '../formats/read-pose-json.ts';
 import type { FileOpener, OpenOutcome } from './open-files.ts';
 import { loadBytes } from './read-bytes.ts';
 import { readFiles } from './read-files.ts';
-import { completeFiles, keptState, missingParts, plainPictures, renews } from './renewal.ts';
+import {
+  areCompanions,
+  completeFiles,
+  keptState,
+  missingParts,
+  plainPictures,
+  renews,
+} from './renewal.ts';
 import { readPictureNote, type ReadNote } from './read-picture-note.ts';
 import { type JsonText, sortFiles } from './sort-files.ts';
 
@@ -20,9 +27,11 @@ interface OwnFilesOptions {
   readonly openBundled: (id: string) => Promise<void>;
   /**
    * Whether the files are added beside the others; then they neither complete nor update the open
-   * character.
+   * character. What only adds to a character goes to the open one in any case.
    */
   readonly add: boolean;
+  /** Asks whether other characters are added, if that is not decided; null if for neither. */
+  readonly ask?: (found: readonly ReadCharacter[]) => Promise<boolean | null>;
 }
 
 /**
@@ -34,14 +43,14 @@ interface OwnFilesOptions {
 export async function openOwnFiles(
   opener: FileOpener,
   files: readonly FileEntry[],
-  { signal, onProgress, openBundled, add }: OwnFilesOptions,
+  { signal, onProgress, openBundled, add: addAll, ask }: OwnFilesOptions,
 ): Promise<OpenOutcome | undefined> {
   const source = { kind: 'files' } as const;
   // This is checked after each await, because the signal may change during any of them.
   const isOver = (): boolean => signal.aborted;
   const { poses, notes: pictures, parts, diagnostics: unreadable } = await sortFiles(files);
   const notes = pictures.map(readPictureNote);
-  const open = add ? undefined : opener.openedFiles;
+  const open = addAll && !areCompanions(parts) ? undefined : opener.openedFiles;
   const completed = completeFiles(parts, open);
   const unread = plainPictures(completed);
   const { loaded, diagnostics: unloaded } = await loadBytes(unread ? [] : completed);
@@ -59,6 +68,9 @@ export async function openOwnFiles(
     if (isOver()) return undefined;
   }
   const renewed = first && renews(first, open) ? opener.selected : undefined;
+  const isNew = first !== undefined && completed === parts && !renewed;
+  const add = ask && isNew && opener.isReplacing ? await ask(characters) : addAll;
+  if (add === null || isOver()) return undefined;
   const character = first?.character ?? opener.selected?.character;
   const q = character && readPoses({ poses, notes }, character, problems);
   problems.push(...notes.flatMap(({ log }) => log.diagnostics));
@@ -76,6 +88,7 @@ export async function openOwnFiles(
     opened: first?.character ?? null,
     reopened: renewed !== undefined,
     posed: q !== undefined,
+    added: add && !renewed,
   };
 }
 

@@ -33,6 +33,12 @@ export function completeFiles(
   return [...open.files.filter((file) => !newNames.includes(nameOf(file))), ...came];
 }
 
+/** Whether all files only add something to a character that is open: images, clips, morphs. */
+export function areCompanions(files: readonly FileEntry[]): boolean {
+  const extensions = [...companionExtensions, ...textureExtensions];
+  return files.every(({ path }) => extensions.includes(extensionOf(path)));
+}
+
 /** Whether the files of a character include those of the open one, with the same joints. */
 export function renews(
   { character, files }: ReadCharacter,

@@ -58,7 +58,7 @@ export async function start(root: HTMLElement): Promise<void> {
   const opening = createOpening(store, session, evaluations, viewer, catalogue);
   layout.follow(viewer, isTest ? 1 : undefined);
   followTheme(opening.theme, viewer);
-  listenToDrops(opening);
+  listenToDrops(opening, layout.canvas);
   listenToPaste(opening);
 
   // An empty picture would only keep the first character waiting.

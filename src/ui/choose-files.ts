@@ -6,12 +6,12 @@ import { fileEntry } from './file-entry.ts';
  * Opens the browser's file dialog, and then the files that the user chooses.
  *
  * @param extensions offered by the dialog; null asks for a folder
- * @param add keeps the other characters; otherwise the selected one is replaced
+ * @param add keeps the other characters; otherwise the user is asked where there is a choice
  */
 export function chooseFiles(
   editor: Pick<Opening, 'openFiles' | 'notice'>,
   extensions: readonly string[] | null,
-  add = false,
+  add: true | 'ask' = 'ask',
 ): void {
   const input = document.createElement('input');
   input.type = 'file';

@@ -15,6 +15,10 @@ export interface DialogEntry {
  * palette: what is typed at once must reach it.
  */
 export const dialogs: Readonly<Record<DialogId, DialogEntry>> = {
+  arrival: {
+    title: 'Replace or add',
+    load: async () => (await loadPart(import('./panels/arrival.tsx'))).Arrival,
+  },
   gallery: {
     title: 'Add a character',
     load: async () => (await loadPart(import('./panels/gallery.tsx'))).Gallery,

@@ -27,7 +27,7 @@ export interface BundledCharacter {
 export type ThemeChoice = 'system' | 'light' | 'dark';
 
 /** A sheet over the page; dialogs.ts has the contents. */
-export type DialogId = 'gallery' | 'keys' | 'palette';
+export type DialogId = 'arrival' | 'gallery' | 'keys' | 'palette';
 
 /** The panel that is open on narrow pages: a sheet on phones; on tablets, the unfolded outliner. */
 export type Drawer = 'left' | 'right';
@@ -59,6 +59,23 @@ export interface Looking {
 /** A list, or a promise of one. */
 type Listed<T> = readonly T[] | Promise<readonly T[]>;
 
+/** The question whether opened characters replace the selected one or are added beside it. */
+export interface ArrivalQuestion {
+  /** The name of what came. */
+  readonly name: string;
+  /** The name of the selected character. */
+  readonly replaced: string;
+  /** Only the first answer counts; null opens nothing. */
+  answer(add: boolean | null): void;
+}
+
+/** Files that were opened lately. */
+export interface RecentFiles {
+  readonly name: string;
+  /** By which the browser finds them again; none where it gives no handles, or for chosen files. */
+  readonly handles: readonly FileSystemHandle[];
+}
+
 /** The sources of characters. */
 export interface Gallery {
   readonly bundled: ReadonlySignal<readonly BundledCharacter[]>;
@@ -70,11 +87,18 @@ export interface Gallery {
    * Replaces a running opening at once, even while the new files are still being listed.
    *
    * @param add keeps the other characters; otherwise the selected one is replaced, or all of an
-   *   untouched scene
+   *   untouched scene; 'ask' asks the user where there is a choice
+   * @param handles by which the browser finds the files again
    */
-  openFiles(files: Listed<FileEntry>, add?: boolean): Promise<void>;
+  openFiles(
+    files: Listed<FileEntry>,
+    add?: boolean | 'ask',
+    handles?: Listed<FileSystemHandle>,
+  ): Promise<void>;
   openBundled(id: string, add?: boolean): Promise<void>;
   openOwn(character: ReadCharacter, add?: boolean): void;
+  /** What the arrival dialog asks, or null. */
+  readonly question: Signal<ArrivalQuestion | null>;
 }
 
 /** Work that can take longer than a moment, such as opening files. Only one runs at a time. */
@@ -143,6 +167,11 @@ export interface Actions {
    * openings it waits for those in progress, so that several can be added at once.
    */
   addBundled(id: string): Promise<void>;
+  /** What was opened lately in this browser, the last first. */
+  listRecent(): Promise<readonly RecentFiles[]>;
+  /** Adds what was opened lately, by its handles. */
+  openRecent(recent: RecentFiles): Promise<void>;
+  forgetRecent(): Promise<void>;
   /** Selects an actor of the scene. */
   select(id: ActorId): void;
   /** Removes all characters, as one step of undo. */
@@ -165,7 +194,12 @@ export interface Actions {
 }
 
 /** The parts that open characters: all that the page needs before its panels are loaded. */
-export type Opening = Looking & Gallery & Working & Courses & Telling & Pick<PageState, 'theme'>;
+export type Opening = Looking &
+  Gallery &
+  Working &
+  Courses &
+  Telling &
+  Pick<PageState, 'theme' | 'dialog'>;
 
 /** All parts, assembled in src/app. Each panel declares only those that it needs. */
 export type Editor = Opening & PageState & Posing & Actions;

@@ -2,31 +2,40 @@ import { describe, expect, it } from 'vitest';
 import { FileOpener } from '../../src/app/open-files.ts';
 import { openOwnFiles } from '../../src/app/open-own-files.ts';
 import { pictureKeyword, writePictureNote } from '../../src/app/picture-note.ts';
-import { openCharacter } from '../../src/document/open-characters.ts';
+import { openCharacters } from '../../src/document/open-characters.ts';
 import { reconcile } from '../../src/document/reconcile.ts';
+import type { Source } from '../../src/document/scene.ts';
 import { Session } from '../../src/document/session.ts';
 import { Store } from '../../src/document/store.ts';
 import { Evaluations } from '../../src/evaluation/evaluations.ts';
 import { memoryFile } from '../../src/formats/file-entry.ts';
 import type { FileEntry } from '../../src/formats/format.ts';
+import type { ReadCharacter } from '../../src/formats/read-characters.ts';
 import { insertPngText } from '../../src/formats/png/text-chunk.ts';
+import { leg } from '../support/cse169-files.ts';
 import { courseSkel } from '../support/course-skeleton.ts';
-import { bytesOf, readOne } from '../support/files.ts';
+import { bytesOf, type FileContents, readOne } from '../support/files.ts';
 
-async function open() {
+async function open(source: Source = { kind: 'files' }) {
   const session = new Session();
   const store = new Store((before, after) => reconcile(session, before, after));
   const opener = new FileOpener(store, session, new Evaluations(store, session), () => ({}));
-  store.dispatch(openCharacter(null, await readOne({ 'a.skel': courseSkel }), 'linear-blend'));
+  const character = await readOne({ 'a.skel': courseSkel });
+  const first = { character, method: 'linear-blend', kept: { source } } as const;
+  store.dispatch(openCharacters([], source.kind === 'bundled' ? [first, first] : [first]));
   const [scene, problems] = [store.scene.value, session.problems.value];
   const current = new AbortController();
   const aborted = (): void => current.abort();
-  const run = (files: readonly FileEntry[], openBundled = () => Promise.resolve()) =>
+  const run = (
+    files: readonly FileEntry[],
+    openBundled = () => Promise.resolve(),
+    way: Pick<Parameters<typeof openOwnFiles>[2], 'add' | 'ask'> = { add: false },
+  ) =>
     openOwnFiles(opener, files, {
       signal: current.signal,
       onProgress: () => undefined,
       openBundled,
-      add: false,
+      ...way,
     });
   const asItWas = (): boolean => store.scene.value === scene && session.problems.value === problems;
   return { session, store, run, aborted, asItWas };
@@ -90,5 +99,68 @@ describe('files that can’t be read', () => {
     expect((await run([broken, whole]))?.opened?.name).toBe('b');
     const told = session.problems.value.filter(({ file }) => file === path);
     expect(told).toHaveLength(1);
+  });
+});
+
+describe('where opened files go', () => {
+  /** Opens the files, with an answer to the question, and returns what was asked and what is open. */
+  async function openWith(answer: boolean | null, ...contents: readonly FileContents[]) {
+    const { run, store } = await open();
+    const asked: string[] = [];
+    const ask = (found: readonly ReadCharacter[]): Promise<boolean | null> => {
+      asked.push(found.map(({ character }) => character.name).join());
+      return Promise.resolve(answer);
+    };
+    for (const each of contents) {
+      const files = Object.entries(each).map(([name, text]) => memoryFile(name, bytesOf(text)));
+      await run(files, undefined, { add: false, ask });
+    }
+    return { asked, names: store.scene.value.actors.map(({ character }) => character.name) };
+  }
+
+  const another = { 'b.skel': courseSkel };
+
+  it('is asked about other characters, and the answer holds', async () => {
+    expect(await openWith(true, another)).toEqual({ asked: ['b'], names: ['a', 'b'] });
+    expect(await openWith(false, another)).toEqual({ asked: ['b'], names: ['b'] });
+    expect(await openWith(null, another)).toEqual({ asked: ['b'], names: ['a'] });
+  });
+
+  it('is not asked about poses and clips, nor about files that complete or update what is open', async () => {
+    const mesh = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n';
+    const own: readonly FileContents[] = [
+      another,
+      { 'b.pose.json': '{"joints":{}}' },
+      { 'b.obj': mesh },
+      { 'b.skel': courseSkel },
+      { 'b.anim': 'no clip' },
+    ];
+    expect(await openWith(true, ...own)).toEqual({ asked: ['b'], names: ['a', 'b'] });
+  });
+
+  it('is not asked on the first scene, which nobody touched: all of it is replaced', async () => {
+    const { run, store } = await open({ kind: 'bundled', id: 'a' });
+    const ask = (): never => expect.unreachable('nothing is to be asked');
+    await run([memoryFile('b.skel', bytesOf(courseSkel))], undefined, { add: false, ask });
+    expect(store.scene.value.actors.map(({ character }) => character.name)).toEqual(['b']);
+    store.undo();
+    expect(store.scene.value.actors.map(({ character }) => character.name)).toEqual(['a', 'a']);
+  });
+
+  it('adds beside the others, but gives poses and clips to the selected character', async () => {
+    const { run, store } = await open();
+    const add = (files: FileContents) =>
+      run(
+        Object.entries(files).map(([name, text]) => memoryFile(name, bytesOf(text))),
+        undefined,
+        { add: true },
+      );
+    await add(leg);
+    const [clip, ...rest] = Object.keys(leg).filter((name) => name.endsWith('.anim'));
+    expect(rest).toEqual([]);
+    expect(await add({ [clip!]: leg[clip!]! })).toMatchObject({ reopened: true, added: false });
+    expect(store.scene.value.actors.map(({ character }) => character.name)).toEqual(['a', 'leg']);
+    expect(await add(another)).toMatchObject({ added: true });
+    expect(store.scene.value.actors).toHaveLength(3);
   });
 });

@@ -1,7 +1,9 @@
-import { useState } from 'preact/hooks';
+import { useEffect, useState } from 'preact/hooks';
+import { printable } from '../../core/diagnostics.ts';
 import { isUntouched } from '../../document/untouched.ts';
 import { attempt } from '../attempt.ts';
-import type { BundledCharacter, Editor } from '../editor.ts';
+import { chooseFiles } from '../choose-files.ts';
+import type { BundledCharacter, Editor, RecentFiles } from '../editor.ts';
 import { numberedNames } from '../numbered-names.ts';
 import { fitsQuery } from '../rank-entries.ts';
 import { shelvesOf } from '../shelves.ts';
@@ -77,8 +79,63 @@ export function Gallery({ editor }: { readonly editor: Editor }) {
           </ul>
         </section>
       )}
-      {shelves.length === 0 && own.length === 0 && <p role="status">Nothing fits</p>}
+      <Recent
+        editor={editor}
+        isListed={({ name }) => fitsQuery(name, typed) && !names.includes(name)}
+        onPress={closeUnlessHeld}
+      />
+      {shelves.length === 0 && own.length === 0 && <p role="status">No character fits</p>}
     </>
+  );
+}
+
+interface RecentProperties {
+  readonly editor: Editor;
+  readonly isListed: (recent: RecentFiles) => boolean;
+  readonly onPress: (event: MouseEvent) => void;
+}
+
+/** What was opened at earlier visits; the browser finds some of it again. */
+function Recent({ editor, isListed, onPress }: RecentProperties) {
+  const [recent, setRecent] = useState<readonly RecentFiles[]>([]);
+  useEffect(() => attempt(editor, editor.listRecent().then(setRecent)), [editor]);
+  const listed = recent.filter(isListed);
+  const open = (files: RecentFiles): void => {
+    if (files.handles.length === 0) chooseFiles(editor, editor.fileExtensions);
+    else attempt(editor, editor.openRecent(files));
+  };
+  const forget = (): void => {
+    setRecent([]);
+    attempt(editor, editor.forgetRecent());
+  };
+  if (listed.length === 0) return null;
+  return (
+    <section aria-label="Recent">
+      <h3>
+        Recent <small>remembered in this browser</small>
+      </h3>
+      <ul class="names">
+        {listed.map((files) => (
+          <li key={files.name}>
+            <button
+              type="button"
+              onClick={(event) => {
+                onPress(event);
+                open(files);
+              }}
+            >
+              {printable(files.name, 80)}
+              {files.handles.length === 0 && <small>choose it again</small>}
+            </button>
+          </li>
+        ))}
+        <li>
+          <button type="button" class="plain" onClick={forget}>
+            Forget these
+          </button>
+        </li>
+      </ul>
+    </section>
   );
 }
 

@@ -1,0 +1,93 @@
+import { printable } from '../core/diagnostics.ts';
+import { selectedActor } from '../document/selected-actor.ts';
+import { isUntouched } from '../document/untouched.ts';
+import type { DropTarget } from './drop-zone.ts';
+
+/** A part of the view on which files can be dropped. */
+interface Half {
+  readonly label: string;
+  readonly add: boolean;
+}
+
+/**
+ * What the view shows while files hover over the window: what a drop on its left and on its right
+ * half does, with the half under the pointer lit.
+ */
+export class DropHalves {
+  private readonly target: DropTarget;
+  private readonly view: HTMLElement;
+  private readonly zone = document.body.appendChild(document.createElement('div'));
+  private halves: readonly Half[] = [];
+
+  constructor(target: DropTarget, view: HTMLElement) {
+    this.target = target;
+    this.view = view;
+    this.zone.className = 'drop-zone';
+    this.zone.popover = 'manual'; // over an open dialog, too
+  }
+
+  /**
+   * Shows the halves, and lights the one at a place of the window.
+   *
+   * @param types of the files, as far as the browser tells them
+   */
+  follow(types: readonly string[], x: number): void {
+    if (!this.isShown) this.show(types);
+    const lit = this.halfAt(x);
+    for (const [index, each] of Array.from(this.zone.children).entries()) {
+      each.classList.toggle('lit', this.halves[index] === lit);
+    }
+  }
+
+  hide(): void {
+    if (this.isShown) this.zone.hidePopover();
+  }
+
+  /** Whether a drop at a place of the window adds the files. */
+  addsAt(x: number): boolean {
+    return this.isShown && this.halfAt(x)?.add === true;
+  }
+
+  private get isShown(): boolean {
+    return this.zone.matches(':popover-open');
+  }
+
+  private halfAt(x: number): Half | undefined {
+    const { left, width } = this.view.getBoundingClientRect();
+    return x < left + width / 2 ? this.halves[0] : this.halves.at(-1);
+  }
+
+  private show(types: readonly string[]): void {
+    this.halves = halvesFor(this.target, types);
+    const { left, top, width, height } = this.view.getBoundingClientRect();
+    for (const [side, length] of Object.entries({ left, top, width, height })) {
+      this.zone.style.setProperty(side, `${length}px`);
+    }
+    this.zone.replaceChildren(...this.halves.map(halfElement));
+    this.zone.showPopover();
+  }
+}
+
+/**
+ * A drop replaces a scene that nobody touched; poses and pictures go to the selected character.
+ * Otherwise there is a choice.
+ */
+function halvesFor({ store, session }: DropTarget, types: readonly string[]): readonly Half[] {
+  const selected = selectedActor(store, session);
+  // Some browsers tell the types with the drop only.
+  const isForSelected =
+    types.length > 0 && types.every((type) => /^(image\/|application\/json$)/.test(type));
+  if (!selected || isUntouched(store) || isForSelected) {
+    return [{ label: 'Drop to open', add: false }];
+  }
+  return [
+    { label: `Replace ${printable(selected.character.name, 60)}`, add: false },
+    { label: 'Add', add: true },
+  ];
+}
+
+function halfElement({ label }: Half): HTMLElement {
+  const half = document.createElement('div');
+  half.textContent = label;
+  return half;
+}
