@@ -15,7 +15,12 @@ export function guiSection(add: (gui: GUI, editor: Editor) => unknown): SectionC
   return function GuiSection({ editor }) {
     const container = useRef<HTMLDivElement>(null);
     useEffect(() => {
-      const gui = new GUI({ container: container.current!, injectStyles: false });
+      const gui = new GUI({
+        container: container.current!,
+        injectStyles: false,
+        // Its sizes for touch are smaller than ours, and would win over them.
+        touchStyles: 0, // lil-gui declares a number where it documents a boolean
+      });
       const end = add(gui, editor);
       addSliderRoles(gui);
       return () => {
