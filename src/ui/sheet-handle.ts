@@ -20,7 +20,11 @@ export function addSheetHandle(root: HTMLElement, { drawer }: Pick<PageState, 'd
   handle.setAttribute('aria-label', 'Height of the sheet');
   handle.setAttribute('aria-valuemin', '0');
   handle.setAttribute('aria-valuemax', String(Math.round(most * 100)));
-  root.querySelector('nav.phone')!.before(handle);
+  const place = document.createElement('section');
+  place.className = 'sheet-top';
+  place.setAttribute('aria-label', 'Sheet');
+  place.append(handle);
+  root.querySelector('nav.phone')!.before(place);
   let part = first;
 
   const show = (wanted: number): void => {
