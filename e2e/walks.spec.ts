@@ -32,6 +32,7 @@ async function tabTo(page: Page, name: RegExp): Promise<void> {
 test('the keyboard alone opens, poses and saves', async ({ page }) => {
   await openApp(page);
   await page.keyboard.press('Control+k');
+  await expect(page.getByRole('combobox', { name: /command/i })).toBeFocused();
   await page.keyboard.type('open twisting');
   await page.keyboard.press('Enter');
   await expect(page.getByRole('heading', { name: 'tube' })).toBeVisible();
