@@ -3,7 +3,7 @@ import { join } from 'node:path';
 import { buildCharacter } from '../../src/core/build-character.ts';
 import { writeAnim } from '../../src/formats/cse169/write-anim.ts';
 import { writeCse169 } from '../../src/formats/cse169/write-character.ts';
-import { writeGzipText } from './gzip-file.ts';
+import { writeGzip } from './gzip-file.ts';
 import { morphText } from './insect/morph-text.ts';
 import { insectParts } from './insect/parts.ts';
 import { paintTexture } from './insect/texture.ts';
@@ -21,7 +21,7 @@ export function makeInsect(dataFolder: string): void {
   mkdirSync(folder, { recursive: true });
   const write = (name: string, content: string | Uint8Array): void => {
     const text = typeof content === 'string' ? content : new TextDecoder().decode(content);
-    console.log(`${name}.gz: ${writeGzipText(join(folder, `${name}.gz`), text)} bytes`);
+    console.log(`${name}.gz: ${writeGzip(join(folder, `${name}.gz`), text)} bytes`);
   };
   for (const { path, bytes } of writeCse169(character).files) write(path, bytes);
   write('insect_breathe.morph', morphText({ breath: 1, alert: 0 }));

@@ -10,7 +10,7 @@ import type {
 import { ballHinges, rootSlides } from '../../src/formats/cse169/joint-dofs.ts';
 import { writeAnim } from '../../src/formats/cse169/write-anim.ts';
 import { writeCse169 } from '../../src/formats/cse169/write-character.ts';
-import { writeGzipText } from './gzip-file.ts';
+import { writeGzip } from './gzip-file.ts';
 import { rounded } from './insect/surface.ts';
 import { type JointTable, readJointTable } from './joint-table.ts';
 import { roundWeights } from './mit-text.ts';
@@ -37,7 +37,7 @@ export function makePanda(sourceFolder: string, dataFolder: string): void {
   mkdirSync(folder, { recursive: true });
   const walk = { path: 'panda_walk.anim', bytes: writeAnim(pandaWalk(source, table)) };
   for (const { path, bytes } of [...writeCse169(character).files, walk]) {
-    const size = writeGzipText(join(folder, `${path}.gz`), new TextDecoder().decode(bytes));
+    const size = writeGzip(join(folder, `${path}.gz`), new TextDecoder().decode(bytes));
     console.log(`${path}.gz: ${size} bytes`);
   }
   copyFileSync(join(sourceFolder, 'maps/panda-model.jpg'), join(folder, 'panda.jpg'));

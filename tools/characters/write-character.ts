@@ -1,5 +1,5 @@
 import { join } from 'node:path';
-import { writeGzipText } from './gzip-file.ts';
+import { writeGzip } from './gzip-file.ts';
 import { attachText, mtlText, roundWeights, skelText, type Material } from './mit-text.ts';
 import { packMesh, type SourceMesh } from './pack-mesh.ts';
 import { subtract, type Vector3 } from './vector.ts';
@@ -25,7 +25,7 @@ export function writeCharacter(dataFolder: string, name: string, text: Character
   });
   const write = (ending: string, content: string): void => {
     const path = join(dataFolder, name, `${name}.${ending}.gz`);
-    console.log(`${name}.${ending}.gz: ${writeGzipText(path, content)} bytes`);
+    console.log(`${name}.${ending}.gz: ${writeGzip(path, content)} bytes`);
   };
   write('skel', skelText(offsets, parents));
   const { text: obj, sourceVertex } = packMesh(mesh, materials && `${name}.mtl`);
