@@ -48,10 +48,11 @@ export function listenToDrops(target: DropTarget, view: HTMLElement): void {
     depth = 0;
     halves?.hide();
     const { dataTransfer } = event;
-    if (!dataTransfer || !hasFiles(event)) return;
+    if (!dataTransfer) return;
     // Both lists are emptied after the event, so they are read before any await.
     const files = Array.from(dataTransfer.files);
     const entries = Array.from(dataTransfer.items, (item) => item.webkitGetAsEntry());
+    if (files.length === 0 && entries.every((entry) => entry === null)) return;
     const handles = handlesOf(dataTransfer.items);
     attempt(target, target.openFiles(list(files, entries), add, handles));
   });
