@@ -103,6 +103,34 @@ test('a pose and a picture have no choice: they belong to the selected character
   expect(await names()).toHaveLength(3);
 });
 
+test('a pose goes to the character under the pointer', async () => {
+  const selected = () =>
+    page().evaluate(() => window.sinew.characters.find((each) => each.selected)?.name);
+  const angle = () =>
+    page().evaluate(() => window.sinew.pose(undefined, 'one').joints?.['joint 01']);
+  await page().evaluate(() => window.sinew.select('one'));
+  const box = (await page().locator('canvas').boundingBox())!;
+  /** Where a click selects another character, from left to right. */
+  const findOther = async (): Promise<number> => {
+    for (let across = 0.1; across < 0.95; across += 0.01) {
+      await page().mouse.click(box.x + across * box.width, box.y + 0.5 * box.height);
+      if ((await selected()) !== 'one') return across;
+    }
+    throw new Error('no click selects another character');
+  };
+  const across = await findOther();
+  const other = await selected();
+  await page().evaluate(() => window.sinew.select('one'));
+  const before = await angle();
+  await dropAt([write('other.pose.json', '{"joints":{"#1":[0.25,0,0]}}')], across);
+  await expect.poll(selected).toBe(other);
+  await expect
+    .poll(() => page().evaluate((name) => window.sinew.pose(undefined, name), other))
+    .toMatchObject({ joints: { 'joint 01': [0.25, 0, 0] } });
+  expect(await angle()).toEqual(before);
+  await page().evaluate(() => window.sinew.select('three'));
+});
+
 test('a drop on an open dialog shows the halves over it', async () => {
   await page().keyboard.press('Control+k');
   await expect(page().getByRole('dialog', { name: 'Commands' })).toBeVisible();

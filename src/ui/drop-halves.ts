@@ -1,7 +1,12 @@
 import { printable } from '../core/diagnostics.ts';
+import { selectActor } from '../document/reconcile.ts';
 import { selectedActor } from '../document/selected-actor.ts';
 import { isUntouched } from '../document/untouched.ts';
+import { boneAt } from '../view/pick.ts';
 import type { DropTarget } from './drop-zone.ts';
+
+/** In CSS pixels. */
+const tolerance = 8;
 
 /** A part of the view on which files can be dropped. */
 interface Half {
@@ -18,6 +23,7 @@ export class DropHalves {
   private readonly view: HTMLElement;
   private readonly zone = document.body.appendChild(document.createElement('div'));
   private halves: readonly Half[] = [];
+  private isForCharacter = false;
 
   constructor(target: DropTarget, view: HTMLElement) {
     this.target = target;
@@ -48,6 +54,17 @@ export class DropHalves {
     return this.isShown && this.halfAt(x)?.add === true;
   }
 
+  /** Selects the character under a drop of what goes to one; elsewhere the selection stays. */
+  selectUnder({ clientX, clientY }: DragEvent): void {
+    if (!this.isShown || !this.isForCharacter) return;
+    const { left, top, width, height } = this.view.getBoundingClientRect();
+    const [x, y] = [((clientX - left) / width) * 2 - 1, 1 - ((clientY - top) / height) * 2];
+    if (Math.abs(x) > 1 || Math.abs(y) > 1) return;
+    const hit = boneAt(this.target, { x, y, tolerance, viewHeight: height });
+    const { session, store } = this.target;
+    if (hit) selectActor(session, store.scene.value, hit.actorId);
+  }
+
   private get isShown(): boolean {
     return this.zone.matches(':popover-open');
   }
@@ -58,7 +75,8 @@ export class DropHalves {
   }
 
   private show(types: readonly string[]): void {
-    this.halves = halvesFor(this.target, types);
+    this.isForCharacter = areForCharacter(types);
+    this.halves = halvesFor(this.target, this.isForCharacter);
     const { left, top, width, height } = this.view.getBoundingClientRect();
     for (const [side, length] of Object.entries({ left, top, width, height })) {
       this.zone.style.setProperty(side, `${length}px`);
@@ -69,21 +87,23 @@ export class DropHalves {
 }
 
 /**
- * A drop replaces a scene that nobody touched; poses and pictures go to the selected character.
- * Otherwise there is a choice.
+ * A drop replaces a scene that nobody touched; poses and pictures go to a character. Otherwise there
+ * is a choice.
  */
-function halvesFor({ store, session }: DropTarget, types: readonly string[]): readonly Half[] {
+function halvesFor({ store, session }: DropTarget, isForCharacter: boolean): readonly Half[] {
   const selected = selectedActor(store, session);
-  // Some browsers tell the types with the drop only.
-  const isForSelected =
-    types.length > 0 && types.every((type) => /^(image\/|application\/json$)/.test(type));
-  if (!selected || isUntouched(store) || isForSelected) {
+  if (!selected || isUntouched(store) || isForCharacter) {
     return [{ label: 'Drop to open', add: false }];
   }
   return [
     { label: `Replace ${printable(selected.character.name, 60)}`, add: false },
     { label: 'Add', add: true },
   ];
+}
+
+/** Whether files are poses or pictures by their types, which some browsers tell with the drop only. */
+function areForCharacter(types: readonly string[]): boolean {
+  return types.length > 0 && types.every((type) => /^(image\/|application\/json$)/.test(type));
 }
 
 function halfElement({ label }: Half): HTMLElement {

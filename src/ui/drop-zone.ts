@@ -2,9 +2,9 @@ import { loadPart } from '../core/failure.ts';
 import type { FileEntry } from '../formats/format.ts';
 import { attempt } from './attempt.ts';
 import type { DropHalves } from './drop-halves.ts';
-import type { Opening } from './editor.ts';
+import type { Looking, Opening } from './editor.ts';
 
-export type DropTarget = Pick<Opening, 'openFiles' | 'notice' | 'store' | 'session'>;
+export type DropTarget = Looking & Pick<Opening, 'openFiles' | 'notice'>;
 
 /**
  * Accepts files that are dropped anywhere in the window. What the view shows meanwhile is loaded with
@@ -45,13 +45,15 @@ export function listenToDrops(target: DropTarget, view: HTMLElement): void {
   window.addEventListener('drop', (event) => {
     event.preventDefault();
     const add = halves?.addsAt(event.clientX) === true;
+    halves?.selectUnder(event);
     depth = 0;
     halves?.hide();
     const { dataTransfer } = event;
-    if (!dataTransfer || !hasFiles(event)) return;
+    if (!dataTransfer) return;
     // Both lists are emptied after the event, so they are read before any await.
     const files = Array.from(dataTransfer.files);
     const entries = Array.from(dataTransfer.items, (item) => item.webkitGetAsEntry());
+    if (files.length === 0 && entries.every((entry) => entry === null)) return;
     const handles = handlesOf(dataTransfer.items);
     attempt(target, target.openFiles(list(files, entries), add, handles));
   });
