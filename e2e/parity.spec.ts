@@ -26,7 +26,7 @@ for (const { id, files } of catalogue) {
       window.skinRuns = [];
       return window.sinew.open(id);
     }, id);
-    expect(files.length, 'files of a character').toBeGreaterThanOrEqual(3);
+    expect(files.length, 'files of a character').toBeGreaterThan(0);
     for (const [index, { id: kernel, label }] of kernels.entries()) {
       await chooseKernel(page(), kernel);
       expect(await verify(page()), `${label}, as it was`).toMatchObject(same);

@@ -119,7 +119,7 @@ test('a mesh with more vertices than a PMD can number is not saved, and the page
 
 test.describe('joints and bones', () => {
   const page = sharedPage(async (page) => {
-    await openApp(page);
+    await openApp(page, 'workspace=mannequin');
     await drop(page, madePmd());
   });
   const ball = async (): Promise<unknown> => (await getPose(page())).joints?.['右肩'];
