@@ -14,7 +14,11 @@ import { expectPicture } from './support/pictures.ts';
 import { sharedPage, test } from './support/test.ts';
 
 test.use({ viewport: { width: 1000, height: 460 } });
-const page = sharedPage((page) => openApp(page, 'workspace=mannequin'));
+const page = sharedPage(async (page) => {
+  await openApp(page, 'workspace=mannequin');
+  await expect(controlRow(page, 'Dragging').locator('option:checked')).toHaveText('as in CS354');
+  await choose(page, 'Dragging', 'follows the pointer');
+});
 
 const label = () => page().locator('.lit-bone');
 const canvas = () => page().locator('canvas');

@@ -1,6 +1,6 @@
 import { computed, type Signal, signal } from '@preact/signals-core';
 import { loadPart } from '../core/failure.ts';
-import { setLook } from '../document/look-edits.ts';
+import { dress } from '../document/look-edits.ts';
 import { selectActor } from '../document/reconcile.ts';
 import { selectedActor } from '../document/selected-actor.ts';
 import type { Session } from '../document/session.ts';
@@ -186,9 +186,9 @@ export function createOpening(
   };
 
   /** Draws the selected character as a workspace does; this is a step of undo, unlike the rest. */
-  function dressSelected({ label, actorLook }: Workspace): void {
+  function dressSelected({ label, actorLook, normals }: Workspace): void {
     const actor = selectedActor(store, session);
-    if (actor) store.dispatch(setLook(actor.id, actorLook, `${label} look`));
+    if (actor) store.dispatch(dress(actor.id, actorLook, normals, `${label} look`));
   }
 
   function entryOf(id: string): CatalogueEntry | undefined {

@@ -27,7 +27,7 @@ export const workspaces: readonly Workspace[] = [
     },
     framed: true,
     look: skinAlone,
-    actorLook: { shading: 'smooth' },
+    actorLook: { shading: 'smooth', dragging: 'follow' },
     posesBy: 'selection',
   },
   {
@@ -47,7 +47,8 @@ export const workspaces: readonly Workspace[] = [
     },
     framed: false,
     look: skinAlone,
-    actorLook: { shading: 'faceted' },
+    actorLook: { shading: 'faceted', dragging: 'follow' },
+    normals: 'blended',
     posesBy: 'selection',
   },
   {
@@ -65,7 +66,8 @@ export const workspaces: readonly Workspace[] = [
     },
     framed: true,
     look: { ...skinAlone, showSkin: false, showSkeleton: true, skeletonStyle: 'boxes' },
-    actorLook: { shading: 'smooth' },
+    actorLook: { shading: 'smooth', dragging: 'follow' },
+    normals: 'joints',
     posesBy: 'selection',
   },
   {
@@ -83,7 +85,8 @@ export const workspaces: readonly Workspace[] = [
     },
     framed: true,
     look: { ...skinAlone, showSkeleton: true, skeletonStyle: 'lines', translucent: true },
-    actorLook: { shading: 'smooth' },
+    actorLook: { shading: 'smooth', dragging: 'course' },
+    normals: 'blended',
     posesBy: 'mode',
   },
 ];

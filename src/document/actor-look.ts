@@ -1,6 +1,9 @@
 export type Shading = 'smooth' | 'faceted';
 
-/** How an actor is drawn, apart from its materials. */
+/** How a dragged bone turns: its grabbed point follows the pointer, or as in CS354's program. */
+export type BoneDrag = 'follow' | 'course';
+
+/** How an actor is drawn, apart from its materials, and how it is handled. */
 export interface ActorLook {
   /** A hidden actor is neither drawn nor picked, and casts no shadow. */
   readonly visible: boolean;
@@ -9,12 +12,19 @@ export interface ActorLook {
   /** From 0, which is polished, to 1, which is matte. */
   readonly roughness: number;
   readonly shading: Shading;
+  readonly dragging: BoneDrag;
 }
 
 /** The number of clays. */
 export const clayCount = 8;
 
-export const plainLook: ActorLook = { visible: true, clay: 0, roughness: 1, shading: 'smooth' };
+export const plainLook: ActorLook = {
+  visible: true,
+  clay: 0,
+  roughness: 1,
+  shading: 'smooth',
+  dragging: 'follow',
+};
 
 /** Returns the first of the clays that the fewest of these looks have. */
 export function nextClay(looks: readonly Pick<ActorLook, 'clay'>[]): number {

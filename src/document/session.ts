@@ -63,9 +63,6 @@ export interface HoveredLimb {
   readonly bone: Bone | null;
 }
 
-/** How a dragged bone turns: its grabbed point follows the pointer, or as in CS354's program. */
-export type BoneDrag = 'follow' | 'course';
-
 /** Which parts of characters are shown, and how. */
 export interface Look {
   readonly showSkin: boolean;
@@ -105,7 +102,6 @@ export class Session {
   readonly posesBy = signal<PosesBy>('selection');
   /** Whether the view was last used by touch, where handles are larger. */
   readonly byTouch = signal(false);
-  readonly boneDrag = signal<BoneDrag>('follow');
   /** Whether the camera stays in place and looks around. */
   readonly firstPerson = signal(false);
   /** The degree of freedom that was last changed, for the text in the view. */

@@ -1,3 +1,4 @@
+import type { NormalsId } from '../core/skin.ts';
 import type { ActorLook } from '../document/actor-look.ts';
 import type { Look, PosesBy } from '../document/session.ts';
 import type { FormatId } from '../formats/registry.ts';
@@ -21,5 +22,7 @@ export interface Workspace {
   readonly look: Look;
   /** How the selected character and new ones are drawn. */
   readonly actorLook: Partial<ActorLook>;
+  /** How normals follow on a character that takes this look; as they did, if absent. */
+  readonly normals?: NormalsId;
   readonly posesBy: PosesBy;
 }

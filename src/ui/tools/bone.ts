@@ -88,7 +88,7 @@ function turnBone(editor: Looking, from: ToolPlace, target: BoneTarget): ToolDra
     if (isValue && jointOfValue(skeleton, active.index) === target.joint) {
       return { kind: 'value', index: active.index };
     }
-    return { kind: session.boneDrag.value };
+    return { kind: state.look.dragging };
   }
 
   function pointerAt(place: ToolPlace): DragPointer {
