@@ -3,7 +3,6 @@ import { drop, type NamedFile, openApp } from './support/app.ts';
 import { violations } from './support/axe.ts';
 import { catalogue } from './support/catalogue.ts';
 import { madeCharacter } from './support/made-character.ts';
-import { madePmd } from './support/made-pmd.ts';
 import { test } from './support/test.ts';
 
 // The gallery adds characters beside one another, or in place of a scene that nobody touched.
@@ -20,37 +19,14 @@ async function openGallery(page: Page): Promise<void> {
   await expect(card(page, 'Human')).toBeVisible();
 }
 
-/** Lists a character of CS354 too, which is served from the test. */
-async function listPmd(page: Page): Promise<void> {
-  const files = madePmd();
-  const entry = {
-    ...{ id: 'made', label: 'Made', course: 'mmd', credit: 'Made by the test' },
-    files: files.map(({ name }) => `made/${name}`),
-  };
-  await page.route('**/data/catalogue.json', (route) =>
-    route.fulfill({ json: { characters: [...catalogue, entry], scenes: [] } }),
-  );
-  await page.route('**/data/made/*', (route) => {
-    const name = decodeURIComponent(new URL(route.request().url()).pathname.split('/').at(-1)!);
-    const content = files.find((file) => file.name === name)?.content;
-    return content === undefined
-      ? route.abort()
-      : route.fulfill({ body: Buffer.from(content), contentType: 'application/octet-stream' });
-  });
-  await page.route('**/data/pictures/made-*', (route) =>
-    route.fulfill({ path: 'public/data/pictures/tube-light.jpg' }),
-  );
-}
-
 test('three characters of three courses stand beside one another after six presses', async ({
   page,
 }) => {
-  await listPmd(page);
   await openApp(page, 'model=tube');
   const presses = [
     ['MIT 6.837', 'Human'],
     ['UCSD CSE169', 'Insect'],
-    ['UT CS354', 'Made'],
+    ['UT CS354', 'Mannequin'],
   ] as const;
   for (const [course, name] of presses) {
     await openGallery(page);

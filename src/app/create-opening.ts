@@ -17,9 +17,6 @@ import { type OpeningScene, openScene } from './open-scene.ts';
 import { ProgressMeter } from './progress-meter.ts';
 import { workspaces } from './workspaces.ts';
 
-/** The number of your own characters that stay in the list in addition to those opened last. */
-const mostEarlier = 12;
-
 /** What opens characters, and bundled scenes too. */
 export interface OpeningOfScenes extends Opening {
   /** @param shown settles when the first character was drawn, for which the others wait */
@@ -67,41 +64,19 @@ export function createOpening(
     question: signal(null),
 
     async openFiles(files, add = false, handles = []) {
-      const outcome = await opening.whileWorking('Reading', async (signal) => {
-        const [{ openOwnFiles }, { askToAdd }, entries] = await Promise.all([
-          loadPart(import('./open-own-files.ts')),
-          loadPart(import('./ask-to-add.ts')),
+      await opening.whileWorking('Reading', async (signal) => {
+        const [{ receiveFiles }, entries, given] = await Promise.all([
+          loadPart(import('./receive-files.ts')),
           files,
+          handles,
         ]);
         const openBundled = async (id: string): Promise<void> => {
           const entry = entryOf(id);
           if (entry) await loadBundled(entry, signal, false);
         };
-        return openOwnFiles(opener, entries, {
-          signal,
-          onProgress: meter.report,
-          openBundled,
-          add: add === true,
-          ...(add === 'ask' && {
-            ask: (found) => {
-              meter.clear(); // the question would stand over it
-              return askToAdd(opening, nameOf(found), opener.selected!.character.name, signal);
-            },
-          }),
-        });
+        const receiver = { opening, opener, own, meter, openBundled, showOpened };
+        await receiveFiles(receiver, { files: entries, add, handles: given }, signal);
       });
-      if (!outcome) return;
-      const { found, opened, reopened, posed, added } = outcome;
-      if (opened) {
-        // If files that were opened before are opened again, the list shows them once.
-        const came = new Set(found.flatMap(pathsOf));
-        const earlier = own.value.filter((read) => !pathsOf(read).every((path) => came.has(path)));
-        own.value = [...earlier.slice(-mostEarlier), ...found];
-        const { rememberFiles } = await loadPart(import('./recent-files.ts'));
-        await rememberFiles(nameOf(found), await handles);
-        showOpened(nameOf(found), reopened ? 'updated; pose and camera kept' : word(added));
-      } else if (posed) notice.value = 'Pose set';
-      else notice.value = 'Nothing could be opened; see Problems';
     },
 
     async openBundled(id, add = false) {
@@ -210,16 +185,6 @@ export function createOpening(
     if (!what.startsWith('updated')) opening.frameOpened();
     notice.value = `${name} ${what}`;
   }
-}
-
-/** What several characters are called together: the first one's name and the count of the others. */
-function nameOf([first, ...others]: readonly ReadCharacter[]): string {
-  const more = others.length > 0 ? ` and ${others.length} more` : '';
-  return `${first?.character.name ?? ''}${more}`;
-}
-
-function pathsOf({ files }: ReadCharacter): string[] {
-  return files.map(({ path }) => path);
 }
 
 function word(add: boolean): string {

@@ -1,0 +1,72 @@
+import type { Signal } from '@preact/signals-core';
+import type { FileEntry } from '../formats/format.ts';
+import type { ReadCharacter } from '../formats/read-characters.ts';
+import type { Opening } from '../ui/editor.ts';
+import { askToAdd } from './ask-to-add.ts';
+import type { FileOpener } from './open-files.ts';
+import { openOwnFiles } from './open-own-files.ts';
+import type { ProgressMeter } from './progress-meter.ts';
+import { rememberFiles } from './recent-files.ts';
+
+/** The number of your own characters that stay in the list in addition to those opened last. */
+const mostEarlier = 12;
+
+/** What receives the user's files. */
+interface Receiver {
+  readonly opening: Opening;
+  readonly opener: FileOpener;
+  readonly own: Signal<readonly ReadCharacter[]>;
+  readonly meter: ProgressMeter;
+  /** Opens a bundled character as a part of this opening. */
+  readonly openBundled: (id: string) => Promise<void>;
+  readonly showOpened: (name: string, what: string) => void;
+}
+
+/** How files were received; see `Opening.openFiles`. */
+interface Received {
+  readonly files: readonly FileEntry[];
+  readonly add: boolean | 'ask';
+  readonly handles: readonly FileSystemHandle[];
+}
+
+/** Opens the user's files, says what came of it, and lists and remembers them. */
+export async function receiveFiles(
+  { opening, opener, own, meter, openBundled, showOpened }: Receiver,
+  { files, add, handles }: Received,
+  signal: AbortSignal,
+): Promise<void> {
+  const ask = (found: readonly ReadCharacter[]): Promise<boolean | null> => {
+    meter.clear(); // the question would stand over it
+    return askToAdd(opening, nameOf(found), opener.selected!.character.name, signal);
+  };
+  const outcome = await openOwnFiles(opener, files, {
+    signal,
+    onProgress: meter.report,
+    openBundled,
+    add: add === true,
+    ...(add === 'ask' && { ask }),
+  });
+  if (!outcome) return;
+  const { found, opened, reopened, posed, added } = outcome;
+  if (!opened) {
+    opening.notice.value = posed ? 'Pose set' : 'Nothing could be opened; see Problems';
+    return;
+  }
+  // If files that were opened before are opened again, the list shows them once.
+  const came = new Set(found.flatMap(pathsOf));
+  const earlier = own.value.filter((read) => !pathsOf(read).every((path) => came.has(path)));
+  own.value = [...earlier.slice(-mostEarlier), ...found];
+  const beside = added ? 'added' : 'opened';
+  showOpened(nameOf(found), reopened ? 'updated; pose and camera kept' : beside);
+  await rememberFiles(nameOf(found), handles);
+}
+
+/** What several characters are called together: the first one's name and the count of the others. */
+function nameOf([first, ...others]: readonly ReadCharacter[]): string {
+  const more = others.length > 0 ? ` and ${others.length} more` : '';
+  return `${first?.character.name ?? ''}${more}`;
+}
+
+function pathsOf({ files }: ReadCharacter): string[] {
+  return files.map(({ path }) => path);
+}
