@@ -29,7 +29,7 @@ test('scripts, markup and styles that are planted in the page do nothing', async
   const page = await browser.newPage();
   const told = refusals(page);
   await watchPolicy(page);
-  await page.route('./', async (route) => {
+  await page.route(/\/(\?.*)?$/, async (route) => {
     const response = await route.fetch();
     const body = (await response.text()).replace(
       '<body>',

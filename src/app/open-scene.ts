@@ -9,7 +9,7 @@ const degrees = Math.PI / 180;
 /** A scene on its way. */
 export interface OpeningScene {
   /** Settles when the first character is there, or does not come. */
-  readonly first: Promise<void>;
+  readonly first: Promise<unknown>;
   readonly all: Promise<unknown>;
 }
 
@@ -23,12 +23,13 @@ export function openScene(
   { label, actors, bounds, camera }: CatalogueScene,
   entries: readonly CatalogueEntry[],
   opener: FileOpener,
-  { whileWorking, viewer, session, store, notice }: Opening,
+  opening: Opening,
   shown: Promise<void>,
 ): OpeningScene {
+  const { viewer, session, store, notice } = opening;
   let firstCame = (): void => undefined;
   const first = new Promise<void>((resolve) => (firstCame = resolve));
-  const all = whileWorking(`Loading ${label}`, async (signal, onProgress) => {
+  const all = opening.whileWorking(`Loading ${label}`, async (signal, onProgress) => {
     for (const [index, { character, pose, place }] of actors.entries()) {
       const entry = entries.find(({ id }) => id === character);
       if (!entry) continue;
@@ -53,8 +54,7 @@ export function openScene(
       } else if (selected !== null) selectActor(session, store.scene.value, selected);
     }
   });
-  void all.then(firstCame);
-  return { first, all };
+  return { first: Promise.race([first, all]), all };
 }
 
 /** The place of an actor, as the scene's list has it. */

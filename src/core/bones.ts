@@ -34,7 +34,7 @@ export function bonesOf(character: Character): readonly Bone[] {
 }
 
 /** Returns all bones that have a length, in the order of their joints. */
-export function deriveBones(skeleton: Skeleton, skin: Skin, mesh: Mesh): Bone[] {
+function deriveBones(skeleton: Skeleton, skin: Skin, mesh: Mesh): Bone[] {
   const bones: Bone[] = [];
   const isLeaf = new Array<boolean>(skeleton.jointCount).fill(true);
   skeleton.parents.forEach((parent, child) => {
