@@ -51,10 +51,9 @@ async function writeReadmePictures(browser: Browser, address: string): Promise<v
   await openPage(page, `${address}?test&model=human`);
   write(path.join(folder, 'human.jpg'), await capture(page, { width: 1200, height: 720 }));
 
-  await openPage(page, `${address}?model=insect`);
-  await page.getByRole('tab', { name: 'Animate' }).click();
-  await page.getByRole('region', { name: 'Timeline' }).waitFor();
-  await page.evaluate(() => window.sinew.seek(0.4));
+  await openPage(page, address);
+  await page.waitForFunction(() => window.sinew.characters.length === 2);
+  await page.getByRole('treeitem', { name: 'Left upper arm' }).click();
   await page.evaluate(() => window.sinew.settled());
   await screenshot(page, path.join(folder, 'page.jpg'));
 
