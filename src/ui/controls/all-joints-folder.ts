@@ -7,6 +7,7 @@ import { addCommandRow } from './command-row.ts';
 import { JointFolder } from './joint-folder.ts';
 import { addNote } from './note.ts';
 import { rotationOrder } from './rotation-order.ts';
+import { addSearch } from './search-field.ts';
 
 interface AllJointsOptions {
   /** Whether the list is what one works with: it is open, and its lines open when selected. */
@@ -56,7 +57,7 @@ export function addAllJointsFolder(
         const { skeleton } = state.character;
         const order = rotationOrder(skeleton);
         if (order !== '') addNote(joints, `${order}, column vectors; angles in radians`);
-        addSearch(joints, (wanted) => {
+        addSearch(joints, 'Search degrees of freedom', 'Search, as “knee x”', (wanted) => {
           for (const each of folders) each.filter(wanted);
         });
         for (let joint = 0; joint < skeleton.jointCount; joint++) {
@@ -83,14 +84,4 @@ export function addAllJointsFolder(
     endSelection();
     sight.disconnect();
   };
-}
-
-function addSearch(folder: GUI, filter: (wanted: string) => void): void {
-  const field = document.createElement('input');
-  field.type = 'search';
-  field.className = 'dof-search';
-  field.placeholder = 'Search, as “knee x”';
-  field.setAttribute('aria-label', 'Search degrees of freedom');
-  field.addEventListener('input', () => filter(field.value.trim().toLowerCase()));
-  folder.$children.append(field);
 }

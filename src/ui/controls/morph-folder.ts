@@ -5,10 +5,13 @@ import { setMorphWeight } from '../../document/edits.ts';
 import type { ActorId } from '../../document/scene.ts';
 import { selectedActor } from '../../document/selected-actor.ts';
 import type { Looking } from '../editor.ts';
+import { addSearch } from './search-field.ts';
 import { addValueRow, type ValueRow } from './value-row.ts';
 
 /** The largest weight that can be typed. A morph is defined from 0 to 1 and exaggerated beyond. */
 const reach = 100;
+/** A longer list of morphs can be searched. */
+const longList = 12;
 
 /** Adds a slider from 0 to 1 for every morph of the selected character. */
 export function addMorphFolder(gui: GUI, editor: Looking): void {
@@ -25,9 +28,16 @@ export function addMorphFolder(gui: GUI, editor: Looking): void {
       shown = character;
       shownId = state?.id ?? null;
       for (const child of [...folder.children]) child.destroy();
-      rows = (character?.morphs ?? []).map(({ name }, index) =>
-        addMorphRow(folder, editor, state!.id, name, index),
-      );
+      folder.$children.replaceChildren();
+      const morphs = character?.morphs ?? [];
+      if (morphs.length > longList) {
+        addSearch(folder, 'Search morphs', 'Search morphs', (wanted) => {
+          rows.forEach((row, index) =>
+            row.show(morphs[index]!.name.toLowerCase().includes(wanted)),
+          );
+        });
+      }
+      rows = morphs.map(({ name }, index) => addMorphRow(folder, editor, state!.id, name, index));
       folder.show(rows.length > 0);
     }
     for (const row of rows) row.refresh();
