@@ -1,5 +1,5 @@
 import { expect, type Page } from '@playwright/test';
-import { choose, drop, openSmallView, verify } from './support/app.ts';
+import { choose, drop, openSmallView, verify, openTab } from './support/app.ts';
 import { madeCharacter } from './support/made-character.ts';
 import { test } from './support/test.ts';
 
@@ -138,6 +138,7 @@ test('only what changed is sent', async ({ page }) => {
   });
 
   await test.step('normalizing weights sends the rows that differ, and the palette', async () => {
+    await openTab(page, 'deform');
     const files = madeCharacter(5, 2).map(({ name, content }) => {
       if (!name.endsWith('.attach')) return { name, content };
       const rows = String(content).split('\n');

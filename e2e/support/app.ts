@@ -47,6 +47,7 @@ export async function openApp(page: Page, query = ''): Promise<void> {
 export async function startOver(page: Page, workspace = 'studio'): Promise<void> {
   await openTab(page, 'animate');
   await openTab(page, 'pose');
+  await page.locator('[data-section="view"] select').first().waitFor({ state: 'attached' });
   await page.evaluate(async (wanted) => {
     const later = (): Promise<unknown> => new Promise((resolve) => setTimeout(resolve));
     const button = (command: string) =>

@@ -105,8 +105,10 @@ function Recent({ editor, isListed, onPress }: RecentProperties) {
     else attempt(editor, editor.openRecent(files));
   };
   const forget = (): void => {
-    setRecent([]);
-    attempt(editor, editor.forgetRecent());
+    attempt(
+      editor,
+      editor.forgetRecent().then(() => setRecent([])),
+    );
   };
   if (listed.length === 0) return null;
   return (
