@@ -143,7 +143,7 @@ test.describe('by touch', () => {
     await test.step('the student', async () => {
       const chooser = page.waitForEvent('filechooser');
       await page.getByRole('button', { name: 'File', exact: true }).tap();
-      await page.getByRole('menuitem', { name: 'Open files…' }).tap();
+      await page.getByRole('menuitem', { name: 'Add files…' }).tap();
       await (await chooser).setFiles(asUploads());
       await page.getByRole('treeitem', { name: 'Right elbow' }).tap();
       await panels.getByText('Pose').tap();
@@ -207,7 +207,7 @@ test('by keyboard alone, a student, a newcomer and a collector reach their aims'
 
   await test.step('the student', async () => {
     const chooser = page.waitForEvent('filechooser');
-    await command('Open files');
+    await command('Add files to the scene');
     await (await chooser).setFiles(asUploads());
     await expect.poll(async () => (await names(page)).includes('course')).toBe(true);
     await command('Select Right elbow');
