@@ -1,12 +1,13 @@
-import { expect, type Page } from '@playwright/test';
+import { expect } from '@playwright/test';
 import { capture, getPose, openApp, openJoint } from './support/app.ts';
+import { find, type Over, type Place } from './support/find-limb.ts';
 import { sharedPage, test } from './support/test.ts';
 
 // The pointer needs no mode: a click selects a limb, a drag on the selected limb or on one of its
 // rings poses, and every other drag is the camera's.
 // A small view is drawn faster.
 test.use({ viewport: { width: 900, height: 480 } });
-const page = sharedPage(openApp);
+const page = sharedPage((page) => openApp(page, 'model=human'));
 
 const canvas = () => page().locator('canvas');
 const label = () => page().locator('.lit-bone strong');
@@ -14,56 +15,10 @@ const active = () => page().locator('.active-dof');
 const selected = () => page().locator('[role=treeitem][aria-selected=true]');
 const undo = () => page().getByRole('button', { name: 'Undo' });
 
-interface Place {
-  readonly x: number;
-  readonly y: number;
-}
-
 /** A point of the view, as fractions of its width and height. */
 async function placeAt(across: number, down: number): Promise<Place> {
   const { x, y, width, height } = (await canvas().boundingBox())!;
   return { x: x + across * width, y: y + down * height };
-}
-
-/** What the pointer is over, by the view's label and cursor. */
-interface Over {
-  readonly limb: string;
-  readonly cursor: string;
-}
-
-/**
- * Moves the pointer over places of the view, row by row, and returns the first one that is over
- * what is wanted. Events from within the page are many times as fast as those of the mouse.
- */
-async function find(
-  within: Page,
-  from: Place,
-  to: Place,
-  step: number,
-  wanted: Partial<Over>,
-): Promise<Place> {
-  const found = await within.evaluate(
-    async ({ from, to, step, wanted }) => {
-      const view = document.querySelector('canvas')!;
-      for (let y = from.y; y <= to.y; y += step) {
-        for (let x = from.x; x <= to.x; x += step) {
-          const place = { clientX: x, clientY: y, pointerType: 'mouse' };
-          view.dispatchEvent(new PointerEvent('pointermove', place));
-          // Picking waits for a frame if the pointer moves more often.
-          await new Promise((resolve) => requestAnimationFrame(resolve));
-          await new Promise((resolve) => setTimeout(resolve));
-          const text = document.querySelector('.lit-bone strong')?.textContent ?? '';
-          const { cursor } = getComputedStyle(view);
-          const isLimb = wanted.limb === undefined || text.split(' → ')[0] === wanted.limb;
-          if (isLimb && (wanted.cursor === undefined || cursor === wanted.cursor)) return { x, y };
-        }
-      }
-      return null;
-    },
-    { from, to, step, wanted },
-  );
-  if (!found) throw new Error(`nothing in the view is ${JSON.stringify(wanted)}`);
-  return found;
 }
 
 async function over({ x, y }: Place): Promise<Over> {
@@ -89,10 +44,7 @@ function findRing({ x, y }: Place, step = 9, reach = 100): Promise<Place> {
 /** What the camera shows of a pose; rings and highlights are not in it. */
 const picture = () => capture(page());
 
-let presses = 0;
-
 async function press({ x, y }: Place): Promise<void> {
-  presses++;
   await page().mouse.move(x, y);
   await page().mouse.down();
 }
@@ -124,37 +76,7 @@ function changes(before: Pose, after: Pose): Record<string, number[]> {
   return found;
 }
 
-test('a newcomer turns the camera, raises an arm and undoes it with four presses', async () => {
-  const poses = () =>
-    page().evaluate(() =>
-      window.sinew.characters.map(({ id }) => window.sinew.pose(undefined, id)),
-    );
-  const [before, first] = [await poses(), await picture()];
-  const arm = 'Left forearm';
-  // The first drag starts on the character, and moves the camera all the same.
-  await drag(await placeAt(0.5, 0.45), 30, 10);
-  await page().mouse.up();
-  expect(await poses(), 'the first drag never bends a character').toEqual(before);
-  const turned = await picture();
-  expect(turned.equals(first), 'but turns the camera').toBe(false);
-
-  const place = await findLimb(arm);
-  await click(place);
-  await expect(selected()).toHaveText(new RegExp(arm));
-  await drag(place, 6, -30);
-  await page().mouse.up();
-  const posed = await poses();
-  expect(posed.flatMap((pose, i) => Object.keys(changes(before[i]!, pose)))).toEqual([arm]);
-
-  presses++;
-  await undo().click();
-  expect(await poses()).toEqual(before);
-  expect(turned.equals(await picture()), 'the camera rested').toBe(true);
-  expect(presses).toBeLessThanOrEqual(4);
-});
-
 test('the cursor shows what a drag will do, and a drag on another limb is the camera’s', async () => {
-  await openApp(page(), 'model=human');
   const other = await findLimb('Head');
   expect((await over(other)).cursor).toBe('pointer');
   expect((await over(await placeAt(0.02, 0.5))).cursor).toBe('grab');
