@@ -15,10 +15,12 @@ const firstScripts = [
     priority: 1,
     test: modules(
       'preload-helper',
+      'dist/signals-core.module',
       'esm/(common|mat4|vec4|quat)',
       'core/(assert|bounds|coordinate-hinges|diagnostics|display-boxes|failure|float32)',
       'core/(forward-kinematics|joint-transforms|limits|mesh|morph|pose|skeleton|skin)',
       'core/vertex-normals',
+      'skinning/method',
       'formats/(extensions|file-entry|text/(decode-text|head-tokens|line-ends))',
     ),
   },
