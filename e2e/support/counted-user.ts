@@ -5,7 +5,7 @@ import type { Place } from './find-limb.ts';
 import { test } from './test.ts';
 
 /** A user with a mouse who counts presses; a drag, a drop and a typed value are one press each. */
-export interface CountedUser {
+interface CountedUser {
   readonly presses: number;
   click(target: Locator | Place): Promise<void>;
   drag(from: Place, right: number, down: number): Promise<void>;
