@@ -80,10 +80,13 @@ async function visit(browser: Browser, address: string): Promise<Visit> {
   const context = await browser.newContext({ viewport });
   const page = await context.newPage();
   await page.addInitScript(timeFirstPixel);
-  const scripts = new Map<string, Promise<Buffer>>();
+  const scripts: Script[] = [];
   page.on('response', (response) => {
     const type = response.headers()['content-type'] ?? '';
-    if (/javascript|wasm/.test(type)) scripts.set(response.url(), response.body());
+    if (!/javascript|wasm/.test(type)) return;
+    const { startTime: start } = response.request().timing();
+    // The body of a worker's script goes with its worker, long after the first picture.
+    scripts.push({ start, body: response.body().catch(() => Buffer.alloc(0)) });
   });
   await page.goto(address);
   await page.waitForFunction(() => window.firstPixel !== undefined, null, { timeout: 120_000 });
@@ -112,20 +115,22 @@ function timeFirstPixel(): void {
   };
 }
 
+interface Script {
+  /** When it was requested, in milliseconds since 1970. */
+  readonly start: number;
+  readonly body: Promise<Buffer>;
+}
+
 /** The gzipped size of the scripts that were asked for before the first picture. */
 async function bytesBefore(
   page: Page,
-  scripts: ReadonlyMap<string, Promise<Buffer>>,
+  scripts: readonly Script[],
   milliseconds: number,
 ): Promise<number> {
-  const late = await page.evaluate((until) => {
-    const entries = performance.getEntriesByType('resource');
-    return entries.flatMap(({ name, startTime }) => (startTime > until ? name : []));
-  }, milliseconds);
+  const shown = milliseconds + (await page.evaluate(() => performance.timeOrigin));
   let sum = 0;
-  for (const [url, body] of scripts) {
-    // A worker's own scripts are not among the page's entries; they count as early.
-    if (!late.includes(url)) sum += gzipSync(await body, { level: 9 }).length;
+  for (const { start, body } of scripts) {
+    if (start <= shown) sum += gzipSync(await body, { level: 9 }).length;
   }
   return sum;
 }
