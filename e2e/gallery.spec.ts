@@ -1,7 +1,7 @@
 import { expect, type Page } from '@playwright/test';
 import { drop, type NamedFile, openApp } from './support/app.ts';
 import { violations } from './support/axe.ts';
-import { catalogue } from './support/catalogue.ts';
+import { catalogue, scenes } from './support/catalogue.ts';
 import { madeCharacter } from './support/made-character.ts';
 import { test } from './support/test.ts';
 
@@ -57,6 +57,7 @@ test('presses with Shift keep the gallery open, and each waits for the one befor
 test('pictures are requested when the gallery opens, and the search filters cards', async ({
   page,
 }) => {
+  const cards = [...catalogue, ...scenes];
   const requested: string[] = [];
   page.on('request', (request) => {
     if (request.url().includes('/pictures/')) requested.push(request.url());
@@ -64,19 +65,19 @@ test('pictures are requested when the gallery opens, and the search filters card
   await openApp(page, 'model=tube');
   expect(requested).toEqual([]);
   await openGallery(page);
-  await expect.poll(() => requested.length).toBe(catalogue.length);
+  await expect.poll(() => requested.length).toBe(cards.length);
   const shown = await gallery(page)
     .locator('img')
     .evaluateAll((images: HTMLImageElement[]) =>
       Promise.all(images.map((image) => image.decode().then(() => image.naturalWidth))),
     );
-  expect(shown).toEqual(catalogue.map(() => 288));
+  expect(shown).toEqual(cards.map(() => 288));
 
   const search = gallery(page).getByRole('searchbox', { name: 'Search characters' });
   await search.fill('cse');
   await expect(gallery(page).locator('.cards button')).toHaveText(['Panda', 'Insect']);
   await search.fill('do');
-  await expect(gallery(page).locator('.cards button')).toHaveText(['Dog']);
+  await expect(gallery(page).locator('.cards button')).toHaveText(['Dog', 'A person and a dog']);
   // By keyboard: from the field past the two buttons to the card.
   for (let step = 0; step < 3; step++) await page.keyboard.press('Tab');
   await expect(card(page, 'Dog')).toBeFocused();
@@ -131,6 +132,22 @@ async function giveHandles(page: Page, files: readonly NamedFile[]): Promise<voi
     });
   }, contents);
 }
+
+test('a scene opens in place of all characters, as one step of undo', async ({ page }) => {
+  await openApp(page, 'model=tube');
+  await page.evaluate(() => window.sinew.pose({ joints: { 'joint 01': [0.5, 0, 0] } }));
+  const posed = await page.evaluate(() => window.sinew.pose());
+  await openGallery(page);
+  await shelf(page, 'Scenes').getByRole('button').first().click();
+  await expect.poll(() => names(page)).toEqual(['human', 'dog']);
+  await page.evaluate(() => window.sinew.settled());
+  await expect(page.locator('.notice')).toHaveText('A person and a dog');
+  await page.keyboard.press('Control+z');
+  expect(await names(page)).toEqual(['tube']);
+  expect(await page.evaluate(() => window.sinew.pose())).toEqual(posed);
+  await page.keyboard.press('Control+Shift+z');
+  expect(await names(page)).toEqual(['human', 'dog']);
+});
 
 test('files of an earlier visit are offered again, by handle or by name', async ({ page }) => {
   const recent = shelf(page, 'Recent').getByRole('button');

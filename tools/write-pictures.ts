@@ -32,11 +32,16 @@ const themes = ['light', 'dark'] as const;
 async function writeCards(browser: Browser, address: string): Promise<void> {
   const folder = path.join(root, 'public/data/pictures');
   mkdirSync(folder, { recursive: true });
-  const { characters } = readJson('public/data/catalogue.json') as Catalogue;
+  const { characters, scenes } = readJson('public/data/catalogue.json') as Catalogue;
   for (const colorScheme of themes) {
     const page = await browser.newPage({ colorScheme, viewport: { width: 860, height: 480 } });
     for (const { id } of characters) {
       await openPage(page, `${address}?test&model=${id}`);
+      write(path.join(folder, `${id}-${colorScheme}.jpg`), await capture(page, card));
+    }
+    for (const { id } of scenes) {
+      await openPage(page, `${address}?test&model=${characters[0]!.id}`);
+      await page.evaluate((scene) => window.sinew.openScene(scene), id);
       write(path.join(folder, `${id}-${colorScheme}.jpg`), await capture(page, card));
     }
     await page.close();

@@ -14,15 +14,21 @@ import { readableExtensions } from '../formats/extensions.ts';
 import { writeObj } from '../formats/obj/write-obj.ts';
 import { poseToJson } from '../formats/write-pose-json.ts';
 import { copyText } from '../ui/copy-text.ts';
-import type { Drawer, Editor, Opening } from '../ui/editor.ts';
+import type { Drawer, Editor } from '../ui/editor.ts';
 import { createHints } from '../ui/hints.ts';
 import { focusJoint } from '../ui/focus-joint.ts';
 import { verifyShown } from '../view/verify.ts';
+import type { CatalogueScene } from './catalogue.ts';
+import type { OpeningOfScenes } from './create-opening.ts';
 import { download } from './download.ts';
 import { savePicture } from './save-picture.ts';
 
 /** Completes the opening to an editor with everything that the interface can ask for. */
-export function createEditor(opening: Opening, canvas: HTMLCanvasElement): Editor {
+export function createEditor(
+  opening: OpeningOfScenes,
+  canvas: HTMLCanvasElement,
+  scenes: readonly CatalogueScene[],
+): Editor {
   const { store, session, evaluations, viewer, notice } = opening;
   const selected = () => selectedActor(store, session);
   let added: Promise<void> = Promise.resolve();
@@ -37,6 +43,21 @@ export function createEditor(opening: Opening, canvas: HTMLCanvasElement): Edito
     hints: createHints(canvas, opening),
     drawer: signal<Drawer | null>(null),
     fileExtensions: [...new Set([...readableExtensions, '.json', '.png'])],
+
+    scenes,
+
+    async openBundledScene(id) {
+      const scene = scenes.find((each) => each.id === id);
+      if (!scene) {
+        notice.value = `There is no scene "${id}"`;
+        return;
+      }
+      // The characters come one after another and belong to this step.
+      const cleared = removeActors(`Open ${scene.label}`);
+      if (isUntouched(store)) store.amend(cleared);
+      else store.dispatch(cleared);
+      await opening.openScene(scene, Promise.resolve()).all;
+    },
 
     addBundled(id) {
       const open = (): Promise<void> => opening.openBundled(id, !isUntouched(store));
@@ -65,7 +86,7 @@ export function createEditor(opening: Opening, canvas: HTMLCanvasElement): Edito
     },
 
     clearScene() {
-      store.dispatch(removeActors());
+      store.dispatch(removeActors('New scene'));
       notice.value = 'New scene';
     },
 

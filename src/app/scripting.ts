@@ -54,6 +54,8 @@ export interface Scripting {
   readonly ready: Promise<void>;
   /** Opens files, the bundled character with an id, or URLs of the page's own origin. */
   open(source: readonly File[] | FileList | string | readonly string[]): Promise<void>;
+  /** Opens a bundled scene, by its id, in place of all characters. */
+  openScene(id: string): Promise<void>;
   readonly characters: readonly CharacterSummary[];
   /** Adds a character, given as for `open`, beside the existing ones and selects it. */
   add(source: readonly File[] | FileList | string | readonly string[]): Promise<void>;
@@ -87,6 +89,10 @@ export function createScripting(editor: Editor, ready: Promise<void>): Scripting
   return {
     ready,
     open: (source) => open(source, false),
+    async openScene(id) {
+      await editor.openBundledScene(id);
+      await settled();
+    },
     add: (source) => open(source, true),
     select: (name) => editor.select(find(name)!.id),
     remove(name) {

@@ -3,7 +3,6 @@ import '@preact/signals';
 import { effect } from '@preact/signals-core';
 import { render } from 'preact';
 import { followCursor } from '../ui/cursor.ts';
-import type { Opening } from '../ui/editor.ts';
 import { listenToKeys } from '../ui/keys.ts';
 import { nameView } from '../ui/name-view.ts';
 import { Dialogs } from '../ui/panels/dialogs.tsx';
@@ -16,7 +15,9 @@ import { addSheetHandle } from '../ui/sheet-handle.ts';
 import { addSplitter } from '../ui/splitter.ts';
 import { createPace } from '../view/frame-pace.ts';
 import { passes } from '../view/passes/registry.ts';
+import type { CatalogueScene } from './catalogue.ts';
 import { createEditor } from './create-editor.ts';
+import type { OpeningOfScenes } from './create-opening.ts';
 import type { Layout } from './layout.ts';
 export { loadWasmKernel } from './load-wasm-kernel.ts';
 import { runClock } from './run-clock.ts';
@@ -28,13 +29,13 @@ import { createScripting, type Scripting } from './scripting.ts';
  */
 export function startInterface(
   layout: Layout,
-  opening: Opening,
+  opening: OpeningOfScenes,
   ready: Promise<void>,
-  { drafts }: { readonly drafts: boolean },
+  { drafts, scenes }: { readonly drafts: boolean; readonly scenes: readonly CatalogueScene[] },
 ): Scripting {
   opening.viewer.passes.value = passes;
   if (drafts) opening.viewer.pace = createPace(opening.session);
-  const editor = createEditor(opening, layout.canvas);
+  const editor = createEditor(opening, layout.canvas, scenes);
   render(<TopBar editor={editor} />, layout.top);
   render(<Sections editor={editor} place="left" />, layout.left);
   render(<Sections editor={editor} place="right" />, layout.right);

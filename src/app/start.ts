@@ -78,7 +78,8 @@ export async function start(root: HTMLElement): Promise<void> {
   if (store.scene.value.actors.length === 0 || !viewer.available.value) firstFrameShown();
   await firstFrame;
   const { loadWasmKernel, startInterface } = await loadPart(import('./start-interface.tsx'));
-  window.sinew = startInterface(layout, opening, ready, { drafts: !isTest });
+  const { scenes } = await listed.catch(() => ({ scenes: [] }));
+  window.sinew = startInterface(layout, opening, ready, { drafts: !isTest, scenes });
   settleReady();
   await loadWasmKernel(kernels);
 }

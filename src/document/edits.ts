@@ -94,8 +94,8 @@ export function removeActor({ id, character }: Actor): Edit {
 }
 
 /** Removes all actors from the scene. */
-export function removeActors(): Edit {
-  return { label: 'New scene', apply: (scene) => ({ ...scene, actors: [] }) };
+export function removeActors(label: string): Edit {
+  return { label, apply: (scene) => ({ ...scene, actors: [] }) };
 }
 
 /** Moves, rotates or scales an actor in the scene. */

@@ -23,6 +23,12 @@ export interface BundledCharacter {
   readonly credit: string;
 }
 
+/** Bundled characters that belong together. */
+export interface BundledScene {
+  readonly id: string;
+  readonly label: string;
+}
+
 /** The theme: the system's, or the user's choice. */
 export type ThemeChoice = 'system' | 'light' | 'dark';
 
@@ -162,6 +168,9 @@ export interface Posing {
 
 /** What a user can do with the selected character, apart from editing single values. */
 export interface Actions {
+  readonly scenes: readonly BundledScene[];
+  /** Opens a bundled scene in place of all characters, as one step of undo. */
+  openBundledScene(id: string): Promise<void>;
   /**
    * Adds a bundled character beside the others, or in place of an untouched scene. Unlike other
    * openings it waits for those in progress, so that several can be added at once.

@@ -31,6 +31,7 @@ export function paletteEntries(editor: Editor): readonly PaletteEntry[] {
     ...workspaceEntries(editor),
     ...methodEntries(editor),
     ...characterEntries(editor),
+    ...sceneEntries(editor),
     ...jointEntries(editor),
   ];
 }
@@ -86,6 +87,14 @@ function characterEntries(editor: Editor): PaletteEntry[] {
       attempt(editor, editor.openBundled(id, true)),
     ),
   ]);
+}
+
+function sceneEntries(editor: Editor): PaletteEntry[] {
+  return editor.scenes.map(({ id, label }) =>
+    dataEntry('Scenes', `scene ${id}`, `Open ${label}`, () =>
+      attempt(editor, editor.openBundledScene(id)),
+    ),
+  );
 }
 
 function jointEntries(editor: Editor): PaletteEntry[] {

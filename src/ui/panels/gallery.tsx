@@ -17,6 +17,7 @@ import { CommandButton } from './command-button.tsx';
 export function Gallery({ editor }: { readonly editor: Editor }) {
   const [typed, setTyped] = useState('');
   const shelves = shelvesOf(editor.bundled.value, typed);
+  const scenes = editor.scenes.filter(({ label }) => fitsQuery(`${label} scene`, typed));
   const names = numberedNames(editor.own.value.map(({ character }) => character.name));
   const own = editor.own.value
     .map((read, index) => ({ read, name: names[index]! }))
@@ -49,6 +50,7 @@ export function Gallery({ editor }: { readonly editor: Editor }) {
               <Card
                 key={card.id}
                 card={card}
+                title={`${card.credit}. Shift keeps the gallery open.`}
                 theme={editor.viewer.theme.value}
                 onPress={(event) => {
                   closeUnlessHeld(event);
@@ -59,6 +61,27 @@ export function Gallery({ editor }: { readonly editor: Editor }) {
           </ul>
         </section>
       ))}
+      {scenes.length > 0 && (
+        <section aria-label="Scenes">
+          <h3>
+            Scenes <small>in place of all characters</small>
+          </h3>
+          <ul class="cards">
+            {scenes.map((scene) => (
+              <Card
+                key={scene.id}
+                card={scene}
+                title={`Open ${scene.label}`}
+                theme={editor.viewer.theme.value}
+                onPress={() => {
+                  close();
+                  attempt(editor, editor.openBundledScene(scene.id));
+                }}
+              />
+            ))}
+          </ul>
+        </section>
+      )}
       {own.length > 0 && (
         <section aria-label="Your files">
           <h3>Your files</h3>
@@ -84,7 +107,7 @@ export function Gallery({ editor }: { readonly editor: Editor }) {
         isListed={({ name }) => fitsQuery(name, typed) && !names.includes(name)}
         onPress={closeUnlessHeld}
       />
-      {shelves.length === 0 && own.length === 0 && <p role="status">No character fits</p>}
+      {shelves.length + scenes.length + own.length === 0 && <p role="status">No character fits</p>}
     </>
   );
 }
@@ -142,15 +165,16 @@ function Recent({ editor, isListed, onPress }: RecentProperties) {
 }
 
 interface CardProperties {
-  readonly card: BundledCharacter;
+  readonly card: Pick<BundledCharacter, 'id' | 'label'>;
+  readonly title: string;
   readonly theme: 'light' | 'dark';
   readonly onPress: (event: MouseEvent) => void;
 }
 
-function Card({ card: { id, label, credit }, theme, onPress }: CardProperties) {
+function Card({ card: { id, label }, title, theme, onPress }: CardProperties) {
   return (
     <li>
-      <button type="button" title={`${credit}. Shift keeps the gallery open.`} onClick={onPress}>
+      <button type="button" title={title} onClick={onPress}>
         <img src={`data/pictures/${id}-${theme}.jpg`} alt="" width="288" height="216" />
         {label}
       </button>
