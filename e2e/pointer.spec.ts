@@ -133,6 +133,13 @@ test('a ring turns one value; Shift is fine, Ctrl snaps; it is one step of undo,
   expect(Math.abs(steps - Math.round(steps))).toBeLessThan(1e-9);
   await undo().click();
   expect(await getPose(page())).toEqual(pose);
+
+  // A ring chooses no value for later drags: the limb turns freely.
+  await drag(limb, 24, 30);
+  await page().mouse.up();
+  const free = Object.values(changes(pose, await getPose(page())));
+  expect(free[0]!.length).toBeGreaterThan(1);
+  await undo().click();
   expect(before.equals(await picture()), 'the camera rested').toBe(true);
 });
 

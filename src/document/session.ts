@@ -39,6 +39,8 @@ export interface ActiveDof {
   readonly isAngle: boolean;
   /** Which of a ball's three angles it is; absent if it has a value of its own in q. */
   readonly ballAxis?: 0 | 1 | 2;
+  /** Whether a drag on its limb turns it alone: a slider chooses it for that, a ring does not. */
+  readonly isChosen: boolean;
 }
 
 /** The id of a handle in the view, by which a value is dragged. */

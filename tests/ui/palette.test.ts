@@ -32,6 +32,7 @@ async function createEditor(): Promise<Editor> {
     bundled: signal(
       names.flatMap((name) => [1, 2].map((n) => ({ id: `${name}${n}`, label: name }))),
     ),
+    scenes: [{ id: 'meeting', label: 'Address of two' }],
     dialog: signal('palette'),
     progress,
   };
@@ -105,11 +106,13 @@ describe('the palette', () => {
     expect(never).toEqual(['palette']);
   });
 
-  it('has rows for looks, methods, characters and joints', () => {
+  it('has rows for looks, methods, characters, scenes and joints', () => {
     const labels = paletteEntries(editor).map(({ label }) => label);
-    for (const label of ['6.837 look', 'Method: Rigid parts', 'Add Walk', 'Select knee']) {
-      expect(labels).toContain(label);
-    }
+    expect(labels).toEqual(
+      expect.arrayContaining([
+        ...['6.837 look', 'Method: Rigid parts', 'Add Walk', 'Open Address of two', 'Select knee'],
+      ]),
+    );
   });
 });
 

@@ -64,7 +64,12 @@ const actions: readonly ((walk: Walk, number: number) => void)[] = [
     const value = jointValues(skeleton, joint)[0];
     if (value) {
       const { index, isAngle } = value;
-      walk.session.activeDof.value = { name: skeleton.names[joint]!, index, isAngle };
+      walk.session.activeDof.value = {
+        name: skeleton.names[joint]!,
+        index,
+        isAngle,
+        isChosen: true,
+      };
     }
   },
   (walk, number) => {

@@ -59,7 +59,7 @@ export function addJointValues(
       legal: [least, most],
       read: () => read(value, shown()),
       begin: () => {
-        const active = { name: fullName, index, isAngle };
+        const active = { name: fullName, index, isAngle, isChosen: true };
         session.activeDof.value = ofBall ? { ...active, ballAxis: axis } : active;
         return store.begin(label);
       },

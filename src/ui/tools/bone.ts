@@ -84,7 +84,7 @@ function turnBone(editor: Looking, from: ToolPlace, target: BoneTarget): ToolDra
     if (alt && target.bone) return { kind: 'roll', farEnd: target.bone.vector };
     const active = session.activeDof.value;
     // A ball's three sliders have no values of their own in q, so a ball rotates freely.
-    const isValue = active !== null && active.ballAxis === undefined;
+    const isValue = active?.isChosen === true && active.ballAxis === undefined;
     if (isValue && jointOfValue(skeleton, active.index) === target.joint) {
       return { kind: 'value', index: active.index };
     }

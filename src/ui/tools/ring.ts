@@ -44,6 +44,7 @@ function turnByRing(editor: Looking, pressed: ToolPlace, { ring, ...place }: Giz
   const jointName = skeleton.names[session.selectedJoint.value!]!;
   const name = `${jointName} ${axisNames[ring.axis]}`;
   session.activeDof.value = {
+    isChosen: false,
     ...{ name, index, isAngle: true },
     ...(ballAxis === undefined ? {} : { ballAxis }),
   };
