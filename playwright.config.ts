@@ -1,6 +1,6 @@
-import { createServer } from 'node:net';
 import { defineConfig } from '@playwright/test';
 import { browserFlags, findBrowser } from './tools/browser.mjs';
+import { freePort } from './tools/free-port.ts';
 
 const { env } = process;
 
@@ -52,17 +52,3 @@ export default defineConfig({
     reuseExistingServer: false,
   },
 });
-
-function freePort(): Promise<number> {
-  return new Promise((resolve, reject) => {
-    const server = createServer();
-    server.once('error', reject);
-    server.listen(0, '127.0.0.1', () => {
-      const found = server.address();
-      server.close(() => {
-        if (found === null || typeof found === 'string') reject(new Error('no free port'));
-        else resolve(found.port);
-      });
-    });
-  });
-}

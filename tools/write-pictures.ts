@@ -5,13 +5,13 @@
  */
 import { execFileSync, spawn } from 'node:child_process';
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
-import { createServer } from 'node:net';
 import path from 'node:path';
 import { type Browser, chromium, type Page } from '@playwright/test';
 import type { Catalogue } from '../src/app/catalogue.ts';
 import type { CaptureOptions, Scripting } from '../src/app/scripting.ts';
 import { browserFlags, findBrowser } from './browser.mjs';
 import { packageCommand, root } from './commands.mjs';
+import { freePort } from './free-port.ts';
 
 declare global {
   interface Window {
@@ -131,20 +131,6 @@ async function serve(): Promise<{ readonly address: string; close(): void }> {
     server.once('exit', () => reject(new Error('the built app could not be served')));
   });
   return { address: `http://127.0.0.1:${port}/`, close: () => server.kill() };
-}
-
-function freePort(): Promise<number> {
-  return new Promise((resolve, reject) => {
-    const server = createServer();
-    server.once('error', reject);
-    server.listen(0, '127.0.0.1', () => {
-      const found = server.address();
-      server.close(() => {
-        if (found === null || typeof found === 'string') reject(new Error('no free port'));
-        else resolve(found.port);
-      });
-    });
-  });
 }
 
 const { path: executablePath } = findBrowser();

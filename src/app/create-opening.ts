@@ -1,4 +1,4 @@
-import { computed, type Signal, signal } from '@preact/signals-core';
+import { type Signal, signal } from '@preact/signals-core';
 import { loadPart } from '../core/failure.ts';
 import { dress } from '../document/look-edits.ts';
 import { selectActor } from '../document/reconcile.ts';
@@ -37,10 +37,6 @@ export function createOpening(
   const workspaceId = signal<WorkspaceId>(workspaces[0]!.id);
   const workspaceNow = () => workspaces.find(({ id }) => id === workspaceId.value)!;
   const opener = new FileOpener(store, session, evaluations, () => workspaceNow().actorLook);
-  const openedId = computed(() => {
-    const source = selectedActor(store, session)?.source;
-    return source?.kind === 'bundled' ? source.id : null;
-  });
   const own = signal<readonly ReadCharacter[]>([]);
   const notice = signal('');
   const meter = new ProgressMeter();
@@ -56,7 +52,6 @@ export function createOpening(
     workspaceId,
     bundled: catalogue,
     own,
-    openedId,
     progress: meter.shown,
     notice,
     theme: signal<ThemeChoice>('system'),

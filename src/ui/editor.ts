@@ -87,8 +87,6 @@ export interface Gallery {
   readonly bundled: ReadonlySignal<readonly BundledCharacter[]>;
   /** Characters from the user's own files, the last opened at the end; earlier ones stay. */
   readonly own: ReadonlySignal<readonly ReadCharacter[]>;
-  /** The id of the bundled character that is selected, or null. */
-  readonly openedId: ReadonlySignal<string | null>;
   /**
    * Replaces a running opening at once, even while the new files are still being listed.
    *
