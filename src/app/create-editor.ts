@@ -94,7 +94,7 @@ export function createEditor(
       const actor = selected();
       if (!actor) return;
       store.dispatch(removeActor(actor));
-      notice.value = `${actor.character.name} removed`;
+      notice.value = `${actor.name} removed`;
     },
 
     duplicateSelected() {
@@ -103,7 +103,7 @@ export function createEditor(
       const [transform] = placeInRow(sceneBounds(evaluations.all()), [actor.character]);
       const kept = { ...actor, transform: { ...actor.transform, position: transform!.position } };
       store.dispatch(openCharacter(null, actor.character, actor.method, kept));
-      notice.value = `${actor.character.name} added once more`;
+      notice.value = `${actor.name} added once more`;
     },
 
     resetAll() {
@@ -125,7 +125,7 @@ export function createEditor(
     savePose() {
       const state = selected();
       if (!state) return;
-      download(`${state.character.name}.pose.json`, poseText(), 'application/json');
+      download(`${state.name}.pose.json`, poseText(), 'application/json');
       notice.value = 'Pose saved';
     },
 
@@ -152,7 +152,7 @@ export function createEditor(
         return;
       }
       const bytes = writeObj(state.character.mesh, viewer.vertices(state, 'cpu'));
-      download(`${state.character.name}-posed.obj`, bytes as BlobPart, 'text/plain');
+      download(`${state.name}-posed.obj`, bytes as BlobPart, 'text/plain');
       notice.value = 'Posed mesh saved as OBJ';
     },
 

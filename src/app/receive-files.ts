@@ -37,7 +37,7 @@ export async function receiveFiles(
 ): Promise<void> {
   const ask = (found: readonly ReadCharacter[]): Promise<boolean | null> => {
     meter.clear(); // the question would stand over it
-    return askToAdd(opening, nameOf(found), opener.selected!.character.name, signal);
+    return askToAdd(opening, nameOf(found), opener.selected!.name, signal);
   };
   const outcome = await openOwnFiles(opener, files, {
     signal,

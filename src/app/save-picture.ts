@@ -30,7 +30,7 @@ export async function savePicture(
   if (format === 'png' && note !== undefined) blob = await withNote(blob, note);
   if (target === 'clipboard') return copyPicture(blob);
   const extension = format === 'jpeg' ? 'jpg' : format;
-  download(`${shown?.state.character.name ?? 'sinew'}.${extension}`, blob, blob.type);
+  download(`${shown?.state.name ?? 'sinew'}.${extension}`, blob, blob.type);
   return 'Picture saved';
 }
 

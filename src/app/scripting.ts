@@ -101,7 +101,7 @@ export function createScripting(editor: Editor, ready: Promise<void>): Scripting
     },
     get characters() {
       const selected = find();
-      return store.scene.value.actors.map(({ id, character: { name, skeleton, mesh } }) => ({
+      return store.scene.value.actors.map(({ id, name, character: { skeleton, mesh } }) => ({
         id,
         name,
         joints: skeleton.names,
@@ -196,7 +196,7 @@ export function createScripting(editor: Editor, ready: Promise<void>): Scripting
   function find(name?: ActorName): Actor | undefined {
     if (name === undefined) return selectedActor(store, session);
     const found = store.scene.value.actors.find(
-      ({ id, character }) => id === name || character.name === name,
+      (actor) => actor.id === name || actor.name === name,
     );
     if (!found) throw new Error(`there is no actor ${JSON.stringify(name)}`);
     return found;

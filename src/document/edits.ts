@@ -86,9 +86,9 @@ export function setNormalizeWeights(id: ActorId, normalizeWeights: boolean): Edi
 }
 
 /** Removes an actor from the scene. */
-export function removeActor({ id, character }: Actor): Edit {
+export function removeActor({ id, name }: Actor): Edit {
   return {
-    label: `Remove ${character.name}`,
+    label: `Remove ${name}`,
     apply: (scene) => ({ ...scene, actors: scene.actors.filter((actor) => actor.id !== id) }),
   };
 }

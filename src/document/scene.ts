@@ -2,10 +2,12 @@ import type { Character } from '../core/character.ts';
 import { type Clip, clipFor } from '../core/clip.ts';
 import type { ClipParts } from '../core/character-parts.ts';
 import { normalizeSkin, type Skin } from '../core/skin.ts';
+import { sameValue } from '../core/same-value.ts';
 import type { NormalsId } from '../core/skin.ts';
 import type { MethodId } from '../skinning/method.ts';
 import { defaultDeformation } from '../skinning/registry.ts';
 import { type ActorLook, plainLook } from './actor-look.ts';
+import { type Environment, studio } from './environment.ts';
 
 /**
  * Everything that is saved and undone, as a value. It is never changed in place, so that older
@@ -13,6 +15,7 @@ import { type ActorLook, plainLook } from './actor-look.ts';
  */
 export interface Scene {
   readonly actors: readonly Actor[];
+  readonly environment: Environment;
 }
 
 export type ActorId = number;
@@ -35,6 +38,8 @@ export interface Transform {
 /** A character in the scene, with its editable state. */
 export interface Actor {
   readonly id: ActorId;
+  /** The user's name for it; at first the character's. */
+  readonly name: string;
   readonly character: Character;
   readonly source: Source;
   readonly transform: Transform;
@@ -60,6 +65,7 @@ export interface Actor {
 export type KeptState = Partial<
   Pick<
     Actor,
+    | 'name'
     | 'source'
     | 'transform'
     | 'q'
@@ -72,7 +78,7 @@ export type KeptState = Partial<
   >
 >;
 
-export const emptyScene: Scene = { actors: [] };
+export const emptyScene: Scene = { actors: [], environment: studio };
 
 /** The identity: no placement by the user. */
 export const unmoved: Transform = { position: [0, 0, 0], rotation: [0, 0, 0, 1], scale: 1 };
@@ -87,6 +93,7 @@ export function createActor(
   const { source = { kind: 'files' }, transform = unmoved, clip = null } = kept;
   return {
     id,
+    name: kept.name ?? character.name,
     character,
     source,
     transform,
@@ -121,35 +128,16 @@ export function sameScene(a: Scene, b: Scene): boolean {
   if (a === b) return true;
   return (
     a.actors.length === b.actors.length &&
-    a.actors.every((actor, i) => sameActor(actor, b.actors[i]!))
+    a.actors.every((actor, i) => actor === b.actors[i] || sameActor(actor, b.actors[i]!)) &&
+    sameValue(a.environment, b.environment)
   );
 }
 
+/** Characters and clips are large and never changed in place, so they are compared by identity. */
 function sameActor(a: Actor, b: Actor): boolean {
-  if (a === b) return true;
-  const { q, morphWeights, transform, look, ...others } = a;
-  return (
-    sameFields(others, b) &&
-    sameNumbers(q, b.q) &&
-    sameNumbers(morphWeights, b.morphWeights) &&
-    sameNumbers(numbersOf(transform), numbersOf(b.transform)) &&
-    sameFields(look, b.look)
-  );
-}
-
-/** Whether `b` has all fields of `a`, with the same values. */
-function sameFields<T extends object>(a: T, b: T): boolean {
-  return Object.entries(a).every(([key, value]) => b[key as keyof T] === value);
-}
-
-function numbersOf({ position, rotation, scale }: Transform): number[] {
-  return [...position, ...rotation, scale];
-}
-
-function sameNumbers(a: ArrayLike<number>, b: ArrayLike<number>): boolean {
-  if (a.length !== b.length) return false;
-  for (let i = 0; i < a.length; i++) if (!Object.is(a[i], b[i])) return false;
-  return true;
+  const { character, clips, ...others } = a;
+  const { character: otherCharacter, clips: otherClips, ...rest } = b;
+  return character === otherCharacter && clips === otherClips && sameValue(others, rest);
 }
 
 /** The weights that are used: the file's, or those divided by their sums. */

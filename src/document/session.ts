@@ -12,25 +12,6 @@ export type SkinDevice = 'gpu' | 'cpu';
 /** How carefully the view is drawn: a draft is coarser, and drawn only while something moves. */
 export type Detail = 'draft' | 'full';
 
-/** A distant light; the first one casts shadows. */
-export interface Light {
-  readonly name: string;
-  /** #rrggbb, in the display's encoding. */
-  readonly color: string;
-  readonly intensity: number;
-  /** Degrees about +y, from +z (where characters look) toward +x (their left). */
-  readonly azimuth: number;
-  /** Degrees above the floor. */
-  readonly elevation: number;
-}
-
-/** A warm key light from the upper left, a cool fill light, and a rim light from behind. */
-export const studioLights: readonly Light[] = [
-  { name: 'Key', color: '#fff7ec', intensity: 1.45, azimuth: -18, elevation: 48 },
-  { name: 'Fill', color: '#d9eaff', intensity: 0.22, azimuth: 88, elevation: 16 },
-  { name: 'Rim', color: '#eef7ff', intensity: 0.5, azimuth: 168, elevation: 34 },
-];
-
 /** A degree of freedom as the interface names it: "Left elbow X". */
 export interface ActiveDof {
   readonly name: string;
@@ -86,7 +67,6 @@ export class Session {
   readonly comparedKernel = signal<KernelId | null>(null);
   readonly skinDevice = signal<SkinDevice>('gpu');
   readonly detail = signal<Detail>('full');
-  readonly lights = signal<readonly Light[]>(studioLights);
   readonly selectedActorId = signal<ActorId | null>(null);
   /** A joint of the selected actor. */
   readonly selectedJoint = signal<number | null>(null);

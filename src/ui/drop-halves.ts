@@ -96,7 +96,7 @@ function halvesFor({ store, session }: DropTarget, isForCharacter: boolean): rea
     return [{ label: 'Drop to open', add: false }];
   }
   return [
-    { label: `Replace ${printable(selected.character.name, 60)}`, add: false },
+    { label: `Replace ${printable(selected.name, 60)}`, add: false },
     { label: 'Add', add: true },
   ];
 }

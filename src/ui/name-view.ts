@@ -13,7 +13,7 @@ export function nameView(canvas: HTMLCanvasElement, { store, session }: Looking)
     const { length } = store.scene.value.actors;
     const actor = selectedActor(store, session);
     const joint = session.selectedJoint.value;
-    const shown = actor ? printable(actor.character.name, 80) : 'nothing';
+    const shown = actor ? printable(actor.name, 80) : 'nothing';
     const name = [
       `3D view: ${shown}`,
       ...(actor && joint !== null ? [printable(actor.character.skeleton.names[joint]!, 40)] : []),

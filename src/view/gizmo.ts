@@ -7,7 +7,7 @@ import { type JointRing, jointRings } from '../posing/joint-rings.ts';
 import type { RingPlace } from '../posing/ring-turn.ts';
 import { type Overlay, type OverlayLine, type OverlayView, pixelSizeAt } from './overlay.ts';
 import { palette } from './theme.ts';
-import type { ViewOptions } from './view-options.ts';
+import type { SessionOptions } from './view-options.ts';
 
 /** How the rings at the selected joint look. */
 export interface Gizmo {
@@ -40,7 +40,7 @@ const [markStart, markEnd] = [0.86, 1.14];
 /**
  * Rings are shown where the selected joint can be posed by them, and not while it moves by itself.
  */
-export function gizmoOf(options: ViewOptions): Gizmo | null {
+export function gizmoOf(options: SessionOptions): Gizmo | null {
   const { showOverlay, posesBy, playing, selectedJoint, byTouch, activeDof } = options;
   if (!showOverlay || posesBy === 'mode' || playing || selectedJoint === null) return null;
   return {

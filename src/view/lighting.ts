@@ -1,5 +1,5 @@
 import { mat4, vec3 } from 'gl-matrix';
-import type { Light } from '../document/session.ts';
+import type { Light } from '../document/environment.ts';
 import type { Gpu } from '../gl/gpu.ts';
 import { DepthTarget } from '../gl/depth-target.ts';
 import type { UniformValue } from '../gl/program.ts';
@@ -34,8 +34,8 @@ export class Lighting {
 
   /** Draws and binds the shadows of a frame, and returns the uniforms that every pass may read. */
   prepare(frame: Frame): Readonly<Record<string, UniformValue>> {
-    const { showSkin, lights } = frame.options;
-    const [key, fill, rim] = lights.map(lightUniforms) as [
+    const { showSkin, environment } = frame.options;
+    const [key, fill, rim] = environment.lights.map(lightUniforms) as [
       LightUniforms,
       LightUniforms,
       LightUniforms,

@@ -2,7 +2,7 @@ import type { HandleId } from '../document/session.ts';
 import { gizmoLines, gizmoOf, type GizmoRing, gizmoRings } from './gizmo.ts';
 import { type OverlayView, pickOverlay } from './overlay.ts';
 import type { Looking, PickPlace } from './pick.ts';
-import { viewOptionsOf } from './view-options.ts';
+import { sessionOptionsOf } from './view-options.ts';
 
 /** Returns the view at a place as the overlay sees it; its pixels are CSS pixels. */
 export function overlayViewAt({ viewer }: Looking, { viewHeight }: PickPlace): OverlayView {
@@ -17,7 +17,7 @@ export function pixelsAt(view: OverlayView, { x, y }: PickPlace): [number, numbe
 
 /** Returns the ring of the selected joint at a place of the view, or null. */
 export function ringAt(look: Looking, place: PickPlace): GizmoRing | null {
-  const gizmo = gizmoOf(viewOptionsOf(look.session));
+  const gizmo = gizmoOf(sessionOptionsOf(look.session));
   const shown = look.evaluations.selected();
   if (!gizmo || !shown) return null;
   const view = overlayViewAt(look, place);

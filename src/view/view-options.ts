@@ -1,16 +1,16 @@
-import type { ActorId } from '../document/scene.ts';
+import type { Environment } from '../document/environment.ts';
+import type { ActorId, Scene } from '../document/scene.ts';
 import type {
   ActiveDof,
   HandleId,
   HoveredLimb,
-  Light,
   PosesBy,
   Session,
   SkeletonStyle,
 } from '../document/session.ts';
 
-/** What is shown of the scene, in addition to the document. */
-export interface ViewOptions {
+/** How the session views a scene. */
+export interface SessionOptions {
   readonly showSkin: boolean;
   readonly showSkeleton: boolean;
   readonly skeletonStyle: SkeletonStyle;
@@ -30,15 +30,23 @@ export interface ViewOptions {
   readonly posesBy: PosesBy;
   readonly playing: boolean;
   readonly byTouch: boolean;
-  /** The key, fill and rim lights. */
-  readonly lights: readonly Light[];
+}
+
+/** Everything besides the actors that a picture depends on. */
+export interface ViewOptions extends SessionOptions {
+  readonly environment: Environment;
+}
+
+/** Returns the options of a scene as the session views it. Reading subscribes to the session. */
+export function viewOptionsOf(session: Session, { environment }: Scene): ViewOptions {
+  return { ...sessionOptionsOf(session), environment };
 }
 
 /**
  * Returns the session's options, with the studio and the overlay shown. Reading subscribes to the
  * session.
  */
-export function viewOptionsOf(session: Session): ViewOptions {
+export function sessionOptionsOf(session: Session): SessionOptions {
   return {
     showStudio: true,
     showSkin: session.showSkin.value,
@@ -56,6 +64,5 @@ export function viewOptionsOf(session: Session): ViewOptions {
     posesBy: session.posesBy.value,
     playing: session.playing.value,
     byTouch: session.byTouch.value,
-    lights: session.lights.value,
   };
 }

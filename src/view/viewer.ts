@@ -58,7 +58,7 @@ export class Viewer {
    * picture.
    */
   private readonly shownPasses = computed(() => {
-    const options = viewOptionsOf(this.session);
+    const options = viewOptionsOf(this.session, this.store.scene.value);
     return this.passes.value.flatMap((pass) => (pass.isShown(options) ? pass.id : [])).join();
   });
   private readonly canvas: HTMLCanvasElement;
@@ -287,7 +287,7 @@ export class Viewer {
       shownPasses: this.shownPasses.value,
       evaluations: this.evaluations.all(),
       device: session.skinDevice.value,
-      options: viewOptionsOf(session),
+      options: viewOptionsOf(session, this.store.scene.value),
       theme: this.theme.value,
       detail: session.detail.value,
       contents: this.contents,

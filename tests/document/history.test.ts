@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { createActor, type Scene } from '../../src/document/scene.ts';
+import { createActor, emptyScene, type Scene } from '../../src/document/scene.ts';
 import { emptyHistory, record, stepBack, stepForward } from '../../src/document/history.ts';
 import { characterOfRig } from '../fixtures/character-of-rig.ts';
 import { allRigs } from '../fixtures/rigs.ts';
@@ -9,7 +9,7 @@ const character = characterOfRig(Object.values(allRigs)[0]!());
 function documentWith(values: number): Scene {
   const kept = { q: new Float64Array(values), morphWeights: new Float64Array(0) };
   const state = createActor(1, character, 'linear-blend', kept);
-  return { actors: [state] };
+  return { ...emptyScene, actors: [state] };
 }
 
 /** Steps of 80 bytes each: a pose of ten values. */
@@ -36,7 +36,7 @@ describe('the history', () => {
     const opened = {
       label: 'open',
       before: documentWith(1),
-      after: { actors: [] },
+      after: emptyScene,
     };
     const posed = { label: 'pose', before: documentWith(1), after: documentWith(1) };
     const small = 200;
@@ -50,11 +50,14 @@ describe('the history', () => {
     const image = { textures: [], name: 'a.png', bytes: kilobytes(8) };
     const heavy = { ...character, morphs: [morph], images: [image] };
     const actors = [createActor(1, heavy, 'linear-blend', { normalizeWeights: true })];
-    const entry = { label: 'open', before: { actors }, after: { actors: [] } };
+    const entry = { label: 'open', before: { ...emptyScene, actors }, after: emptyScene };
     const light = { label: 'pose', before: documentWith(1), after: documentWith(1) };
     const fits = (limit: number): boolean =>
       record(record(emptyHistory, entry, limit), light, limit).past.length === 2;
-    const plain = { ...entry, before: { actors: [createActor(1, character, 'linear-blend')] } };
+    const plain = {
+      ...entry,
+      before: { ...emptyScene, actors: [createActor(1, character, 'linear-blend')] },
+    };
     const least = smallestLimit((limit) => {
       return record(record(emptyHistory, plain, limit), light, limit).past.length === 2;
     });

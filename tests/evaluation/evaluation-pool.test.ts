@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import type { Character } from '../../src/core/character.ts';
-import { type Actor, createActor } from '../../src/document/scene.ts';
+import { type Actor, createActor, emptyScene } from '../../src/document/scene.ts';
 import type { Evaluation } from '../../src/evaluation/evaluation.ts';
 import { Evaluations } from '../../src/evaluation/evaluations.ts';
 import { Evaluator } from '../../src/evaluation/evaluator.ts';
@@ -86,7 +86,10 @@ describe('evaluators of one pool', () => {
   it('belong to a scene, with those of a comparison beside them', async () => {
     const { character, counts } = countingCharacter();
     const store = new Store();
-    store.dispatch({ label: 'Add', apply: () => ({ actors: copiesOf(character, 3) }) });
+    store.dispatch({
+      label: 'Add',
+      apply: () => ({ ...emptyScene, actors: copiesOf(character, 3) }),
+    });
     const evaluations = new Evaluations(store, new Session());
     await evaluations.settled(['rigid']);
     counts.rest = 0;

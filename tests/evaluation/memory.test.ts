@@ -2,7 +2,7 @@ import { setFlagsFromString } from 'node:v8';
 import { runInNewContext } from 'node:vm';
 import { expect, it } from 'vitest';
 import { setPose } from '../../src/document/edits.ts';
-import { createActor } from '../../src/document/scene.ts';
+import { createActor, emptyScene } from '../../src/document/scene.ts';
 import { Session } from '../../src/document/session.ts';
 import { Store } from '../../src/document/store.ts';
 import { Evaluations } from '../../src/evaluation/evaluations.ts';
@@ -18,7 +18,7 @@ it('the history keeps states, and no computed results', async () => {
   const character = characterOfRig(rotatedTree());
   store.dispatch({
     label: 'Open',
-    apply: () => ({ actors: [createActor(1, character, 'linear-blend')] }),
+    apply: () => ({ ...emptyScene, actors: [createActor(1, character, 'linear-blend')] }),
   });
   const computed = Array.from({ length: 3 }, (_, pose) => {
     store.dispatch(
@@ -29,7 +29,7 @@ it('the history keeps states, and no computed results', async () => {
     );
     return arraysOf(evaluations);
   }).flat();
-  store.dispatch({ label: 'Remove', apply: () => ({ actors: [] }) });
+  store.dispatch({ label: 'Remove', apply: () => emptyScene });
   evaluations.keepOnly([]);
   // The target of a weak reference lives until the end of the task that created it.
   await new Promise((resolve) => setTimeout(resolve));

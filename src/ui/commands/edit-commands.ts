@@ -77,8 +77,7 @@ function told(verb: string, label: string | null): string {
  */
 function step(editor: Editor, verb: string, take: () => string | null): void {
   const { store, notice } = editor;
-  const names = (): string =>
-    store.scene.value.actors.map(({ character }) => character.name).join();
+  const names = (): string => store.scene.value.actors.map(({ name }) => name).join();
   const before = names();
   const label = take();
   if (label === null) return;

@@ -78,7 +78,7 @@ const sized: PlaceValue = {
 function addRow(folder: GUI, { store, session }: Looking, value: PlaceValue): ValueRow {
   const { name, minimum, maximum, legal, isAngle } = value;
   const actor = () => selectedActor(store, session);
-  const labelNow = (): string => `${value.label} ${actor()?.character.name ?? ''}`;
+  const labelNow = (): string => `${value.label} ${actor()?.name ?? ''}`;
   const write = (number: number) => {
     const { id, transform } = actor()!;
     return setTransform(id, value.write(transform, number), labelNow());

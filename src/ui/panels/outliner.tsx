@@ -12,7 +12,7 @@ export function Outliner({ editor }: { readonly editor: Editor }) {
   const { actors } = editor.store.scene.value;
   const { drawer } = editor;
   const hint = hintAt(editor.hints.value, 'outliner');
-  const names = numberedNames(actors.map(({ character }) => character.name));
+  const names = numberedNames(actors.map(({ name }) => name));
   return (
     <section class="outliner" aria-labelledby="characters-title">
       <header>

@@ -36,7 +36,7 @@ function Figures({ editor }: { readonly editor: Editor }) {
   if (!state) return null;
   return (
     <span class="figures">
-      <strong>{printable(state.character.name, 80)}</strong>
+      <strong>{printable(state.name, 80)}</strong>
       <span>{state.character.skeleton.jointCount} joints</span>
       <span>{state.character.mesh.pointCount.toLocaleString('en')} vertices</span>
       <span>{methodText(editor, state)}</span>

@@ -12,7 +12,7 @@ export function Subject({ editor }: { readonly editor: Editor }) {
   const looks = editor.workspaces.filter(({ format }) => format === character.meta.format);
   return (
     <header class="subject">
-      <h2>{printable(character.name, 80)}</h2>
+      <h2>{printable(actor.name, 80)}</h2>
       <p>
         {jointCount} {jointCount === 1 ? 'joint' : 'joints'}, {pointCount.toLocaleString('en')}{' '}
         vertices

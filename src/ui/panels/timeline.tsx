@@ -102,7 +102,7 @@ export function Timeline({ editor }: { readonly editor: Editor }) {
       ) : (
         <figure class="curves">
           <svg aria-hidden="true" />
-          <figcaption>{printable(state.character.name, 80)} has no clips</figcaption>
+          <figcaption>{printable(state.name, 80)} has no clips</figcaption>
         </figure>
       )}
     </section>
