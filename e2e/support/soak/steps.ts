@@ -241,7 +241,9 @@ async function resize(page: Page, dice: Dice): Promise<string> {
 async function loseContext(page: Page, dice: Dice): Promise<string> {
   const extension = await page.evaluateHandle(async () => {
     const canvas = document.querySelector('canvas')!;
-    const extension = canvas.getContext('webgl2')!.getExtension('WEBGL_lose_context')!;
+    const extension = canvas.getContext('webgl2')!.getExtension('WEBGL_lose_context');
+    // The browser restores a context some time after it is asked to.
+    if (!extension) return null;
     // Before the page has heard of the loss, the browser refuses to restore the context.
     await new Promise<void>((resolve) => {
       // It is removed by name, because the count of listeners does not see what `once` removes.
@@ -254,13 +256,14 @@ async function loseContext(page: Page, dice: Dice): Promise<string> {
     });
     return extension;
   });
+  if (!(await extension.evaluate((each) => each !== null))) return 'still lost';
   const done: string[] = [];
   for (let i = dice(4); i > 0; i--) {
     const { name, run } = steps[dice(steps.length - 1)]!; // all steps except this one, the last
     done.push(`${name} ${await run(page, dice)}`);
   }
   await extension.evaluate((extension) => {
-    extension.restoreContext();
+    extension?.restoreContext();
   });
   return done.join(', ');
 }
