@@ -99,7 +99,7 @@ export function createOpening(
       // A character that is already in the scene keeps its pose.
       if (there && !add) selectActor(session, store.scene.value, there.id);
       else {
-        opener.showAll([read], { source: { kind: 'files' }, add });
+        opener.showAll([read], { source: { kind: 'files', files: [] }, add });
         showOpened(read.character.name, word(add));
       }
     },

@@ -45,7 +45,7 @@ export async function openOwnFiles(
   files: readonly FileEntry[],
   { signal, onProgress, openBundled, add: addAll, ask }: OwnFilesOptions,
 ): Promise<OpenOutcome | undefined> {
-  const source = { kind: 'files' } as const;
+  const source = { kind: 'files', files: [] } as const;
   // This is checked after each await, because the signal may change during any of them.
   const isOver = (): boolean => signal.aborted;
   const { poses, notes: pictures, parts, diagnostics: unreadable } = await sortFiles(files);

@@ -18,6 +18,7 @@ export type DiagnosticArea =
   | 'rig'
   | 'pmd'
   | 'pose'
+  | 'scene'
   | 'character'
   | 'image';
 

@@ -21,7 +21,16 @@ export interface Scene {
 export type ActorId = number;
 
 /** Where a character came from; undo restores it with the actor. */
-export type Source = { readonly kind: 'bundled'; readonly id: string } | { readonly kind: 'files' };
+export type Source =
+  | { readonly kind: 'bundled'; readonly id: string }
+  | { readonly kind: 'files'; readonly files: readonly SourceFile[] };
+
+/** One of the files of a character. Its bytes are not a part of the scene. */
+export interface SourceFile {
+  readonly path: string;
+  /** Of its bytes, in hexadecimal digits; empty where the browser computes none. */
+  readonly sha256: string;
+}
 
 /**
  * The placement of an actor in the scene, applied after the character's normalized size and
@@ -90,7 +99,7 @@ export function createActor(
   method: MethodId,
   kept: KeptState = {},
 ): Actor {
-  const { source = { kind: 'files' }, transform = unmoved, clip = null } = kept;
+  const { source = { kind: 'files', files: [] }, transform = unmoved, clip = null } = kept;
   return {
     id,
     name: kept.name ?? character.name,

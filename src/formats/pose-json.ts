@@ -101,7 +101,7 @@ function boundedNumbers(
 }
 
 /** The joint of a name or of `#index`, or the text that says what was expected. */
-function findJoint(skeleton: Skeleton, name: string): number | string {
+export function findJoint(skeleton: Skeleton, name: string): number | string {
   if (/^#\d+$/.test(name)) {
     const source = Number(name.slice(1));
     return skeleton.jointOfSource[source] ?? `a joint from #0 to #${skeleton.jointCount - 1}`;

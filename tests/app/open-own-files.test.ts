@@ -16,7 +16,7 @@ import { leg } from '../support/cse169-files.ts';
 import { courseSkel } from '../support/course-skeleton.ts';
 import { bytesOf, type FileContents, readOne } from '../support/files.ts';
 
-async function open(source: Source = { kind: 'files' }) {
+async function open(source: Source = { kind: 'files', files: [] }) {
   const session = new Session();
   const store = new Store((before, after) => reconcile(session, before, after));
   const opener = new FileOpener(store, session, new Evaluations(store, session), () => ({}));

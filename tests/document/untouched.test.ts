@@ -35,8 +35,8 @@ describe('a scene is untouched', () => {
   });
 
   it('no longer once files were opened, even as the first thing', () => {
-    expect(isUntouched(firstScene({ kind: 'files' }))).toBe(false);
-    expect(isUntouched(firstScene(bundled, { kind: 'files' }))).toBe(false);
+    expect(isUntouched(firstScene({ kind: 'files', files: [] }))).toBe(false);
+    expect(isUntouched(firstScene(bundled, { kind: 'files', files: [] }))).toBe(false);
   });
 
   it('no longer after any edit, even if it is undone, because redo would be lost', () => {

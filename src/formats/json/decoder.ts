@@ -50,6 +50,11 @@ export class JsonValue {
     return new JsonValue(node, this.source, pathOf(this.path, key));
   }
 
+  /** The same value, whose errors are reported in another way. */
+  reporting(change: Partial<Pick<JsonSource, 'log' | 'effect'>>): JsonValue {
+    return new JsonValue(this.node, { ...this.source, ...change }, this.path);
+  }
+
   /** The values of an object by name. */
   record(expected: string): ReadonlyMap<string, JsonValue> | undefined {
     const { value } = this;
@@ -73,6 +78,16 @@ export class JsonValue {
     const wrong = value.findIndex((item) => !Number.isFinite(item));
     if (wrong < 0) return value as number[];
     this.member(wrong).fail('json', expected, display(value));
+    return undefined;
+  }
+
+  /** The values of a list of at most `longest` items. */
+  list(longest: number, expected: string): readonly JsonValue[] | undefined {
+    const { value } = this;
+    if (Array.isArray(value) && value.length <= longest) {
+      return value.map((_, index) => this.member(index));
+    }
+    this.fail('json', expected);
     return undefined;
   }
 

@@ -1,0 +1,101 @@
+import type { Character } from '../../core/character.ts';
+import type { JsonValue } from '../../formats/json/decoder.ts';
+import { decodePose } from '../../formats/pose-json.ts';
+import { defaultDeformation, methods, normalWays } from '../../skinning/registry.ts';
+import { type Actor, type ActorId, createActor, type Source } from '../scene.ts';
+import { flag, index, oneOf, text } from './codec.ts';
+import { type Codecs, readFields, writeFields } from './fields.ts';
+import { readJointValues, writeJointValues } from './joint-values.ts';
+import { indexOfKey, keyAt } from './keys.ts';
+import { lookJson } from './look-json.ts';
+import { readMorphWeights, writeMorphWeights } from './morph-weights.ts';
+import { transformJson } from './transform-json.ts';
+
+/** The fields of an actor that are read without its character. To save another one, add its row. */
+type PlainFields = Omit<
+  Actor,
+  'id' | 'character' | 'source' | 'q' | 'morphWeights' | 'clips' | 'clip'
+>;
+
+const plainFields: Codecs<PlainFields> = {
+  name: text,
+  transform: transformJson,
+  method: oneOf(methods.map(({ id }) => id)),
+  normals: oneOf(normalWays.map(({ id }) => id)),
+  normalizeWeights: flag,
+  look: lookJson,
+};
+
+/** The fields that need the character. `pose` is as in POSE.json, for people who write by hand. */
+const characterFields = ['character', 'values', 'pose', 'morphs', 'clip'] as const;
+
+/** An actor whose character may still be on its way. */
+export interface ActorDescription {
+  /** An index of the scene's characters. */
+  readonly character: number;
+  readonly plain: Partial<PlainFields>;
+  /** The whole value. */
+  readonly json: JsonValue;
+}
+
+/** Writes an actor with an index of the scene's characters. */
+export function writeActor(actor: Actor, character: number): Record<string, unknown> {
+  const { skeleton, morphs, clips } = actor.character;
+  const values = writeJointValues(skeleton, actor.q);
+  const weights = writeMorphWeights(namesOf(morphs), actor.morphWeights);
+  return {
+    character,
+    ...writeFields(plainFields, actor, freshActor(actor.id, actor.character, actor.source)),
+    ...(Object.keys(values).length > 0 && { values }),
+    ...(Object.keys(weights).length > 0 && { morphs: weights }),
+    ...(actor.clip !== null && { clip: keyAt(namesOf(clips), actor.clip) }),
+  };
+}
+
+export function readActor(json: JsonValue): ActorDescription | undefined {
+  const plain = readFields(plainFields, json, characterFields);
+  if (!plain) return undefined;
+  const character = index.read(json.member('character'));
+  return character === undefined ? undefined : { character, plain, json };
+}
+
+/** Makes the actor that was described. What does not fit its character is reported and left out. */
+export function actorOf(
+  { plain, json }: ActorDescription,
+  id: ActorId,
+  character: Character,
+  source: Source,
+): Actor {
+  const { skeleton, morphs, clips } = character;
+  const members = json.record('an object');
+  const [values, pose, weights, clip] = ['values', 'pose', 'morphs', 'clip'].map((key) =>
+    members?.get(key),
+  );
+  const fresh = freshActor(id, character, source);
+  const q = (pose && decodePose(pose, skeleton).value?.q) ?? fresh.q;
+  if (values) readJointValues(values, skeleton, q);
+  return {
+    ...fresh,
+    ...plain,
+    q,
+    morphWeights: weights ? readMorphWeights(weights, namesOf(morphs)) : fresh.morphWeights,
+    clip: clip ? readClip(clip, namesOf(clips)) : null,
+  };
+}
+
+/** An actor as its files have it. */
+function freshActor(id: ActorId, character: Character, source: Source): Actor {
+  return createActor(id, character, defaultDeformation(character).method, { source });
+}
+
+function readClip(json: JsonValue, names: readonly string[]): number | null {
+  const key = text.read(json);
+  if (key === undefined) return null;
+  const found = indexOfKey(names, key);
+  if (found < 0) json.fail('unknown', 'the name of a clip of the character, or # and its index');
+  return found < 0 ? null : found;
+}
+
+function namesOf(things: readonly { readonly name: string }[]): readonly string[] {
+  return things.map(({ name }) => name);
+}

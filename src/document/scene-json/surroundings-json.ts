@@ -1,0 +1,10 @@
+import { emptyScene, type Scene } from '../scene.ts';
+import { environmentJson } from './environment-json.ts';
+import type { Codecs } from './fields.ts';
+
+/** What a scene has beside its actors. To save another field, add its row. */
+export type Surroundings = Omit<Scene, 'actors'>;
+
+export const surroundingsJson: Codecs<Surroundings> = { environment: environmentJson };
+
+export const plainSurroundings: Surroundings = { environment: emptyScene.environment };

@@ -1,0 +1,52 @@
+import { defaultLimits } from '../../core/limits.ts';
+import { kernels } from '../../skinning/registry.ts';
+import { type Camera, startCamera } from '../camera.ts';
+import { plainView, type SavedSignals, type ViewState } from '../view-state.ts';
+import { type Codec, flag, index, numbers, numberWithin, oneOf, orNull, text } from './codec.ts';
+import { type Codecs, fields, readFields, writeFields } from './fields.ts';
+
+const { coordinate } = defaultLimits;
+
+/** Angles that were turned often are large, but no larger than this. */
+const angle = numberWithin(-1e6, 1e6);
+const seconds = numberWithin(-coordinate, coordinate);
+
+const camera: Codec<Camera> = fields(startCamera, {
+  target: numbers<Camera['target']>(3, coordinate),
+  distance: numberWithin(1e-6, coordinate),
+  azimuth: angle,
+  elevation: angle,
+  fieldOfView: numberWithin(1e-3, Math.PI - 1e-3),
+});
+
+const signals: Codecs<SavedSignals> = {
+  showSkin: flag,
+  showSkeleton: flag,
+  skeletonStyle: oneOf(['sticks', 'boxes', 'both', 'lines']),
+  showAxes: flag,
+  translucent: flag,
+  showTextures: flag,
+  comparedKernel: orNull(oneOf(kernels.map(({ id }) => id))),
+  posesBy: oneOf(['selection', 'mode']),
+  clipIndex: index,
+  clipTime: seconds,
+  playMode: oneOf(['once', 'loop', 'ping-pong', 'go on']),
+  playSpeed: numberWithin(-1e6, 1e6),
+};
+
+const rows: Codecs<ViewState> = {
+  camera,
+  workspace: text,
+  selected: orNull(index),
+  joint: orNull(index),
+  signals: fields(plainView.signals, signals),
+};
+
+/** How the scene is viewed: time, camera and switches. */
+export const viewJson: Codec<ViewState> = {
+  write: (view) => writeFields(rows, view, plainView),
+  read(json) {
+    const read = readFields(rows, json);
+    return read && { ...plainView, ...read };
+  },
+};

@@ -1,0 +1,97 @@
+import fc from 'fast-check';
+import { buildCharacter } from '../../src/core/build-character.ts';
+import type { Character } from '../../src/core/character.ts';
+import type { Light } from '../../src/document/environment.ts';
+import { type Actor, type Scene, type Source, unmoved } from '../../src/document/scene.ts';
+import { normalWays, methods } from '../../src/skinning/registry.ts';
+import { partsOfRig } from '../fixtures/character-of-rig.ts';
+import { allRigs } from '../fixtures/rigs.ts';
+
+/** Every rig, with morphs and clips whose names are odd or not unique. */
+const characters = Object.values(allRigs).map((rig): Character => {
+  const parts = partsOfRig(rig());
+  const file = 'made';
+  const empty = { points: new Uint32Array(0), offsets: new Float32Array(0) };
+  const shape = { ...empty, normalPoints: empty.points, normalOffsets: empty.offsets };
+  const names = ['smile', '#1', '__proto__', 'twice', 'twice'];
+  return buildCharacter({
+    ...parts,
+    morphs: names.map((name) => ({ file, name, ...shape })),
+    clips: names.map((name) => ({ file, name, start: 0, end: 1, channels: [] })),
+  }).value!;
+});
+
+const number = fc.double({ min: -1e9, max: 1e9, noNaN: true });
+const triple = fc.tuple(number, number, number);
+const rotation = fc.tuple(number, number, number, number).map(([x, y, z, w]) => {
+  const length = Math.hypot(x, y, z, w);
+  const isLong = length > 1e-9;
+  return isLong ? ([x / length, y / length, z / length, w / length] as const) : unmoved.rotation;
+});
+
+const light: fc.Arbitrary<Light> = fc.record({
+  name: fc.string(),
+  color: fc.nat(0xffffff).map((value) => `#${value.toString(16).padStart(6, '0')}`),
+  intensity: fc.double({ min: 0, max: 100, noNaN: true }),
+  azimuth: fc.double({ min: -360, max: 360, noNaN: true }),
+  elevation: fc.double({ min: -90, max: 90, noNaN: true }),
+});
+
+const hash = fc
+  .uint8Array({ minLength: 32, maxLength: 32 })
+  .map((bytes) => Buffer.from(bytes).toString('hex'));
+
+const source: fc.Arbitrary<Source> = fc.oneof(
+  fc.record({ kind: fc.constant('bundled' as const), id: fc.string() }),
+  fc.record({
+    kind: fc.constant('files' as const),
+    files: fc.array(fc.record({ path: fc.string(), sha256: hash }), { maxLength: 4 }),
+  }),
+);
+
+function actorOf(character: Character): fc.Arbitrary<Omit<Actor, 'id'>> {
+  const { skeleton, morphs, clips } = character;
+  const values = fc.array(fc.option(number, { nil: undefined }), {
+    minLength: skeleton.qRest.length,
+    maxLength: skeleton.qRest.length,
+  });
+  const weight = fc.double({ min: -10, max: 10, noNaN: true });
+  return fc.record({
+    name: fc.string(),
+    character: fc.constant(character),
+    source,
+    transform: fc.record({
+      position: triple,
+      rotation,
+      scale: fc.double({ min: 1e-6, max: 1e6, noNaN: true }),
+    }),
+    q: values.map((own) =>
+      skeleton.qRest.map((rest, at) =>
+        Math.min(Math.max(own[at] ?? rest, skeleton.qMin[at]!), skeleton.qMax[at]!),
+      ),
+    ),
+    morphWeights: fc
+      .array(weight, { minLength: morphs.length, maxLength: morphs.length })
+      .map((weights) => Float64Array.from(weights)),
+    clips: fc.constant(clips),
+    clip: fc.option(fc.nat(clips.length - 1)),
+    method: fc.constantFrom(...methods.map(({ id }) => id)),
+    normals: fc.constantFrom(...normalWays.map(({ id }) => id)),
+    normalizeWeights: fc.boolean(),
+    look: fc.record({
+      visible: fc.boolean(),
+      clay: fc.nat(7),
+      roughness: fc.double({ min: 0, max: 1, noNaN: true }),
+      shading: fc.constantFrom('smooth', 'faceted'),
+      dragging: fc.constantFrom('follow', 'course'),
+    }),
+  });
+}
+
+/** Scenes with every field at any legal value. */
+export const randomScene: fc.Arbitrary<Scene> = fc.record({
+  actors: fc
+    .array(fc.constantFrom(...characters).chain(actorOf), { maxLength: 5 })
+    .map((actors) => actors.map((actor, at) => ({ ...actor, id: at + 1 }))),
+  environment: fc.record({ lights: fc.array(light, { maxLength: 5 }) }),
+});
