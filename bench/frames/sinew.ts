@@ -28,7 +28,7 @@ offerFrames(({ vertexCount, jointCount, actorCount, unskinned }) => {
   }
   const { actors } = store.scene.value;
   viewer.resize(pictureWidth, pictureHeight);
-  viewer.camera.value = startCamera;
+  viewer.camera.value = { ...startCamera, projection: 'perspective' };
   if (actorCount > 1) viewer.frameAll();
   viewer.drawNow();
   const { azimuth } = viewer.camera.value;

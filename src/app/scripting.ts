@@ -14,7 +14,7 @@ import type { Editor } from '../ui/editor.ts';
 import { fileEntry } from '../ui/file-entry.ts';
 import type { KernelId } from '../skinning/method.ts';
 import { deformationOf } from '../skinning/registry.ts';
-import type { Camera } from '../view/camera.ts';
+import type { Camera } from '../document/camera.ts';
 import { capturePicture, encodePicture, type PictureFormat } from '../view/picture.ts';
 import { verifyShown } from '../view/verify.ts';
 import { fetchFile } from './fetch-file.ts';

@@ -1,4 +1,10 @@
 /**
+ * How a picture is projected. In an orthographic one all lines of sight are parallel, so that size
+ * does not change with distance.
+ */
+export type Projection = 'perspective' | 'orthographic';
+
+/**
  * An orbit camera in scene space, which looks at `target` from `distance` away. Angles are in
  * radians.
  */
@@ -14,6 +20,8 @@ export interface Camera {
   readonly elevation: number;
   /** The vertical field of view. */
   readonly fieldOfView: number;
+  /** In either projection, what is as far away as the target has the same size. */
+  readonly projection: Projection;
 }
 
 /** The camera of an empty scene, until a workspace or a character sets another one. */
@@ -23,4 +31,5 @@ export const startCamera: Camera = {
   azimuth: 0,
   elevation: 0,
   fieldOfView: 0.5,
+  projection: 'perspective',
 };

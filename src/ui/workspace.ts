@@ -2,7 +2,7 @@ import type { NormalsId } from '../core/skin.ts';
 import type { ActorLook } from '../document/actor-look.ts';
 import type { Look, PosesBy } from '../document/session.ts';
 import type { FormatId } from '../formats/registry.ts';
-import type { Camera } from '../view/camera.ts';
+import type { Camera } from '../document/camera.ts';
 
 export type WorkspaceId = 'studio' | '6.837' | 'cse169' | 'mannequin';
 

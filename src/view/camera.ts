@@ -1,35 +1,71 @@
 import { mat4, vec3 } from 'gl-matrix';
 import { type Bounds, isEmpty } from '../core/bounds.ts';
 import type { Camera } from '../document/camera.ts';
+import type { ViewAxes } from '../posing/mouse-turns.ts';
 
-export { type Camera, startCamera } from '../document/camera.ts';
+export { startCamera } from '../document/camera.ts';
 
 /** The limits of a camera's distance, in scene units. */
 const [nearest, farthest] = [0.02, 40];
+/** What is farther behind the target is cut off, in scene units. */
+const depthBehind = 60;
+/**
+ * The distance of an orthographic camera's eye, in scene units: from there, lines of sight are
+ * parallel, while rays and directions to the eye need no case of their own.
+ */
+const farAway = 1e5;
+
+/** Returns unit vectors of the scene that point to the picture's right, to its top and into it. */
+export function axesOf({ azimuth, elevation }: Camera): ViewAxes {
+  const [sin, cos] = [Math.sin(azimuth), Math.cos(azimuth)];
+  const [rise, level] = [Math.sin(elevation), Math.cos(elevation)];
+  return {
+    right: [cos, 0, -sin],
+    up: [-sin * rise, level, -cos * rise],
+    look: [-sin * level, -rise, -cos * level],
+  };
+}
+
+/** The distance from the eye to the target. */
+export function reachOf({ projection, distance }: Camera): number {
+  return projection === 'perspective' ? distance : farAway;
+}
 
 export function eyeOf(camera: Camera): vec3 {
-  const { target, distance, azimuth, elevation } = camera;
-  const level = distance * Math.cos(elevation);
-  return [
-    target[0] + level * Math.sin(azimuth),
-    target[1] + distance * Math.sin(elevation),
-    target[2] + level * Math.cos(azimuth),
-  ];
+  const { look } = axesOf(camera);
+  return vec3.scaleAndAdd(new Float64Array(3), camera.target, look, -reachOf(camera));
 }
 
 /** The distance before the camera at which things are cut off. */
-export function nearOf({ distance }: Camera): number {
-  return distance * 0.02;
+export function nearOf({ projection, distance }: Camera): number {
+  // A camera without perspective also shows what is beside and behind the place it orbits at.
+  return projection === 'perspective' ? distance * 0.02 : farAway - depthBehind;
+}
+
+/** Half the height of what the picture shows of the plane through the target, in scene units. */
+export function halfHeightOf({ distance, fieldOfView }: Camera): number {
+  return distance * Math.tan(fieldOfView / 2);
 }
 
 /** Transforms scene space to clip space, in float64. */
 export function clipFromScene(camera: Camera, aspect: number): mat4 {
-  const viewFromScene: mat4 = new Float64Array(16);
-  mat4.lookAt(viewFromScene, eyeOf(camera), camera.target, [0, 1, 0]);
-  const clipFromView: mat4 = new Float64Array(16);
-  const { fieldOfView, distance } = camera;
-  mat4.perspective(clipFromView, fieldOfView, aspect, nearOf(camera), distance + 60);
-  return mat4.multiply(new Float64Array(16), clipFromView, viewFromScene);
+  const { right, up, look } = axesOf(camera);
+  const eye = eyeOf(camera);
+  const viewFromScene = Float64Array.of(
+    ...[right[0], up[0], -look[0], 0],
+    ...[right[1], up[1], -look[1], 0],
+    ...[right[2], up[2], -look[2], 0],
+    ...[-vec3.dot(right, eye), -vec3.dot(up, eye), vec3.dot(look, eye), 1],
+  );
+  const clip: mat4 = new Float64Array(16);
+  const [near, far] = [nearOf(camera), reachOf(camera) + depthBehind];
+  if (camera.projection === 'perspective') {
+    mat4.perspective(clip, camera.fieldOfView, aspect, near, far);
+  } else {
+    const height = halfHeightOf(camera);
+    mat4.ortho(clip, -height * aspect, height * aspect, -height, height, near, far);
+  }
+  return mat4.multiply(clip, clip, viewFromScene);
 }
 
 /** Moves the camera nearer (factor below 1) or farther. */
@@ -44,23 +80,20 @@ const margin = 1.1;
 /** Keeps the direction of view and fits a box (in scene space) into the picture, with a margin. */
 export function frameBox(camera: Camera, box: Bounds, aspect: number): Camera {
   if (isEmpty(box)) return camera;
-  const target = [0, 1, 2].map((axis) => (box.min[axis]! + box.max[axis]!) / 2);
-  const framed: Camera = { ...camera, target: target as [number, number, number] };
-  const viewFromScene = mat4.lookAt(
-    new Float64Array(16),
-    eyeOf({ ...framed, distance: 1 }),
-    framed.target,
-    [0, 1, 0],
-  );
-  const up = Math.tan(camera.fieldOfView / 2) / margin;
-  const right = up * aspect;
+  const target = vec3.lerp(new Float64Array(3), box.min, box.max, 0.5);
+  const { right, up, look } = axesOf(camera);
+  const height = Math.tan(camera.fieldOfView / 2) / margin;
+  // With perspective, what is nearer than the target is larger.
+  const growth = camera.projection === 'perspective' ? -1 : 0;
   let distance = 0;
   for (let corner = 0; corner < 8; corner++) {
-    const at: vec3 = [0, 1, 2].map((i) => (corner & (1 << i) ? box.max : box.min)[i]!);
-    const [x, y, z] = vec3.transformMat4(new Float64Array(3), at, viewFromScene);
-    // The view looks along -z from a distance of 1, so z + 1 is how far a corner is in front of the
-    // target.
-    distance = Math.max(distance, Math.abs(x!) / right + z! + 1, Math.abs(y!) / up + z! + 1);
+    const at: vec3 = [0, 1, 2].map((i) => (corner & (1 << i) ? box.max : box.min)[i]! - target[i]!);
+    const nearer = growth * vec3.dot(at, look);
+    distance = Math.max(
+      distance,
+      Math.abs(vec3.dot(at, right)) / (height * aspect) + nearer,
+      Math.abs(vec3.dot(at, up)) / height + nearer,
+    );
   }
-  return zoom({ ...framed, distance }, 1);
+  return zoom({ ...camera, target: [target[0], target[1], target[2]], distance }, 1);
 }

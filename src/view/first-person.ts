@@ -1,10 +1,12 @@
 import { vec3 } from 'gl-matrix';
-import { type Camera, eyeOf } from './camera.ts';
-import { axesOf, highest } from './camera-moves.ts';
+import type { Camera } from '../document/camera.ts';
+import { axesOf, eyeOf } from './camera.ts';
+import { highest } from './camera-moves.ts';
 
 /**
- * A camera that stands at its eye and looks around, in scene space and radians. It is drawn as the
- * orbit camera with the same view (`orbitFrom`), so nothing else needs to know about it.
+ * A camera that stands at its eye and looks around, with perspective, in scene space and radians. It
+ * is drawn as the orbit camera with the same view (`orbitFrom`), so nothing else needs to know about
+ * it.
  */
 export interface FirstPerson {
   readonly eye: readonly [number, number, number];
@@ -17,17 +19,23 @@ export interface FirstPerson {
   readonly distance: number;
 }
 
-/** Returns the first-person camera with the orbit camera's eye and view. */
+/**
+ * Returns the first-person camera with the orbit camera's eye and view. An orthographic camera stands
+ * where one with perspective sees its target in the same size.
+ */
 export function firstPersonFrom(camera: Camera): FirstPerson {
-  const [x, y, z] = eyeOf(camera) as [number, number, number];
+  const [x, y, z] = eyeOf({ ...camera, projection: 'perspective' }) as [number, number, number];
   const { azimuth, elevation, fieldOfView, distance } = camera;
   return { eye: [x, y, z], yaw: azimuth, pitch: -elevation, fieldOfView, distance };
 }
 
 /** Returns the orbit camera with the same view, its target ahead at the former distance. */
 export function orbitFrom({ eye, yaw, pitch, fieldOfView, distance }: FirstPerson): Camera {
-  const camera = { distance, azimuth: yaw, elevation: -pitch, fieldOfView };
-  const { look } = axesOf({ ...camera, target: eye });
+  const camera: Camera = {
+    ...{ target: eye, distance, azimuth: yaw, elevation: -pitch, fieldOfView },
+    projection: 'perspective',
+  };
+  const { look } = axesOf(camera);
   return {
     ...camera,
     target: [eye[0] + distance * look[0], eye[1] + distance * look[1], eye[2] + distance * look[2]],

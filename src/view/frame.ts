@@ -1,7 +1,8 @@
 import type { vec3 } from 'gl-matrix';
 import type { Detail } from '../document/session.ts';
 import type { UniformValue } from '../gl/program.ts';
-import { type Camera, clipFromScene, eyeOf, nearOf } from './camera.ts';
+import type { Camera } from '../document/camera.ts';
+import { clipFromScene, eyeOf, nearOf } from './camera.ts';
 import type { CharacterView } from './character-view.ts';
 import type { RenderView, Viewport } from './render-view.ts';
 import type { Theme } from './theme.ts';

@@ -1,7 +1,9 @@
 import { type ReadonlyVec3, vec3 } from 'gl-matrix';
 import type { HandleId } from '../document/session.ts';
 import type { Pixels } from '../posing/ring-turn.ts';
-import { type Camera, clipFromScene, eyeOf } from './camera.ts';
+import type { Camera } from '../document/camera.ts';
+import { axesOf, clipFromScene, eyeOf } from './camera.ts';
+import { sizeOfPixel } from './picking.ts';
 
 /** A line of the overlay: a row of straight pieces. */
 export interface OverlayLine {
@@ -40,11 +42,8 @@ export function pixelsIn({ camera, width, height }: OverlayView): (point: Readon
 
 /** The size of a CSS pixel at a point of the scene; not positive for a point behind the viewer. */
 export function pixelSizeAt({ camera, height }: OverlayView, point: ReadonlyVec3): number {
-  const eye = eyeOf(camera);
-  const look = vec3.subtract(new Float64Array(3), camera.target, eye);
-  vec3.normalize(look, look);
-  const depth = vec3.dot(vec3.subtract(new Float64Array(3), point, eye), look);
-  return (2 * depth * Math.tan(camera.fieldOfView / 2)) / height;
+  const fromEye = vec3.subtract(new Float64Array(3), point, eyeOf(camera));
+  return vec3.dot(fromEye, axesOf(camera).look) * sizeOfPixel(camera, height);
 }
 
 /**

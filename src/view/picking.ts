@@ -1,9 +1,10 @@
-import { mat4, vec3 } from 'gl-matrix';
+import { vec3 } from 'gl-matrix';
 import { bonesOf } from '../core/bones.ts';
 import type { Character } from '../core/character.ts';
 import { type Ray, rayInFrame } from '../core/ray.ts';
 import { type BoneHit, pickBone as pickPosedBone } from '../posing/pick-bone.ts';
-import { type Camera, clipFromScene, eyeOf } from './camera.ts';
+import type { Camera } from '../document/camera.ts';
+import { axesOf, eyeOf, halfHeightOf, reachOf } from './camera.ts';
 import type { DisplayTransform } from '../evaluation/display-transform.ts';
 import { boneReach, jointRadius } from './solid-sizes.ts';
 
@@ -19,11 +20,15 @@ export interface PickTarget {
  * Returns the view ray through a point of the picture, with x and y from -1 (left, bottom) to 1.
  */
 export function rayThrough(camera: Camera, aspect: number, x: number, y: number): Ray {
+  const { right, up, look } = axesOf(camera);
+  const height = halfHeightOf(camera);
+  const across = vec3.scale(new Float64Array(3), right, x * height * aspect);
+  vec3.scaleAndAdd(across, across, up, y * height);
   const origin = eyeOf(camera);
-  const sceneFromClip = mat4.invert(new Float64Array(16), clipFromScene(camera, aspect));
-  if (!sceneFromClip) return { origin, direction: [0, 0, -1] };
-  const far = vec3.transformMat4(new Float64Array(3), [x, y, 1], sceneFromClip);
-  const direction = vec3.subtract(new Float64Array(3), far, origin);
+  if (camera.projection === 'orthographic') {
+    return { origin: vec3.add(origin, origin, across), direction: look };
+  }
+  const direction = vec3.scaleAndAdd(across, across, look, camera.distance);
   return { origin, direction: vec3.normalize(direction, direction) };
 }
 
@@ -38,7 +43,7 @@ export function characterRay({ sceneFromCharacter }: DisplayTransform, ray: Ray)
  * Returns the size that a pixel of a view `viewHeight` tall covers, as a fraction of its distance.
  */
 export function sizeOfPixel(camera: Camera, viewHeight: number): number {
-  return (2 * Math.tan(camera.fieldOfView / 2)) / viewHeight;
+  return (2 * halfHeightOf(camera)) / reachOf(camera) / viewHeight;
 }
 
 /**

@@ -1,5 +1,5 @@
 import type { Overrides } from '../evaluation/evaluations.ts';
-import type { Camera } from './camera.ts';
+import type { Camera } from '../document/camera.ts';
 
 /** A rectangle of a picture, in whole pixels from its lower left corner. */
 export interface Viewport {

@@ -12,6 +12,7 @@ import { commands } from '../../src/ui/commands/registry.ts';
 import type { Editor, Progress } from '../../src/ui/editor.ts';
 import { paletteEntries } from '../../src/ui/palette-entries.ts';
 import { type Findable, fitsQuery, rankEntries } from '../../src/ui/rank-entries.ts';
+import { startCamera } from '../../src/view/camera.ts';
 import { leg } from '../support/cse169-files.ts';
 import { readOne } from '../support/files.ts';
 
@@ -35,6 +36,7 @@ async function createEditor(): Promise<Editor> {
     scenes: [{ id: 'meeting', label: 'Address of two' }],
     dialog: signal('palette'),
     progress,
+    viewer: { camera: signal(startCamera) },
   };
   return parts as unknown as Editor;
 }

@@ -1,8 +1,8 @@
 import { vec3 } from 'gl-matrix';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { type Camera, clipFromScene, eyeOf } from '../../src/view/camera.ts';
-import { axesOf } from '../../src/view/camera-moves.ts';
+import type { Camera } from '../../src/document/camera.ts';
+import { axesOf, clipFromScene, eyeOf } from '../../src/view/camera.ts';
 import {
   type FirstPerson,
   firstPersonFrom,
@@ -19,6 +19,7 @@ const cameras: fc.Arbitrary<Camera> = fc.record({
   azimuth: angle,
   elevation: fc.double({ min: -1.5, max: 1.5, noNaN: true }),
   fieldOfView: fc.constant(0.6),
+  projection: fc.constant('perspective'),
 });
 
 const level: FirstPerson = { eye: [1, 2, 3], yaw: 0, pitch: 0, fieldOfView: 0.6, distance: 2 };

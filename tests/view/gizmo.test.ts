@@ -4,7 +4,8 @@ import { describe, expect, it } from 'vitest';
 import { openCharacter } from '../../src/document/open-characters.ts';
 import { emptyScene, type Transform } from '../../src/document/scene.ts';
 import { Evaluator } from '../../src/evaluation/evaluator.ts';
-import { type Camera, clipFromScene } from '../../src/view/camera.ts';
+import type { Camera } from '../../src/document/camera.ts';
+import { clipFromScene, startCamera } from '../../src/view/camera.ts';
 import { gizmoLines, gizmoRings } from '../../src/view/gizmo.ts';
 import { type OverlayView, pickOverlay } from '../../src/view/overlay.ts';
 import { readOne } from '../support/files.ts';
@@ -30,6 +31,7 @@ const cameras = fc.record({
   azimuth: number(-3, 3),
   elevation: number(-1.4, 1.4),
   fieldOfView: number(0.3, 0.9),
+  projection: fc.constantFrom('perspective', 'orthographic'),
 });
 const transforms = fc.record({
   position: fc.tuple(number(-0.1, 0.1), number(-0.1, 0.1), number(-0.1, 0.1)),
@@ -102,8 +104,8 @@ describe('the rings of a joint', () => {
   });
 
   it('are strong within their limits and faint beyond; the active one is on top', async () => {
-    const camera = { target: [0, 0.5, 0], distance: 3, azimuth: 0.3, elevation: 0.2 } as const;
-    const view = viewOf({ ...camera, fieldOfView: 0.5 });
+    const turned = { azimuth: 0.3, elevation: 0.2 };
+    const view = viewOf({ ...startCamera, ...turned, distance: 3 });
     const evaluation = await evaluationOf({
       position: [0, 0, 0],
       rotation: [0, 0, 0, 1],

@@ -3,7 +3,8 @@ import { describe, expect, it } from 'vitest';
 import type { Character } from '../../src/core/character.ts';
 import { jointMatrices } from '../../src/core/forward-kinematics.ts';
 import { pointOnRay } from '../../src/core/ray.ts';
-import { type Camera, clipFromScene } from '../../src/view/camera.ts';
+import type { Camera } from '../../src/document/camera.ts';
+import { clipFromScene } from '../../src/view/camera.ts';
 import { displayTransform } from '../../src/evaluation/display-transform.ts';
 import {
   characterRay,
@@ -20,6 +21,7 @@ const camera: Camera = {
   azimuth: 0.3,
   elevation: 0.2,
   fieldOfView: 0.6,
+  projection: 'perspective',
 };
 const viewHeight = 800;
 const aspect = 1.25;

@@ -1,23 +1,13 @@
 import { defaultLimits } from '../../core/limits.ts';
 import { kernels } from '../../skinning/registry.ts';
-import { type Camera, startCamera } from '../camera.ts';
 import { plainView, type SavedSignals, type ViewState } from '../view-state.ts';
-import { type Codec, flag, index, numbers, numberWithin, oneOf, orNull, text } from './codec.ts';
+import { cameraJson } from './camera-json.ts';
+import { type Codec, flag, index, numberWithin, oneOf, orNull, text } from './codec.ts';
 import { type Codecs, fields, readFields, writeFields } from './fields.ts';
 
 const { coordinate } = defaultLimits;
 
-/** Angles that were turned often are large, but no larger than this. */
-const angle = numberWithin(-1e6, 1e6);
 const seconds = numberWithin(-coordinate, coordinate);
-
-const camera: Codec<Camera> = fields(startCamera, {
-  target: numbers<Camera['target']>(3, coordinate),
-  distance: numberWithin(1e-6, coordinate),
-  azimuth: angle,
-  elevation: angle,
-  fieldOfView: numberWithin(1e-3, Math.PI - 1e-3),
-});
 
 const signals: Codecs<SavedSignals> = {
   showSkin: flag,
@@ -35,7 +25,7 @@ const signals: Codecs<SavedSignals> = {
 };
 
 const rows: Codecs<ViewState> = {
-  camera,
+  camera: cameraJson,
   workspace: text,
   selected: orNull(index),
   joint: orNull(index),

@@ -1,3 +1,4 @@
+import { axisCommands } from './axis-commands.ts';
 import { cameraCommands } from './camera-commands.ts';
 import { clipCommands } from './clip-commands.ts';
 import type { Command } from './command.ts';
@@ -13,7 +14,7 @@ const groups = [
   { label: 'Edit', commands: editCommands },
   { label: 'Joints', commands: jointCommands },
   { label: 'Clip', commands: clipCommands },
-  { label: 'Camera', commands: cameraCommands },
+  { label: 'Camera', commands: [...cameraCommands, ...axisCommands] },
 ] as const;
 
 export type CommandId = (typeof groups)[number]['commands'][number]['id'];

@@ -62,7 +62,7 @@ export const viewCommands = [
     short: 'First person',
     keys: [{ key: 'c' }],
     isOn: ({ session }) => session.firstPerson.value,
-    run: ({ session }) => toggle(session.firstPerson),
+    run: toggleFirstPerson,
   },
   {
     id: 'keys',
@@ -84,6 +84,12 @@ export const viewCommands = [
     run: (editor) => toggleDialog(editor, 'palette'),
   },
 ] as const satisfies readonly Command[];
+
+/** Walking needs perspective. */
+function toggleFirstPerson({ session: { firstPerson }, viewer: { camera } }: Editor): void {
+  toggle(firstPerson);
+  if (firstPerson.value) camera.value = { ...camera.value, projection: 'perspective' };
+}
 
 /** Cycles through skin only, skeleton only, and both. */
 function cycleDrawn({ session: { showSkin, showSkeleton } }: Editor): void {

@@ -3,6 +3,7 @@ import { actorById } from '../../document/scene.ts';
 import { selectedActor } from '../../document/selected-actor.ts';
 import type { ActiveDof } from '../../document/session.ts';
 import { kernelById, kernelOf } from '../../skinning/registry.ts';
+import { axisViewOf } from '../../view/axis-views.ts';
 import { ancestorsOf } from '../joint-rows.ts';
 import { formatDegrees } from '../angle-text.ts';
 import type { Editor, Looking, Posing } from '../editor.ts';
@@ -24,6 +25,7 @@ export function ViewOverlay({ editor }: { readonly editor: Editor }) {
       <ProgressBox editor={editor} />
       <ViewMessage editor={editor} />
       <ComparedMethods editor={editor} />
+      <CameraText editor={editor} />
       <ViewHint editor={editor} />
       <ActiveDofText editor={editor} />
       <LitBoneLabel editor={editor} />
@@ -64,6 +66,14 @@ function ComparedMethods({ editor: { store, session } }: { readonly editor: Look
       ))}
     </div>
   );
+}
+
+/** Says that the view has no perspective, and along which axis it looks. */
+function CameraText({ editor: { viewer } }: { readonly editor: Looking }) {
+  const camera = viewer.camera.value;
+  if (camera.projection === 'perspective') return null;
+  const axis = axisViewOf(camera);
+  return <p class="camera-text">{axis ? `${axis.label} · orthographic` : 'Orthographic'}</p>;
 }
 
 /** The degree of freedom that was last changed, with its value, in a corner of the picture. */

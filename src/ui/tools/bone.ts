@@ -1,7 +1,7 @@
 import { setPose } from '../../document/edits.ts';
 import { jointOfValue } from '../../core/pose.ts';
 import { beginDrag, type DragMode, type DragPointer } from '../../posing/drag.ts';
-import { axesOf } from '../../view/camera-moves.ts';
+import { axesOf } from '../../view/camera.ts';
 import { boneAt, type BoneTarget, characterRayAt } from '../../view/pick.ts';
 import { sizeOfPixel } from '../../view/picking.ts';
 import type { Looking } from '../editor.ts';
