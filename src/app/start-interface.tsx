@@ -11,6 +11,7 @@ import { Sections } from '../ui/panels/sections.tsx';
 import { TopBar } from '../ui/panels/top-bar.tsx';
 import { ViewOverlay } from '../ui/panels/view-overlay.tsx';
 import { listenToPointer } from '../ui/pointer.ts';
+import { followShots } from '../ui/shots.ts';
 import { addSheetHandle } from '../ui/sheet-handle.ts';
 import { addSplitter } from '../ui/splitter.ts';
 import { createPace } from '../view/frame-pace.ts';
@@ -51,6 +52,7 @@ export function startInterface(
   listenToPointer(layout.canvas, editor);
   nameView(layout.canvas, editor);
   followCursor(layout.canvas, editor);
+  followShots(editor);
   effect(() => {
     layout.root.dataset['drawer'] = editor.drawer.value ?? '';
   });

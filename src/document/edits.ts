@@ -93,9 +93,9 @@ export function removeActor({ id, name }: Actor): Edit {
   };
 }
 
-/** Removes all actors from the scene. */
+/** Removes all actors and shots from the scene. */
 export function removeActors(label: string): Edit {
-  return { label, apply: (scene) => ({ ...scene, actors: [] }) };
+  return { label, apply: (scene) => ({ ...scene, actors: [], shots: [] }) };
 }
 
 /** Moves, rotates or scales an actor in the scene. */

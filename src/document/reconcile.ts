@@ -7,11 +7,11 @@ import type { Session } from './session.ts';
 /**
  * Removes from the session whatever the scene no longer has: a removed actor's selection, joints
  * and bones of another skeleton, a clip that does not exist, playback without a bound clip, the
- * verification of another actor. It runs with every change of the scene, including undo and redo,
+ * verification of another actor, the frame of a removed shot. It runs with every change of the scene, including undo and redo,
  * so that code that reads both does not need to check.
  */
 export function reconcile(session: Session, before: Scene, after: Scene): void {
-  const { selectedActorId, playing } = session;
+  const { selectedActorId, playing, shownShot } = session;
   const old = actorById(before, selectedActorId.value);
   // Select an actor that has just come by opening or undo; otherwise any remaining one will do.
   const came = after.actors.find(({ id }) => !actorById(before, id));
@@ -19,6 +19,7 @@ export function reconcile(session: Session, before: Scene, after: Scene): void {
   selectedActorId.value = now?.id ?? null;
   if (old !== now) fitActor(session, old, now);
   if (!after.actors.some(({ clip }) => clip !== null)) playing.value = false;
+  if (!after.shots.some(({ id }) => id === shownShot.value)) shownShot.value = null;
 }
 
 /** Selects another actor of the scene. */

@@ -8,6 +8,7 @@ import type { MethodId } from '../skinning/method.ts';
 import { defaultDeformation } from '../skinning/registry.ts';
 import { type ActorLook, plainLook } from './actor-look.ts';
 import { type Environment, studio } from './environment.ts';
+import type { Shot } from './shots.ts';
 
 /**
  * Everything that is saved and undone, as a value. It is never changed in place, so that older
@@ -16,6 +17,7 @@ import { type Environment, studio } from './environment.ts';
 export interface Scene {
   readonly actors: readonly Actor[];
   readonly environment: Environment;
+  readonly shots: readonly Shot[];
 }
 
 export type ActorId = number;
@@ -87,7 +89,7 @@ export type KeptState = Partial<
   >
 >;
 
-export const emptyScene: Scene = { actors: [], environment: studio };
+export const emptyScene: Scene = { actors: [], environment: studio, shots: [] };
 
 /** The identity: no placement by the user. */
 export const unmoved: Transform = { position: [0, 0, 0], rotation: [0, 0, 0, 1], scale: 1 };
@@ -138,7 +140,8 @@ export function sameScene(a: Scene, b: Scene): boolean {
   return (
     a.actors.length === b.actors.length &&
     a.actors.every((actor, i) => actor === b.actors[i] || sameActor(actor, b.actors[i]!)) &&
-    sameValue(a.environment, b.environment)
+    sameValue(a.environment, b.environment) &&
+    sameValue(a.shots, b.shots)
   );
 }
 

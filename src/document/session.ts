@@ -4,6 +4,7 @@ import type { Diagnostic } from '../core/diagnostics.ts';
 import type { ActorId } from './scene.ts';
 import type { KernelId } from '../skinning/method.ts';
 import type { PlayMode } from '../posing/playhead.ts';
+import type { ShotId } from './shots.ts';
 import type { Verification } from './verification.ts';
 
 /** The processor that skins the vertices. */
@@ -84,6 +85,10 @@ export class Session {
   readonly posesBy = signal<PosesBy>('selection');
   /** Whether the view was last used by touch, where handles are larger. */
   readonly byTouch = signal(false);
+  /** The shot whose frame the view shows, or null. */
+  readonly shownShot = signal<ShotId | null>(null);
+  /** Whether the frame shows lines at its thirds. */
+  readonly showThirds = signal(false);
   /** Whether the camera stays in place and looks around. */
   readonly firstPerson = signal(false);
   /** The degree of freedom that was last changed, for the text in the view. */

@@ -3,6 +3,7 @@ import { type Camera, startCamera } from './camera.ts';
 import { selectActor } from './reconcile.ts';
 import type { Scene } from './scene.ts';
 import { Session } from './session.ts';
+import { shotById } from './shots.ts';
 
 type SignalName = {
   [Key in keyof Session]: Session[Key] extends Signal ? Key : never;
@@ -17,6 +18,8 @@ const savedSignals = [
   'translucent',
   'showTextures',
   'comparedKernel',
+  'shownShot',
+  'showThirds',
   'posesBy',
   'clipIndex',
   'clipTime',
@@ -82,6 +85,7 @@ export function showView(
 ): void {
   batch(() => {
     for (const name of savedSignals) (session[name] as Signal<unknown>).value = signals[name];
+    session.shownShot.value = shotById(scene, signals.shownShot)?.id ?? null;
     const actor = selected === null ? undefined : scene.actors[selected];
     if (!actor) return;
     selectActor(session, scene, actor.id);

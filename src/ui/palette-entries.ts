@@ -8,6 +8,7 @@ import { contexts } from './commands/contexts.ts';
 import { commandGroups } from './commands/registry.ts';
 import type { Editor } from './editor.ts';
 import type { Findable } from './rank-entries.ts';
+import { goToShot } from './shots.ts';
 import { tabs } from './tabs.ts';
 
 /** A row of the command palette. */
@@ -32,6 +33,7 @@ export function paletteEntries(editor: Editor): readonly PaletteEntry[] {
     ...methodEntries(editor),
     ...characterEntries(editor),
     ...sceneEntries(editor),
+    ...shotEntries(editor),
     ...jointEntries(editor),
   ];
 }
@@ -94,6 +96,14 @@ function sceneEntries(editor: Editor): PaletteEntry[] {
     dataEntry('Scenes', `scene ${id}`, `Open ${label}`, () =>
       attempt(editor, editor.openBundledScene(id)),
     ),
+  );
+}
+
+function shotEntries(editor: Editor): PaletteEntry[] {
+  return editor.store.scene.value.shots.map((shot) =>
+    dataEntry('Shots', `shot ${shot.id}`, `Go to ${printable(shot.name, 80)}`, () => {
+      goToShot(editor, shot);
+    }),
   );
 }
 

@@ -123,6 +123,11 @@ export const sections: readonly Section[] = [
       guiSection((await loadPart(import('./controls/camera-folder.ts'))).addCameraFolder),
   },
   {
+    id: 'shots',
+    place: 'right',
+    load: async () => (await loadPart(import('./panels/shots-panel.tsx'))).ShotsPanel,
+  },
+  {
     id: 'view',
     place: 'right',
     load: async () =>

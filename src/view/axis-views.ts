@@ -37,6 +37,6 @@ export function axisViewOf({ azimuth, elevation }: Camera): AxisView | undefined
 }
 
 /** The angle between two azimuths, within half a turn. */
-function turnBetween(from: number, to: number): number {
+export function turnBetween(from: number, to: number): number {
   return Math.atan2(Math.sin(to - from), Math.cos(to - from));
 }

@@ -7,7 +7,7 @@ import { sessionOptionsOf } from './view-options.ts';
 /** Returns the view at a place as the overlay sees it; its pixels are CSS pixels. */
 export function overlayViewAt({ viewer }: Looking, { viewHeight }: PickPlace): OverlayView {
   const width = viewHeight * viewer.aspect;
-  return { camera: viewer.camera.value, width, height: viewHeight };
+  return { camera: viewer.viewCamera.value, width, height: viewHeight };
 }
 
 /** The place in pixels from the view's middle, y up. */

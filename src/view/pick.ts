@@ -46,7 +46,7 @@ export interface Looking {
 
 /** Returns the view ray through a place of the view, in the selected character's space. */
 export function characterRayAt({ evaluations, viewer }: Looking, { x, y }: PickPlace): Ray {
-  const ray = rayThrough(viewer.camera.value, viewer.aspect, x, y);
+  const ray = rayThrough(viewer.viewCamera.value, viewer.aspect, x, y);
   const shown = evaluations.selected();
   return shown ? characterRay(shown.display, ray) : ray;
 }
@@ -77,7 +77,7 @@ function hitOf(shown: Evaluation, look: Looking, place: PickPlace): Hit | null {
   const { session, viewer } = look;
   const { characterFromJoint, skin, display, state } = shown;
   const { character } = state;
-  const camera = viewer.camera.value;
+  const camera = viewer.viewCamera.value;
   const sceneRay = rayThrough(camera, viewer.aspect, place.x, place.y);
   const ray = characterRay(display, sceneRay);
   const at = (joint: number | null, distance: number, bone?: Bone | null): Hit => ({

@@ -10,6 +10,7 @@ import type { VertexStreams } from '../skinning/method.ts';
 import { deformationOf } from '../skinning/registry.ts';
 import type { Camera } from '../document/camera.ts';
 import { frameBox, startCamera } from './camera.ts';
+import type { Framing } from './shot-frame.ts';
 import { imageProblem } from './image-problem.ts';
 import { createFrame, type Frame, pictureSize } from './frame.ts';
 import type { Pace } from './pace.ts';
@@ -33,6 +34,7 @@ export interface CaptureSize {
  * while, everything else continues to work.
  */
 export class Viewer {
+  /** Its field of view is that of a shot's picture while there is `framing`, or else of the view. */
   readonly camera = signal(startCamera);
   readonly theme = signal<ThemeName>('light');
   /** The passes in the order of drawing; a page may start with few. */
@@ -62,6 +64,12 @@ export class Viewer {
     const options = viewOptionsOf(this.session, this.store.scene.value);
     return this.passes.value.flatMap((pass) => (pass.isShown(options) ? pass.id : [])).join();
   });
+  /** How a shot's picture lies in the view, or null while that is the whole view. */
+  readonly framing = signal<Framing | null>(null);
+  /** The camera of the whole view. */
+  readonly viewCamera = computed(
+    () => this.framing.value?.viewCamera(this.camera.value, this.aspect) ?? this.camera.value,
+  );
   private readonly canvas: HTMLCanvasElement;
   private readonly store: Store;
   private readonly evaluations: Evaluations;
@@ -107,7 +115,7 @@ export class Viewer {
    * beside it.
    */
   get contents(): readonly ViewContent[] {
-    const camera = this.camera.value;
+    const camera = this.viewCamera.value;
     const compared = this.session.comparedKernel.value;
     const own = { camera, overrides: {} };
     if (compared === null) return [own];
@@ -116,7 +124,9 @@ export class Viewer {
 
   /** The aspect ratio of one of the views that are side by side. */
   get aspect(): number {
-    return this.size.value.width / this.contents.length / this.size.value.height;
+    const { width, height } = this.size.value;
+    const count = this.session.comparedKernel.value === null ? 1 : 2;
+    return width / count / height;
   }
 
   resize(width: number, height: number): void {
@@ -125,8 +135,10 @@ export class Viewer {
     this.canvas.width = width;
     this.canvas.height = height;
     this.size.value = { width, height };
-    // What was in the picture stays in it, unless the user has moved the camera since.
-    if (this.framed?.camera === this.camera.value) this.frame(this.framed.box);
+    // What was in the picture stays in it, unless the user has moved the camera since. A shot is the
+    // same at every size.
+    if (this.framed?.camera === this.camera.value && !this.framing.value)
+      this.frame(this.framed.box);
     // Resizing empties the canvas, and it would stay empty until the next frame.
     this.show();
   }
@@ -193,7 +205,7 @@ export class Viewer {
 
   /** Changes the camera's distance and target so that a box of the scene is in the picture. */
   frame(box: Bounds): void {
-    const camera = frameBox(this.camera.value, box, this.aspect);
+    const camera = frameBox(this.camera.value, box, this.framing.value?.ratio ?? this.aspect);
     this.framed = { camera, box };
     this.camera.value = camera;
   }

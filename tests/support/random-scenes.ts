@@ -3,6 +3,7 @@ import { buildCharacter } from '../../src/core/build-character.ts';
 import type { Character } from '../../src/core/character.ts';
 import type { Light } from '../../src/document/environment.ts';
 import { type Actor, type Scene, type Source, unmoved } from '../../src/document/scene.ts';
+import { aspects, type Shot } from '../../src/document/shots.ts';
 import { normalWays, methods } from '../../src/skinning/registry.ts';
 import { partsOfRig } from '../fixtures/character-of-rig.ts';
 import { allRigs } from '../fixtures/rigs.ts';
@@ -35,6 +36,20 @@ const light: fc.Arbitrary<Light> = fc.record({
   intensity: fc.double({ min: 0, max: 100, noNaN: true }),
   azimuth: fc.double({ min: -360, max: 360, noNaN: true }),
   elevation: fc.double({ min: -90, max: 90, noNaN: true }),
+});
+
+const shot: fc.Arbitrary<Shot> = fc.record({
+  id: fc.nat(),
+  name: fc.string(),
+  camera: fc.record({
+    target: triple,
+    distance: fc.double({ min: 1e-3, max: 1e3, noNaN: true }),
+    azimuth: fc.double({ min: -99, max: 99, noNaN: true }),
+    elevation: fc.double({ min: -2, max: 2, noNaN: true }),
+    fieldOfView: fc.double({ min: 0.01, max: 3, noNaN: true }),
+    projection: fc.constantFrom('perspective', 'orthographic'),
+  }),
+  aspect: fc.constantFrom(...aspects.map(({ id }) => id)),
 });
 
 const hash = fc
@@ -94,4 +109,5 @@ export const randomScene: fc.Arbitrary<Scene> = fc.record({
     .array(fc.constantFrom(...characters).chain(actorOf), { maxLength: 5 })
     .map((actors) => actors.map((actor, at) => ({ ...actor, id: at + 1 }))),
   environment: fc.record({ lights: fc.array(light, { maxLength: 5 }) }),
+  shots: fc.uniqueArray(shot, { maxLength: 4, selector: ({ id }) => id }),
 });

@@ -5,6 +5,7 @@ import { bindClip } from '../../src/document/edits.ts';
 import { openCharacter } from '../../src/document/open-characters.ts';
 import { reconcile } from '../../src/document/reconcile.ts';
 import { Session } from '../../src/document/session.ts';
+import { addShot } from '../../src/document/shots.ts';
 import { Store } from '../../src/document/store.ts';
 import { Transport } from '../../src/document/transport.ts';
 import { workspaces } from '../../src/app/workspaces.ts';
@@ -101,6 +102,10 @@ describe('the palette', () => {
     session.boneMode.value = true;
     progress.value = { label: 'Reading', fraction: 0 };
     store.redo();
+    expect(listed()).not.toContain('update-shot');
+    const moved = { ...startCamera, azimuth: 1 };
+    store.dispatch(addShot({ id: 1, name: 'Shot 1', camera: moved, aspect: '4:5' }));
+    session.shownShot.value = 1;
     for (const id of listed()) seen.add(id);
     session.selectedJoint.value = null;
     for (const id of listed()) seen.add(id);

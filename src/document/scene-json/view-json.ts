@@ -17,6 +17,8 @@ const signals: Codecs<SavedSignals> = {
   translucent: flag,
   showTextures: flag,
   comparedKernel: orNull(oneOf(kernels.map(({ id }) => id))),
+  shownShot: orNull(index),
+  showThirds: flag,
   posesBy: oneOf(['selection', 'mode']),
   clipIndex: index,
   clipTime: seconds,

@@ -5,6 +5,7 @@ import type { Command } from './command.ts';
 import { editCommands } from './edit-commands.ts';
 import { fileCommands } from './file-commands.ts';
 import { jointCommands } from './joint-commands.ts';
+import { shotCommands } from './shot-commands.ts';
 import { viewCommands } from './view-commands.ts';
 
 /** Every command by the file it stands in, in the order of the help sheet. */
@@ -15,6 +16,7 @@ const groups = [
   { label: 'Joints', commands: jointCommands },
   { label: 'Clip', commands: clipCommands },
   { label: 'Camera', commands: [...cameraCommands, ...axisCommands] },
+  { label: 'Shots', commands: shotCommands },
 ] as const;
 
 export type CommandId = (typeof groups)[number]['commands'][number]['id'];

@@ -37,21 +37,20 @@ export function addCameraFolder(gui: GUI, editor: Editor): void {
     () => axisViewOf(camera.value)?.id ?? 'free',
     (id) => id !== 'free' && runCommand(commandOf(`view-${id}`), editor),
   );
-  const lens = folder.add(focalLength, 'value', 12, 200).decimals(1);
-  const rows = [
+  const place = [
     folder.add(distance, 'value', 0.02, 10).name('Distance').decimals(2),
     folder.add(angle('azimuth'), 'value', -180, 180).name('Azimuth °').decimals(1),
     folder.add(angle('elevation'), 'value', -90, 90).name('Elevation °').decimals(1),
-    lens,
-    folder.add(direction, 'value', directions).name('From'),
   ];
+  const lens = folder.add(focalLength, 'value', 12, 200).decimals(1);
+  const from = folder.add(direction, 'value', directions).name('From');
   addCommandRow(folder, editor, 'orthographic');
   addCommandRow(folder, editor, 'frame');
   addCommandRow(folder, editor, 'reset-camera');
   addCommandRow(folder, editor, 'first-person');
   watch([camera], () => {
     const { projection, fieldOfView } = camera.value;
-    for (const row of rows) row.updateDisplay();
+    for (const row of [...place, lens, from]) row.updateDisplay();
     // Without perspective the lens does the same as the distance.
     lens.show(projection === 'perspective');
     lens.name(`Lens mm (${(fieldOfView * degreesPerRadian).toFixed(1)}°)`);

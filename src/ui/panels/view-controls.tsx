@@ -17,6 +17,7 @@ export function ViewControls({ editor }: { readonly editor: Editor }) {
         <CommandButton editor={editor} command="compare" icon="compare" />
       </div>
       <div class="view-camera" role="group" aria-label="Camera">
+        <CommandButton editor={editor} command="add-shot" icon="shot" />
         <CommandButton editor={editor} command="frame" icon="frame" />
         <CommandButton editor={editor} command="reset-camera" icon="home" />
       </div>

@@ -9,6 +9,7 @@ import { formatDegrees } from '../angle-text.ts';
 import type { Editor, Looking, Posing } from '../editor.ts';
 import { hintAt } from '../hints.ts';
 import { CommandButton } from './command-button.tsx';
+import { ShotOverlay } from './shot-overlay.tsx';
 import { ViewControls } from './view-controls.tsx';
 
 /** The number of ancestors that are named, the nearest ones. */
@@ -21,6 +22,7 @@ const longestChain = 4;
 export function ViewOverlay({ editor }: { readonly editor: Editor }) {
   return (
     <>
+      <ShotOverlay editor={editor} />
       <ViewControls editor={editor} />
       <ProgressBox editor={editor} />
       <ViewMessage editor={editor} />
@@ -36,7 +38,8 @@ export function ViewOverlay({ editor }: { readonly editor: Editor }) {
 /** What a newcomer may try next in the view; it goes once that was done. */
 function ViewHint({ editor: { hints, store, session } }: { readonly editor: Editor }) {
   const hint = hintAt(hints.value, 'view');
-  const isQuiet = session.activeDof.value === null && store.scene.value.actors.length > 0;
+  const isBusy = session.activeDof.value !== null || session.shownShot.value !== null;
+  const isQuiet = !isBusy && store.scene.value.actors.length > 0;
   return hint && isQuiet ? <p class="view-hint">{hint.text}</p> : null;
 }
 

@@ -66,7 +66,7 @@ function turnBone(editor: Looking, from: ToolPlace, target: BoneTarget): ToolDra
   };
 
   function start(place: ToolPlace, grabbed: readonly [number, number, number]) {
-    const camera = viewer.camera.value;
+    const camera = viewer.viewCamera.value;
     const pixel = sizeOfPixel(camera, place.viewHeight) * target.distance;
     return beginDrag({
       skeleton,

@@ -12,11 +12,12 @@ const zoomPerHeight = 3;
 export const orbitTool: Tool = {
   id: 'orbit',
   poses: false,
-  press: (_, button, { viewer: { camera } }) => ({
+  press: (_, button, { viewer: { camera, viewCamera } }) => ({
     move({ place: { viewHeight }, deltaX, deltaY }) {
       const [x, y] = [deltaX / viewHeight, deltaY / viewHeight];
-      if (button === 1) camera.value = pan(camera.value, -x, y);
-      else if (button === 2) camera.value = zoom(camera.value, Math.exp(y * zoomPerHeight));
+      if (button === 1) {
+        camera.value = { ...camera.value, target: pan(viewCamera.value, -x, y).target };
+      } else if (button === 2) camera.value = zoom(camera.value, Math.exp(y * zoomPerHeight));
       else camera.value = orbit(camera.value, -x * turnPerHeight, y * turnPerHeight);
     },
     end: () => undefined,

@@ -49,7 +49,7 @@ function turnByRing(editor: Looking, pressed: ToolPlace, { ring, ...place }: Giz
     ...(ballAxis === undefined ? {} : { ballAxis }),
   };
   const view = overlayViewAt(editor, pressed);
-  const seen = seenRing(place, eyeOf(viewer.camera.value), pixelsIn(view));
+  const seen = seenRing(place, eyeOf(viewer.viewCamera.value), pixelsIn(view));
   const label = `Turn ${name}`;
   const gesture = store.begin(label);
   let present: Float64Array = pose.q.slice();
