@@ -17,7 +17,7 @@ import { cacheFolder, findOnPath, root } from './commands.mjs';
 const influencePairs = [1, 2, 3, 4, 0];
 const paletteRows = [1024, 4096, 0];
 /** The looks of src/view/passes/mesh.ts; passes that know none of them ignore them. */
-const looks: readonly Defines[] = [{}, { FACETED: 1 }, { GLOSSY: 1 }, { FACETED: 1, GLOSSY: 1 }];
+const looks: readonly Defines[] = [{}, { FACETED: 1 }];
 
 interface Program {
   readonly name: string;

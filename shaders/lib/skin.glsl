@@ -1,5 +1,5 @@
-// Shades the posed skin in the studio's light: faceted if FACETED is defined, and otherwise smooth;
-// with the highlight of its material if GLOSSY is defined.
+// Shades the posed skin in the studio's light, with the highlight of its material: faceted if
+// FACETED is defined, and otherwise smooth.
 #include "lib/color.glsl"
 #include "lib/studio.glsl"
 
@@ -10,7 +10,7 @@ centroid in vec3 sceneNormal;
 uniform vec3 albedo;
 // Below 1, what is behind the surface shows through.
 uniform float opacity;
-// The color of the material's highlight, black if it has none, and its exponent.
+// The color of the material's highlight and its exponent, which is 0 if it has none.
 uniform vec3 specular;
 uniform float shininess;
 

@@ -29,8 +29,8 @@ float highlight(vec3 toLight, vec3 view, vec3 normal, float shininess) {
   return pow(along, shininess) * step(0.0, dot(normal, toLight));
 }
 
-// Shades a matte surface that also has a highlight from key and fill. Normal and view have unit
-// length.
+// Shades a matte surface that also has a highlight from key and fill, unless its exponent is 0.
+// Normal and view have unit length.
 vec3 shade(
   vec3 albedo, vec3 specular, float shininess, vec3 normal, vec3 view, vec3 position
 ) {
@@ -53,14 +53,14 @@ vec3 shade(
     float squared = sheen * sheen;
     gloss += keyColor * (0.06 * visibility * squared * squared * squared * sheen);
   }
-#ifdef GLOSSY
-  vec3 glint = keyColor * highlight(keyDirection, view, normal, shininess) * visibility;
-  glint += fillColor * highlight(fillDirection, view, normal, shininess);
-  gloss += specular * glint;
-#endif
+  if (shininess > 0.0) {
+    vec3 glint = keyColor * highlight(keyDirection, view, normal, shininess) * visibility;
+    glint += fillColor * highlight(fillDirection, view, normal, shininess);
+    gloss += specular * glint;
+  }
   return albedo * light + gloss;
 }
 
 vec3 shadeMatte(vec3 albedo, vec3 normal, vec3 view, vec3 position) {
-  return shade(albedo, vec3(0.0), 1.0, normal, view, position);
+  return shade(albedo, vec3(0.0), 0.0, normal, view, position);
 }

@@ -45,7 +45,7 @@ export class Renderer {
     this.gpu = new Gpu(gl);
     this.layout = layout;
     this.programs = new Programs(this.gpu);
-    for (const [name, defines] of firstPrograms) this.programs.pass(name, defines);
+    for (const name of firstPrograms) this.programs.pass(name);
     gl.enable(gl.DEPTH_TEST);
   }
 

@@ -1,4 +1,3 @@
-import type { Defines } from '../../gl/shader-library.ts';
 import type { Pass } from '../pass.ts';
 import { backdropPass } from './backdrop.ts';
 import { floorPass } from './floor.ts';
@@ -11,12 +10,11 @@ export const firstPasses: readonly Pass[] = [floorPass, backdropPass, meshPass];
  * The programs of the first picture, which are compiled while its character is read. Other programs
  * are compiled for the first picture that they are in.
  */
-export const firstPrograms: readonly (readonly [name: string, defines?: Defines])[] = [
-  ['key-shadow'],
-  ['contact-shadow'],
-  ['blur'],
-  ['floor'],
-  ['backdrop'],
-  ['mesh'],
-  ['mesh', { GLOSSY: 1 }],
+export const firstPrograms: readonly string[] = [
+  'key-shadow',
+  'contact-shadow',
+  'blur',
+  'floor',
+  'backdrop',
+  'mesh',
 ];

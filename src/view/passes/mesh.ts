@@ -52,12 +52,12 @@ export const meshPass: Pass = {
     function drawSurfaces(frame: Frame, view: CharacterView, opacity: number): void {
       const { surfaces, textures } = view;
       const { look } = view.state;
+      const defines = definesOf(look);
       const isDressed = surfaces.some(({ albedo, texture }) => albedo ?? textures.find(texture));
       if (!frame.options.showTextures || !isDressed) {
-        const polish = polishOf(look);
-        const program = programs.pass('mesh', definesOf(look, polish.shininess > 0));
+        const program = programs.pass('mesh', defines);
         useProgram(program, frame, view);
-        program.set({ albedo: palette.clays[look.clay]!, ...polish, opacity });
+        program.set({ albedo: palette.clays[look.clay]!, ...polishOf(look), opacity });
         for (const { submesh } of surfaces) drawOpaque(frame, view, program, submesh);
         return;
       }
@@ -65,10 +65,6 @@ export const meshPass: Pass = {
       for (const { submesh, albedo, alpha, twoSided, texture: name, ...gloss } of surfaces) {
         if (alpha * opacity < leastOpacity) continue;
         const texture = textures.find(name);
-        const defines = definesOf(
-          look,
-          gloss.specular.some((channel) => channel > 0),
-        );
         const program = programs.pass(texture ? 'mesh-textured' : 'mesh', defines);
         if (program !== used) useProgram((used = program), frame, view);
         texture?.bind(textureUnit);
@@ -115,9 +111,9 @@ export const meshPass: Pass = {
   },
 };
 
-/** The variant of a program; a look that is not needed costs nothing. */
-function definesOf({ shading }: ActorLook, isGlossy: boolean): Defines {
-  return { ...(shading === 'faceted' && { FACETED: 1 }), ...(isGlossy && { GLOSSY: 1 }) };
+/** The variant of a program. */
+function definesOf({ shading }: ActorLook): Defines {
+  return shading === 'faceted' ? { FACETED: 1 } : {};
 }
 
 /** The highlight of clay: matte has none, and what is smoother has a smaller and brighter one. */
