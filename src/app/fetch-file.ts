@@ -43,7 +43,7 @@ export async function fetchChecked(url: URL, signal?: AbortSignal): Promise<Resp
 }
 
 function gunzip(bytes: Uint8Array<ArrayBuffer>): ReadableStream<Uint8Array<ArrayBuffer>> {
-  return new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
+  return new Response(bytes).body!.pipeThrough(new DecompressionStream('gzip'));
 }
 
 /** Reads all bytes of a stream, and cancels it if there are more than the limit. */
@@ -68,5 +68,11 @@ async function collect(
     reader.cancel().catch(() => undefined); // a failure to cancel does not matter
     throw new Failure(`${pathname} has more than ${limit} bytes`);
   }
-  return new Uint8Array(await new Blob(parts).arrayBuffer());
+  const bytes = new Uint8Array(size);
+  let at = 0;
+  for (const part of parts) {
+    bytes.set(part, at);
+    at += part.length;
+  }
+  return bytes;
 }

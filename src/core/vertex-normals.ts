@@ -28,13 +28,26 @@ export function computeVertexNormals(
     else normals.set(up, i);
   }
 
+  // No arrays are taken apart here, because code that is still cold does create them.
   function addTriangle(a: number, b: number, c: number): void {
-    const [ax, ay, az] = [positions[a]!, positions[a + 1]!, positions[a + 2]!];
-    const [bx, by, bz] = [positions[b]!, positions[b + 1]!, positions[b + 2]!];
-    const [cx, cy, cz] = [positions[c]!, positions[c + 1]!, positions[c + 2]!];
-    const [abx, aby, abz] = [bx - ax, by - ay, bz - az];
-    const [bcx, bcy, bcz] = [cx - bx, cy - by, cz - bz];
-    const [cax, cay, caz] = [ax - cx, ay - cy, az - cz];
+    const ax = positions[a]!;
+    const ay = positions[a + 1]!;
+    const az = positions[a + 2]!;
+    const bx = positions[b]!;
+    const by = positions[b + 1]!;
+    const bz = positions[b + 2]!;
+    const cx = positions[c]!;
+    const cy = positions[c + 1]!;
+    const cz = positions[c + 2]!;
+    const abx = bx - ax;
+    const aby = by - ay;
+    const abz = bz - az;
+    const bcx = cx - bx;
+    const bcy = cy - by;
+    const bcz = cz - bz;
+    const cax = ax - cx;
+    const cay = ay - cy;
+    const caz = az - cz;
     const nx = abz * cay - aby * caz;
     const ny = abx * caz - abz * cax;
     const nz = aby * cax - abx * cay;

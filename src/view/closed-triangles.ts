@@ -21,7 +21,8 @@ export function closedTriangles(mesh: Mesh): ClosedTriangles {
   const edges = new EdgeSums(indices.length);
   for (let first = 0; first < indices.length; first += 3) {
     for (let i = 0; i < 3; i++) {
-      const [from, to] = [corner(first + i), corner(first + ((i + 1) % 3))];
+      const from = corner(first + i);
+      const to = corner(first + ((i + 1) % 3));
       parts.join(from, to);
       edges.add(from, to);
     }
@@ -30,7 +31,8 @@ export function closedTriangles(mesh: Mesh): ClosedTriangles {
   for (let first = 0; first < indices.length; first += 3) {
     volumes[parts.of(corner(first))]! += signedVolume(positions, indices, first);
   }
-  const isOpen = Uint8Array.from(volumes, (volume) => (volume > 0 ? 0 : 1));
+  const isOpen = new Uint8Array(pointCount);
+  for (let part = 0; part < pointCount; part++) isOpen[part] = volumes[part]! > 0 ? 0 : 1;
   edges.forEachUnmatched((point) => (isOpen[parts.of(point)] = 1));
 
   const sorted = new Uint32Array(indices);
@@ -56,8 +58,12 @@ function signedVolume(positions: Float32Array, indices: Uint32Array, first: numb
   const a = 3 * indices[first]!;
   const b = 3 * indices[first + 1]!;
   const c = 3 * indices[first + 2]!;
-  const [bx, by, bz] = [positions[b]!, positions[b + 1]!, positions[b + 2]!];
-  const [cx, cy, cz] = [positions[c]!, positions[c + 1]!, positions[c + 2]!];
+  const bx = positions[b]!;
+  const by = positions[b + 1]!;
+  const bz = positions[b + 2]!;
+  const cx = positions[c]!;
+  const cy = positions[c + 1]!;
+  const cz = positions[c + 2]!;
   return (
     positions[a]! * (by * cz - bz * cy) +
     positions[a + 1]! * (bz * cx - bx * cz) +
@@ -70,7 +76,8 @@ class Parts {
   private readonly parents: Uint32Array;
 
   constructor(pointCount: number) {
-    this.parents = Uint32Array.from({ length: pointCount }, (_, point) => point);
+    this.parents = new Uint32Array(pointCount);
+    for (let point = 0; point < pointCount; point++) this.parents[point] = point;
   }
 
   of(point: number): number {
@@ -103,7 +110,8 @@ class EdgeSums {
   add(from: number, to: number): void {
     const { lower, upper, mask } = this;
     if (from === to) return;
-    const [a, b] = from < to ? [from, to] : [to, from];
+    const a = Math.min(from, to);
+    const b = Math.max(from, to);
     let slot = (Math.imul(a, 0x9e3779b1) ^ Math.imul(b, 0x85ebca6b)) & mask;
     while (lower[slot] !== -1 && (lower[slot] !== a || upper[slot] !== b)) slot = (slot + 1) & mask;
     lower[slot] = a;

@@ -69,20 +69,22 @@ export async function triangulateFaces(
     }
   }
   while (firstTriangles.length < runs.length) firstTriangles.push(filled / 3);
-  const kept = order.subarray(0, filled);
-  return {
-    corners: {
-      cornerPoints: Uint32Array.from(kept, (corner) => points[corner]!),
-      cornerUvs: Int32Array.from(kept, (corner) => uvs[corner]!),
-      cornerNormals: Int32Array.from(kept, (corner) => normals[corner]!),
-    },
-    firstTriangles,
-    degenerateCount,
-  };
+  const cornerPoints = new Uint32Array(filled);
+  const cornerUvs = new Int32Array(filled);
+  const cornerNormals = new Int32Array(filled);
+  for (let i = 0; i < filled; i++) {
+    const corner = order[i]!;
+    cornerPoints[i] = points[corner]!;
+    cornerUvs[i] = uvs[corner]!;
+    cornerNormals[i] = normals[corner]!;
+  }
+  return { corners: { cornerPoints, cornerUvs, cornerNormals }, firstTriangles, degenerateCount };
 
   function addQuad(start: number): void {
-    const [a, b] = [points[start]!, points[start + 1]!];
-    const [c, d] = [points[start + 2]!, points[start + 3]!];
+    const a = points[start]!;
+    const b = points[start + 1]!;
+    const c = points[start + 2]!;
+    const d = points[start + 3]!;
     const from = quadStart(positions, a, b, c, d);
     const across = start + ((from + 2) % 4);
     add(start + from, start + ((from + 1) % 4), across);

@@ -34,7 +34,8 @@ export function needsEarClipping(
 
 /**
  * The corner (0 to 3) at which both triangles of a quad start: the one that points inward, of which a quad
- * has at most one, else the first. Meshes are made of quads, so nothing is allocated here.
+ * has at most one, else the first. Meshes are made of quads, so nothing is allocated here, not even
+ * arrays to take apart, which code that is still cold does create.
  *
  * @param positions xyz triples
  * @param a a to d: indices of positions, in order around the face
@@ -49,14 +50,21 @@ export function quadStart(
   const normalX = newellTerm(positions, a, b, c, d, 1, 2);
   const normalY = newellTerm(positions, a, b, c, d, 2, 0);
   const normalZ = newellTerm(positions, a, b, c, d, 0, 1);
-  const [x, y, z] = [Math.abs(normalX), Math.abs(normalY), Math.abs(normalZ)];
+  const x = Math.abs(normalX);
+  const y = Math.abs(normalY);
+  const z = Math.abs(normalZ);
   const dropped = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
-  const [u, v] = [(dropped + 1) % 3, (dropped + 2) % 3];
+  const u = (dropped + 1) % 3;
+  const v = (dropped + 2) % 3;
   const flip = (dropped === 0 ? normalX : dropped === 1 ? normalY : normalZ) < 0 ? -1 : 1;
-  const [au, av] = [positions[a * 3 + u]!, positions[a * 3 + v]! * flip];
-  const [bu, bv] = [positions[b * 3 + u]!, positions[b * 3 + v]! * flip];
-  const [cu, cv] = [positions[c * 3 + u]!, positions[c * 3 + v]! * flip];
-  const [du, dv] = [positions[d * 3 + u]!, positions[d * 3 + v]! * flip];
+  const au = positions[a * 3 + u]!;
+  const av = positions[a * 3 + v]! * flip;
+  const bu = positions[b * 3 + u]!;
+  const bv = positions[b * 3 + v]! * flip;
+  const cu = positions[c * 3 + u]!;
+  const cv = positions[c * 3 + v]! * flip;
+  const du = positions[d * 3 + u]!;
+  const dv = positions[d * 3 + v]! * flip;
   const inwardA = cross(du, dv, au, av, bu, bv) < 0;
   const inwardB = cross(au, av, bu, bv, cu, cv) < 0;
   const inwardC = cross(bu, bv, cu, cv, du, dv) < 0;
@@ -75,10 +83,14 @@ function newellTerm(
   u: number,
   v: number,
 ): number {
-  const [au, av] = [positions[a * 3 + u]!, positions[a * 3 + v]!];
-  const [bu, bv] = [positions[b * 3 + u]!, positions[b * 3 + v]!];
-  const [cu, cv] = [positions[c * 3 + u]!, positions[c * 3 + v]!];
-  const [du, dv] = [positions[d * 3 + u]!, positions[d * 3 + v]!];
+  const au = positions[a * 3 + u]!;
+  const av = positions[a * 3 + v]!;
+  const bu = positions[b * 3 + u]!;
+  const bv = positions[b * 3 + v]!;
+  const cu = positions[c * 3 + u]!;
+  const cv = positions[c * 3 + v]!;
+  const du = positions[d * 3 + u]!;
+  const dv = positions[d * 3 + v]!;
   return (
     (au - bu) * (av + bv) + (bu - cu) * (bv + cv) + (cu - du) * (cv + dv) + (du - au) * (dv + av)
   );
