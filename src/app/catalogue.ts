@@ -50,7 +50,7 @@ export async function fetchCatalogue(): Promise<Catalogue> {
 
 /** Fetches the character's files, including its pose. */
 export function fetchBundled(
-  { files, pose }: CatalogueEntry,
+  { files, pose }: Pick<CatalogueEntry, 'files' | 'pose'>,
   signal: AbortSignal,
 ): Promise<LooseFile[]> {
   const paths = pose === undefined ? files : [...files, pose];

@@ -3,6 +3,8 @@ import { hasErrors } from '../core/diagnostics.ts';
 import { loadPart } from '../core/failure.ts';
 import { BallAngles } from '../document/ball-angles.ts';
 import { removeActor, removeActors, resetPose } from '../document/edits.ts';
+import { replaceScene } from '../document/scene-edits.ts';
+import { emptyScene } from '../document/scene.ts';
 import { openCharacter } from '../document/open-characters.ts';
 import { selectActor } from '../document/reconcile.ts';
 import { selectedActor } from '../document/selected-actor.ts';
@@ -10,7 +12,7 @@ import { isUntouched } from '../document/untouched.ts';
 import { Transport } from '../document/transport.ts';
 import { placeInRow } from '../evaluation/placing.ts';
 import { sceneBounds } from '../evaluation/scene-bounds.ts';
-import { readableExtensions } from '../formats/extensions.ts';
+import { readableExtensions, sceneExtension } from '../formats/extensions.ts';
 import { writeObj } from '../formats/obj/write-obj.ts';
 import { poseToJson } from '../formats/write-pose-json.ts';
 import { copyText } from '../ui/copy-text.ts';
@@ -42,7 +44,7 @@ export function createEditor(
     tab: signal('pose'),
     hints: createHints(canvas, opening),
     drawer: signal<Drawer | null>(null),
-    fileExtensions: [...new Set([...readableExtensions, '.json', '.png'])],
+    fileExtensions: [...new Set([sceneExtension, ...readableExtensions, '.json', '.png'])],
 
     scenes,
 
@@ -86,7 +88,9 @@ export function createEditor(
     },
 
     clearScene() {
-      store.dispatch(removeActors('New scene'));
+      store.dispatch(replaceScene(emptyScene, 'New scene'));
+      Object.assign(opening.parts.target, { handle: null, name: 'scene' });
+      opening.wanted.value = null;
       notice.value = 'New scene';
     },
 
@@ -154,6 +158,16 @@ export function createEditor(
       const bytes = writeObj(state.character.mesh, viewer.vertices(state, 'cpu'));
       download(`${state.name}-posed.obj`, bytes as BlobPart, 'text/plain');
       notice.value = 'Posed mesh saved as OBJ';
+    },
+
+    async saveScene(asNew) {
+      const { saveScene } = await loadPart(import('./scenes/save-scene.ts'));
+      await saveScene(opening.parts, asNew);
+    },
+
+    async copyLink() {
+      const { copyLink } = await loadPart(import('./scenes/copy-link.ts'));
+      await copyLink(opening.parts);
     },
 
     async savePicture(options) {

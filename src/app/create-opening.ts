@@ -15,10 +15,13 @@ import type { CatalogueEntry, CatalogueScene } from './catalogue.ts';
 import { FileOpener, type OpenOutcome } from './open-files.ts';
 import { type OpeningScene, openScene } from './open-scene.ts';
 import { ProgressMeter } from './progress-meter.ts';
+import type { SceneParts } from './scenes/scene-parts.ts';
 import { workspaces } from './workspaces.ts';
 
 /** What opens characters, and bundled scenes too. */
 export interface OpeningOfScenes extends Opening {
+  /** What saving and opening scenes needs. */
+  readonly parts: SceneParts;
   /** @param shown settles when the first character was drawn, for which the others wait */
   openScene(scene: CatalogueScene, shown: Promise<void>): OpeningScene;
 }
@@ -57,6 +60,7 @@ export function createOpening(
     theme: signal<ThemeChoice>('system'),
     dialog: signal(null),
     question: signal(null),
+    wanted: signal(null),
 
     async openFiles(files, add = false, handles = []) {
       await opening.whileWorking('Reading', async (signal) => {
@@ -69,7 +73,7 @@ export function createOpening(
           const entry = entryOf(id);
           if (entry) await loadBundled(entry, signal, false);
         };
-        const receiver = { opening, opener, own, meter, openBundled, showOpened };
+        const receiver = { ...parts, openBundled, showOpened };
         await receiveFiles(receiver, { files: entries, add, handles: given }, signal);
       });
     },
@@ -99,7 +103,7 @@ export function createOpening(
       // A character that is already in the scene keeps its pose.
       if (there && !add) selectActor(session, store.scene.value, there.id);
       else {
-        opener.showAll([read], { source: { kind: 'files', files: [] }, add });
+        opener.showAll([read], { add });
         showOpened(read.character.name, word(add));
       }
     },
@@ -150,8 +154,11 @@ export function createOpening(
       if (workspaceNow().framed) viewer.frameAll();
     },
   };
+  const target = { handle: null, name: 'scene' };
+  const parts: SceneParts = { opening, opener, own, meter, workspaceId, target, entryOf };
   return {
     ...opening,
+    parts,
     openScene: (scene, shown) => openScene(scene, catalogue.value, opener, opening, shown),
   };
 

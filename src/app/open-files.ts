@@ -2,7 +2,13 @@ import type { Character } from '../core/character.ts';
 import { loadPart } from '../core/failure.ts';
 import { openCharacter, openCharacters } from '../document/open-characters.ts';
 import type { ActorLook } from '../document/actor-look.ts';
-import type { Actor, KeptState, Source, Transform } from '../document/scene.ts';
+import {
+  type Actor,
+  type KeptState,
+  type Source,
+  sourceOf,
+  type Transform,
+} from '../document/scene.ts';
 import { dropJoints } from '../document/reconcile.ts';
 import { selectedActor } from '../document/selected-actor.ts';
 import type { Session } from '../document/session.ts';
@@ -20,11 +26,11 @@ import type { OpenedFiles } from './renewal.ts';
 import { loadReadHere, readFiles } from './read-files.ts';
 
 /**
- * The source of characters, and whether they are added to the others or replace the selected one, or
+ * The source of characters, which is their files if it is absent, and whether they are added to the others or replace the selected one, or
  * all of an untouched scene.
  */
 export interface OpenWay {
-  readonly source: Source;
+  readonly source?: Source;
   readonly add: boolean;
   /** Where a character stands; beside the others, if absent. */
   readonly place?: Transform;
@@ -61,7 +67,7 @@ export class FileOpener {
   /** How new characters are drawn, as far as the workspace says. */
   private readonly newLook: () => Partial<ActorLook>;
   /** The files of each opened character, so that later drops can complete or update it. */
-  private readonly filesOf = new WeakMap<Character, readonly FileEntry[]>();
+  private readonly files = new WeakMap<Character, readonly FileEntry[]>();
 
   constructor(
     store: Store,
@@ -120,7 +126,7 @@ export class FileOpener {
    * @param q a pose for the first character
    */
   showAll(found: readonly ReadCharacter[], way: OpenWay, q?: Float64Array): void {
-    const { source, add } = way;
+    const { add } = way;
     const shown = found.slice(0, mostAtOnce);
     const replaced = add ? [] : this.replaced;
     const ids = replaced.map(({ id }) => id);
@@ -132,15 +138,13 @@ export class FileOpener {
       sceneBounds(others),
       shown.map(({ character }) => character),
     );
-    for (const { character, files } of shown) {
-      if (files.length > 0) this.filesOf.set(character, files);
-    }
-    const actors = shown.map(({ character }, index) => ({
+    for (const read of shown) this.keep(read);
+    const actors = shown.map(({ character, files }, index) => ({
       character,
       method: this.methodFor(character),
       look: this.newLook(),
       kept: {
-        source,
+        source: way.source ?? sourceOf(files),
         transform: way.place ?? kept ?? places[index]!,
         ...(q && index === 0 && { q }),
       },
@@ -158,9 +162,19 @@ export class FileOpener {
    */
   renew(read: ReadCharacter, before: Actor, kept: KeptState): void {
     const { character } = read;
-    this.filesOf.set(character, read.files);
+    this.keep(read);
     this.store.dispatch(openCharacter(before.id, character, this.methodFor(character), kept));
     if (before.clips.length === 0) this.beginClip(character);
+  }
+
+  /** Remembers the files of a character. */
+  keep({ character, files }: ReadCharacter): void {
+    if (files.length > 0) this.files.set(character, files);
+  }
+
+  /** The files of a character; none, if they are not the user's or not known. */
+  filesOf(character: Character): readonly FileEntry[] {
+    return this.files.get(character) ?? [];
   }
 
   private beginClip({ clips }: Character): void {
@@ -172,7 +186,7 @@ export class FileOpener {
   /** The selected character with its files, if these are known. */
   get openedFiles(): OpenedFiles | undefined {
     const character = this.selected?.character;
-    const files = character && this.filesOf.get(character);
+    const files = character && this.files.get(character);
     return files && { character, files };
   }
 

@@ -1,6 +1,7 @@
 import type { Character } from '../core/character.ts';
 import type { Diagnostic } from '../core/diagnostics.ts';
 import { setPose } from '../document/edits.ts';
+import { sourceOf } from '../document/scene.ts';
 import type { FileEntry } from '../formats/format.ts';
 import { decodePose } from '../formats/pose-json.ts';
 import type { ReadCharacter, ReadProgress } from '../formats/read-characters.ts';
@@ -17,6 +18,7 @@ import {
   renews,
 } from './renewal.ts';
 import { readPictureNote, type ReadNote } from './read-picture-note.ts';
+import { withHashes } from './scenes/hash-files.ts';
 import { type JsonText, sortFiles } from './sort-files.ts';
 
 interface OwnFilesOptions {
@@ -45,7 +47,6 @@ export async function openOwnFiles(
   files: readonly FileEntry[],
   { signal, onProgress, openBundled, add: addAll, ask }: OwnFilesOptions,
 ): Promise<OpenOutcome | undefined> {
-  const source = { kind: 'files', files: [] } as const;
   // This is checked after each await, because the signal may change during any of them.
   const isOver = (): boolean => signal.aborted;
   const { poses, notes: pictures, parts, diagnostics: unreadable } = await sortFiles(files);
@@ -55,9 +56,10 @@ export async function openOwnFiles(
   const unread = plainPictures(completed);
   const { loaded, diagnostics: unloaded } = await loadBytes(unread ? [] : completed);
   if (isOver()) return undefined;
-  const { characters, diagnostics } = unread
+  const { characters: read, diagnostics } = unread
     ? { characters: [], diagnostics: unread }
     : await readFiles(loaded, signal, onProgress);
+  const characters = await withHashes(read);
   await opener.prepare(characters);
   if (isOver()) return undefined;
   const problems = [...unreadable, ...unloaded, ...diagnostics];
@@ -76,8 +78,12 @@ export async function openOwnFiles(
   problems.push(...notes.flatMap(({ log }) => log.diagnostics));
   if (first && renewed) {
     const kept = keptState(renewed, first.character);
-    opener.renew(first, renewed, { source, ...kept, ...(q && { q, clip: null }) });
-  } else if (first) opener.showAll(characters, { source, add }, q);
+    opener.renew(first, renewed, {
+      source: sourceOf(first.files),
+      ...kept,
+      ...(q && { q, clip: null }),
+    });
+  } else if (first) opener.showAll(characters, { add }, q);
   else if (q && opener.selected) {
     opener.store.dispatch(setPose(opener.selected.id, q, 'Open a pose'));
   }

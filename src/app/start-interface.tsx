@@ -22,6 +22,7 @@ import type { OpeningOfScenes } from './create-opening.ts';
 import type { Layout } from './layout.ts';
 export { loadWasmKernel } from './load-wasm-kernel.ts';
 import { runClock } from './run-clock.ts';
+import { followLinks } from './scenes/follow-links.ts';
 import { createScripting, type Scripting } from './scripting.ts';
 
 /**
@@ -48,6 +49,7 @@ export function startInterface(
   addSplitter(layout, 'right');
   addSheetHandle(layout.root, editor);
   listenToKeys(editor);
+  followLinks(opening.parts);
   runClock(editor.session, editor.transport);
   listenToPointer(layout.canvas, editor);
   nameView(layout.canvas, editor);

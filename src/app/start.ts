@@ -18,6 +18,7 @@ import {
 } from './catalogue.ts';
 import { createOpening, type OpeningOfScenes } from './create-opening.ts';
 import { createLayout } from './layout.ts';
+import { hasLink } from './scenes/follow-links.ts';
 import type { Scripting } from './scripting.ts';
 import { followTheme } from './theme.ts';
 import { workspaces } from './workspaces.ts';
@@ -111,6 +112,12 @@ async function openNamed(
   } catch (error) {
     if (!(error instanceof Failure)) throw error;
     notes.push(error.message);
+  }
+  if (hasLink()) {
+    const { openLink } = await loadPart(import('./scenes/open-link.ts'));
+    const fault = await openLink(opening.parts, location.hash);
+    if (fault === undefined) return;
+    notes.push(fault);
   }
   if (scene && !parameters.has('model') && !parameters.has('workspace')) {
     await opening.openScene(scene, firstFrame).first;

@@ -34,6 +34,16 @@ export interface SourceFile {
   readonly sha256: string;
 }
 
+/** The source of a character that came from these files. */
+export function sourceOf(
+  files: readonly { readonly path: string; readonly sha256?: string }[],
+): Source {
+  return {
+    kind: 'files',
+    files: files.map(({ path, sha256 = '' }) => ({ path, sha256 })),
+  };
+}
+
 /**
  * The placement of an actor in the scene, applied after the character's normalized size and
  * position; scene space.

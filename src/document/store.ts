@@ -32,6 +32,8 @@ export class Store {
   private open: Gesture | null = null;
 
   readonly scene: ReadonlySignal<Scene> = this.current;
+  /** Whether the scene is somebody's work although no step led to it, as one that was restored. */
+  readonly isMade = signal(false);
   /** The labels of the steps that Undo and Redo would apply, or null. */
   readonly undoLabel = computed(() => this.history.value.past.at(-1)?.label ?? null);
   readonly redoLabel = computed(() => this.history.value.future.at(-1)?.label ?? null);

@@ -22,6 +22,9 @@ export const companionExtensions: readonly string[] = ['.morph', '.anim', '.rig'
 
 export const archiveExtension = '.zip';
 
+/** The extension of scene files, which are archives too. */
+export const sceneExtension = '.sinew';
+
 /** Extensions of the files that make characters, without duplicates. */
 export const characterExtensions: readonly string[] = [
   ...new Set<string>([...Object.values(formatExtensions).flat(), archiveExtension]),

@@ -15,6 +15,8 @@ export interface FileEntry {
    * memory, they start after leading comments, which may be longer.
    */
   readonly head: Uint8Array;
+  /** The SHA-256 of its bytes in hexadecimal digits, if it is known. */
+  readonly sha256?: string;
   /** The reason why it can't be read, if that is known before its bytes are requested. */
   readonly fault?: string;
   bytes(): Promise<Uint8Array>;

@@ -27,6 +27,14 @@ export const dialogs: Readonly<Record<DialogId, DialogEntry>> = {
     title: 'Keys and pointer',
     load: async () => (await loadPart(import('./panels/help-sheet.tsx'))).HelpSheet,
   },
+  'long link': {
+    title: 'Save a file instead',
+    load: async () => (await loadPart(import('./panels/long-link.tsx'))).LongLink,
+  },
+  wanted: {
+    title: 'Files of the scene',
+    load: async () => (await loadPart(import('./panels/wanted.tsx'))).Wanted,
+  },
   palette: {
     title: 'Commands',
     load: () => Promise.resolve(CommandPalette),

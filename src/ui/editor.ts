@@ -33,7 +33,7 @@ export interface BundledScene {
 export type ThemeChoice = 'system' | 'light' | 'dark';
 
 /** A sheet over the page; dialogs.ts has the contents. */
-export type DialogId = 'arrival' | 'gallery' | 'keys' | 'palette';
+export type DialogId = 'arrival' | 'gallery' | 'keys' | 'long link' | 'palette' | 'wanted';
 
 /** The panel that is open on narrow pages: a sheet on phones; on tablets, the unfolded outliner. */
 export type Drawer = 'left' | 'right';
@@ -75,6 +75,15 @@ export interface ArrivalQuestion {
   answer(add: boolean | null): void;
 }
 
+/** The files without which some characters of a scene are missing. */
+export interface WantedFiles {
+  /** The name of the scene. */
+  readonly scene: string;
+  readonly files: readonly string[];
+  /** Completes the scene by files, and returns whether any of them belongs to it. */
+  give(files: readonly FileEntry[], signal: AbortSignal): Promise<boolean>;
+}
+
 /** Files that were opened lately. */
 export interface RecentFiles {
   readonly name: string;
@@ -103,6 +112,8 @@ export interface Gallery {
   openOwn(character: ReadCharacter, add?: boolean): void;
   /** What the arrival dialog asks, or null. */
   readonly question: Signal<ArrivalQuestion | null>;
+  /** The files that an opened scene still needs, or null. */
+  readonly wanted: Signal<WantedFiles | null>;
 }
 
 /** Work that can take longer than a moment, such as opening files. Only one runs at a time. */
@@ -194,6 +205,14 @@ export interface Actions {
   /** Saves the character in a course's format, converted as far as that format allows. */
   saveAs(format: ConvertTarget): Promise<void>;
   exportMesh(): Promise<void>;
+  /**
+   * Saves the scene with its files.
+   *
+   * @param asNew asks for a file even if the scene was saved in one before
+   */
+  saveScene(asNew: boolean): Promise<void>;
+  /** Copies a link that opens the scene as it is viewed now, or offers the file in its place. */
+  copyLink(): Promise<void>;
   savePicture(options: PictureOptions): Promise<void>;
   verify(): Promise<void>;
   /** Measures this machine with a bundled character and saves a report. */

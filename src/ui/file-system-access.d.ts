@@ -7,3 +7,15 @@ interface FileSystemHandle {
 interface DataTransferItem {
   getAsFileSystemHandle?(): Promise<FileSystemHandle | null>;
 }
+
+interface FilePickerType {
+  readonly description: string;
+  readonly accept: Readonly<Record<string, readonly string[]>>;
+}
+
+interface Window {
+  showSaveFilePicker?(options: {
+    readonly suggestedName: string;
+    readonly types: readonly FilePickerType[];
+  }): Promise<FileSystemFileHandle>;
+}

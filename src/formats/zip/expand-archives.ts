@@ -42,7 +42,7 @@ export async function expandArchives(
     if (extensionOf(file.path) !== archiveExtension) expanded.push(file);
     else {
       const log = new DiagnosticLog(baseName(file.path));
-      const unpacked = expandArchive(await file.bytes(), limits, log);
+      const unpacked = unpackArchive(await file.bytes(), log, isRead, limits);
       expanded.push(...unpacked.map((each) => ({ ...each, path: `${file.path}/${each.path}` })));
       diagnostics.push(...log.diagnostics);
     }
@@ -50,7 +50,17 @@ export async function expandArchives(
   return { files: expanded, diagnostics };
 }
 
-function expandArchive(bytes: Uint8Array, limits: ArchiveLimits, log: DiagnosticLog): FileEntry[] {
+/**
+ * Returns the files of an archive.
+ *
+ * @param isWanted whether a file is unpacked, or else only listed
+ */
+export function unpackArchive(
+  bytes: Uint8Array,
+  log: DiagnosticLog,
+  isWanted: (entry: ZipEntry) => boolean,
+  limits: ArchiveLimits = defaultArchiveLimits,
+): FileEntry[] {
   if (isLfsPointer(bytes)) {
     log.error({ ...lfsPointer, effect: archiveUnused });
     return [];
@@ -71,7 +81,7 @@ function expandArchive(bytes: Uint8Array, limits: ArchiveLimits, log: Diagnostic
   let totalSize = 0;
   for (const entry of files) {
     if (extensionOf(entry.name) === archiveExtension) reportNested(entry.name, log);
-    else if (!isRead(entry)) unpacked.push(memoryFile(entry.name, new Uint8Array(0)));
+    else if (!isWanted(entry)) unpacked.push(memoryFile(entry.name, new Uint8Array(0)));
     else {
       const content = excessOf(entry, totalSize, limits) ?? unpack(entry);
       if (typeof content === 'string') leftOut.add(entry.name, content);

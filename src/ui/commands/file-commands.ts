@@ -1,5 +1,8 @@
 import { chooseFiles } from '../choose-files.ts';
+import type { Editor } from '../editor.ts';
 import { type Command, toggleDialog } from './command.ts';
+
+const hasCharacter = ({ store }: Editor): boolean => store.scene.value.actors.length > 0;
 
 /** Commands that read or write files. */
 export const fileCommands = [
@@ -7,7 +10,7 @@ export const fileCommands = [
     id: 'new-scene',
     label: 'New, empty scene',
     short: 'New',
-    isEnabled: ({ store }) => store.scene.value.actors.length > 0,
+    isEnabled: hasCharacter,
     run: (editor) => editor.clearScene(),
   },
   {
@@ -34,6 +37,31 @@ export const fileCommands = [
     label: 'Add files to the scene',
     short: 'Add files…',
     run: (editor) => chooseFiles(editor, editor.fileExtensions, true),
+  },
+  {
+    id: 'save-scene',
+    label: 'Save the scene',
+    short: 'Save scene',
+    keys: [{ key: 's', control: true }],
+    context: 'control',
+    isEnabled: hasCharacter,
+    run: (editor) => editor.saveScene(false),
+  },
+  {
+    id: 'save-scene-as',
+    label: 'Save the scene in another file',
+    short: 'Save scene as…',
+    keys: [{ key: 's', control: true, shift: true }],
+    context: 'control',
+    isEnabled: hasCharacter,
+    run: (editor) => editor.saveScene(true),
+  },
+  {
+    id: 'copy-link',
+    label: 'Copy a link of the scene',
+    short: 'Copy link',
+    isEnabled: hasCharacter,
+    run: (editor) => editor.copyLink(),
   },
   {
     id: 'cancel-work',

@@ -14,6 +14,10 @@ export function FileMenu({ editor }: { readonly editor: Editor }) {
       <CommandButton editor={editor} command="open-folder" role="menuitem" />
       <CommandButton editor={editor} command="add-files" role="menuitem" />
       <hr />
+      <CommandButton editor={editor} command="save-scene" role="menuitem" />
+      <CommandButton editor={editor} command="save-scene-as" role="menuitem" />
+      <CommandButton editor={editor} command="copy-link" role="menuitem" />
+      <hr />
       {convertTargets.map((format) => (
         <button
           key={format}
