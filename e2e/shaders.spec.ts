@@ -26,8 +26,8 @@ const paletteRows = [1024, 4096, 0];
 const passNames = new Set(
   Object.keys(files).flatMap((name) => /^passes\/(.+)\.(?:vert|frag)\.glsl$/.exec(name)?.[1] ?? []),
 );
-/** The looks of src/view/passes/mesh.ts; passes that know none of them ignore them. */
-const looks = [{}, { FACETED: 1 }];
+/** The looks of mesh.ts and floor.ts in src/view/passes; passes that know none ignore them. */
+const looks = [{}, { FACETED: 1 }, { CUT_OUT: 1 }];
 const passes = [...passNames].flatMap((pass) =>
   looks.map((defines) => ({
     name: [pass, ...Object.keys(defines)].join(' '),

@@ -16,6 +16,8 @@ export const tolerances = {
   boneFrames: 1e-5,
   /** Reference matrices, per element. */
   referenceMatrices: 1e-6,
+  /** Reference matrices of planar shadows and mirrors, and points that they move. */
+  planar: 1e-9,
   /** Geometry that is exact except for float32 rounding (areas, unit lengths). */
   float32: 1e-6,
   /** Distances to bones in the reference table, model units. */

@@ -16,8 +16,8 @@ import { cacheFolder, findOnPath, root } from './commands.mjs';
 // The app compiles these variants (src/view/programs.ts). In either list, 0 means the texture.
 const influencePairs = [1, 2, 3, 4, 0];
 const paletteRows = [1024, 4096, 0];
-/** The looks of src/view/passes/mesh.ts; passes that know none of them ignore them. */
-const looks: readonly Defines[] = [{}, { FACETED: 1 }];
+/** The looks of mesh.ts and floor.ts in src/view/passes; passes that know none ignore them. */
+const looks: readonly Defines[] = [{}, { FACETED: 1 }, { CUT_OUT: 1 }];
 
 interface Program {
   readonly name: string;

@@ -19,13 +19,18 @@ export function shortShaders(): Plugin {
   };
 }
 
-/** Returns the same program without comments, blank lines and trailing spaces. */
+/** Returns the same program without comments, blank lines and most spaces. */
 export function stripGlsl(source: string): string {
   return source
     .replace(/\/\*[\s\S]*?\*\/|\/\/.*/g, (comment) => (comment.startsWith('//') ? '' : ' '))
     .split(/\r?\n/)
-    .map((line) => line.trim())
+    .map((line) => (/^\s*#|\\$/.test(line) ? line : tightened(line)).trim())
     .filter((line) => line !== '')
     .map((line) => `${line}\n`)
     .join('');
+}
+
+/** Removes spaces around signs; those around a minus stay, because `a - -b` needs them. */
+function tightened(line: string): string {
+  return line.replace(/\s*([*/=<>(){},;?:])\s*/g, '$1');
 }

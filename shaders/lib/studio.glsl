@@ -9,6 +9,7 @@ uniform vec3 fillDirection;
 uniform vec3 fillColor;
 uniform vec3 rimDirection;
 uniform vec3 rimColor;
+uniform vec3 ambientColor;
 uniform vec3 eye;
 
 const vec3 skyColor = vec3(0.84, 0.91, 1.0) * 0.4;
@@ -35,7 +36,7 @@ vec3 shade(
   vec3 albedo, vec3 specular, float shininess, vec3 normal, vec3 view, vec3 position
 ) {
   float up = 0.5 + 0.5 * normal.y;
-  vec3 light = mix(groundColor, skyColor, up);
+  vec3 light = ambientColor * mix(groundColor, skyColor, up);
   light += fillColor * wrapped(dot(normal, fillDirection));
   light += rimColor * wrapped(dot(normal, rimDirection));
   float across = 1.0 - max(dot(normal, view), 0.0);

@@ -83,6 +83,8 @@ export class Session {
   /** Whether every limb turns when it is dragged, not only the selected one. */
   readonly boneMode = signal(false);
   readonly posesBy = signal<PosesBy>('selection');
+  /** Whether the lights have handles in the view. */
+  readonly dragsLights = signal(false);
   /** Whether the view was last used by touch, where handles are larger. */
   readonly byTouch = signal(false);
   /** The shot whose frame the view shows, or null. */

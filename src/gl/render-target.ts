@@ -1,4 +1,5 @@
 import { type Gpu, GpuLimitError } from './gpu.ts';
+import type { TextureTarget } from './texture-target.ts';
 
 /**
  * An offscreen picture with color and depth, usually at 4 samples a pixel. It is resolved to one
@@ -39,6 +40,11 @@ export class RenderTarget {
 
   resolve(): void {
     this.copy(this.sampled, this.resolved);
+  }
+
+  /** Resolves into a texture of the same size instead, so that shaders can read the picture. */
+  resolveInto({ framebuffer }: TextureTarget): void {
+    this.copy(this.sampled, framebuffer);
   }
 
   /** Copies the resolved picture to the canvas and scales it to the canvas's size. */

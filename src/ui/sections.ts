@@ -134,10 +134,10 @@ export const sections: readonly Section[] = [
       guiSection((await loadPart(import('./controls/view-folder.ts'))).addViewFolder),
   },
   {
-    id: 'lights',
+    id: 'environment',
     place: 'right',
     load: async () =>
-      guiSection((await loadPart(import('./controls/lights-folder.ts'))).addLightsFolder),
+      guiSection((await loadPart(import('./controls/environment-folder.ts'))).addEnvironmentFolder),
   },
   {
     id: 'picture',

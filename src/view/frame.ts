@@ -1,11 +1,11 @@
-import type { vec3 } from 'gl-matrix';
+import type { mat4, vec3 } from 'gl-matrix';
 import type { Detail } from '../document/session.ts';
 import type { UniformValue } from '../gl/program.ts';
 import type { Camera } from '../document/camera.ts';
-import { clipFromScene, eyeOf, nearOf } from './camera.ts';
+import { clipFromScene as projectionOf, eyeOf, nearOf } from './camera.ts';
 import type { CharacterView } from './character-view.ts';
 import type { RenderView, Viewport } from './render-view.ts';
-import type { Theme } from './theme.ts';
+import { type Theme, themeIn } from './theme.ts';
 import type { ViewOptions } from './view-options.ts';
 
 type Size = Pick<Viewport, 'width' | 'height'>;
@@ -14,6 +14,7 @@ type Size = Pick<Viewport, 'width' | 'height'>;
 export interface Frame {
   readonly characters: readonly CharacterView[];
   readonly options: ViewOptions;
+  /** With the colors of the scene's own background, if it has one. */
   readonly theme: Theme;
   readonly camera: Camera;
   readonly viewport: Viewport;
@@ -23,6 +24,8 @@ export interface Frame {
   /** The camera's place in the scene, and the distance before it at which things are cut off. */
   readonly eye: vec3;
   readonly near: number;
+  /** In float64; the uniforms have it rounded. */
+  readonly clipFromScene: mat4;
   /** The uniforms that passes share: camera, backdrop and, once prepared, lights and shadows. */
   readonly uniforms: Readonly<Record<string, UniformValue>>;
 }
@@ -40,14 +43,16 @@ function scaleOf(detail: Detail): number {
 export function createFrame(
   characters: readonly CharacterView[],
   options: ViewOptions,
-  theme: Theme,
+  plainTheme: Theme,
   { camera, viewport }: RenderView,
   detail: Detail = 'full',
 ): Frame {
   const { width, height } = viewport;
   const eye = eyeOf(camera);
+  const theme = themeIn(options.environment, plainTheme);
+  const clipFromScene = projectionOf(camera, width / height);
   const uniforms = {
-    clipFromScene: Float32Array.from(clipFromScene(camera, width / height)),
+    clipFromScene: Float32Array.from(clipFromScene),
     eye,
     viewportSize: [width, height],
     backdropTop: theme.backdropTop,
@@ -63,6 +68,7 @@ export function createFrame(
     scale: scaleOf(detail),
     eye,
     near: nearOf(camera),
+    clipFromScene,
     uniforms,
   };
 }

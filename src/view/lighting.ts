@@ -1,11 +1,12 @@
 import { mat4, vec3 } from 'gl-matrix';
-import type { Light } from '../document/environment.ts';
+import type { Ambient, Light } from '../document/environment.ts';
 import type { Gpu } from '../gl/gpu.ts';
 import { DepthTarget } from '../gl/depth-target.ts';
 import type { UniformValue } from '../gl/program.ts';
 import type { CharacterView } from './character-view.ts';
 import { ContactShadow } from './contact-shadow.ts';
 import type { Frame } from './frame.ts';
+import { lightDirection } from './light-direction.ts';
 import type { Programs } from './programs.ts';
 import { type Subject, subjectOf } from './subject.ts';
 import { linear } from './theme.ts';
@@ -41,9 +42,9 @@ export class Lighting {
       LightUniforms,
     ];
     const versions = frame.characters.map(({ revision }) => revision);
-    const shadows = `${showSkin} ${key.direction.join()} ${versions.join()}`;
+    const casters = showSkin && environment.shadow.kind === 'mapped' ? frame.characters : [];
+    const shadows = `${casters.length} ${key.direction.join()} ${versions.join()}`;
     const evaluations = frame.characters.map(({ evaluation }) => evaluation);
-    const casters = showSkin ? frame.characters : [];
     if (shadows !== this.shown) {
       this.shown = shadows;
       const subject = subjectOf(evaluations);
@@ -64,6 +65,7 @@ export class Lighting {
       fillColor: fill.color,
       rimDirection: rim.direction,
       rimColor: rim.color,
+      ambientColor: lightColor(environment.ambient),
       keyClipFromScene: this.clipFromScene,
       keyShadowStep: this.keyShadowStep,
       keyShadow: keyShadowUnit,
@@ -109,11 +111,10 @@ interface LightUniforms {
   readonly color: readonly number[];
 }
 
-function lightUniforms({ color, intensity, azimuth, elevation }: Light): LightUniforms {
-  const [around, above] = [(azimuth * Math.PI) / 180, (elevation * Math.PI) / 180];
-  const level = Math.cos(above);
-  return {
-    direction: [Math.sin(around) * level, Math.sin(above), Math.cos(around) * level],
-    color: linear(color).map((channel) => channel * intensity),
-  };
+function lightUniforms(light: Light): LightUniforms {
+  return { direction: lightDirection(light), color: lightColor(light) };
+}
+
+function lightColor({ color, intensity }: Ambient): number[] {
+  return linear(color).map((channel) => channel * intensity);
 }

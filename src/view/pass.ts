@@ -6,6 +6,8 @@ import type { ViewOptions } from './view-options.ts';
 export type PassId =
   | 'backdrop'
   | 'floor'
+  | 'planar-shadow'
+  | 'reflection'
   | 'skeleton'
   | 'mesh'
   | 'lit-limb'
@@ -24,10 +26,18 @@ export interface Pass {
    * picture that it is in.
    */
   isShown(options: ViewOptions): boolean;
+  /** Whether mirrors show what it draws. */
+  readonly isMirrored?: boolean;
   create(gpu: Gpu, programs: Programs): PassInstance;
 }
 
 export interface PassInstance {
+  /**
+   * Draws what the pass needs besides the picture, before it.
+   *
+   * @param drawMirrored draws what mirrors show, as another frame sees it
+   */
+  prepare?(frame: Frame, drawMirrored: (mirrored: Frame) => void): void;
   draw(frame: Frame): void;
   dispose(): void;
 }

@@ -11,15 +11,16 @@ export interface Picture {
   readonly pixels: Uint8ClampedArray<ArrayBuffer>;
 }
 
-/** Captures exactly what the view shows, or the same view at another size or without its studio. */
+/** Captures exactly what the view shows, or the same view at another size or without what
+ * surrounds the actors. */
 export function capturePicture(
   viewer: Viewer,
   size: CaptureSize = viewer.size.value,
-  showStudio = true,
+  showSurroundings = true,
   contents?: readonly ViewContent[],
 ): Picture {
   const { width, height } = size;
-  return pictureFromGl(viewer.readPixels(size, showStudio, contents), width, height);
+  return pictureFromGl(viewer.readPixels(size, showSurroundings, contents), width, height);
 }
 
 /**

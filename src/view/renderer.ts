@@ -170,12 +170,15 @@ export class Renderer {
     const lighting = (this.lightings[index] ??= new Lighting(this.gpu, this.programs));
     const lights = lighting.prepare(frame);
     const litFrame = { ...frame, uniforms: { ...frame.uniforms, ...lights } };
+    const passes = this.passes.filter((pass) => pass.isShown(frame.options));
+    const drawMirrored = (mirrored: Frame): void => {
+      for (const pass of passes) if (pass.isMirrored) this.instanceOf(pass).draw(mirrored);
+    };
+    for (const pass of passes) this.instanceOf(pass).prepare?.(litFrame, drawMirrored);
     target.begin();
     gl.clearColor(0, 0, 0, 0);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-    for (const pass of this.passes) {
-      if (pass.isShown(frame.options)) this.instanceOf(pass).draw(litFrame);
-    }
+    for (const pass of passes) this.instanceOf(pass).draw(litFrame);
     gl.bindVertexArray(null);
     target.resolve();
   }

@@ -1,3 +1,5 @@
+import type { Environment } from '../document/environment.ts';
+
 export type ThemeName = 'light' | 'dark';
 
 /** The colors of the scene, in linear light. */
@@ -8,6 +10,9 @@ export interface Theme {
   readonly floorDark: readonly number[];
   readonly shadowStrength: number;
 }
+
+/** A dark check of a floor of the user's own color, as a part of a light one. */
+const darkCheck = 0.88;
 
 /** Converts the display's #rrggbb to linear light. */
 export function linear(hex: string): number[] {
@@ -35,6 +40,26 @@ export const themes: Readonly<Record<ThemeName, Theme>> = {
     shadowStrength: 1.2,
   },
 };
+
+/**
+ * The theme's colors, or those of the scene's own background, to which the floor then belongs. A
+ * plain floor has one color.
+ */
+export function themeIn({ background, floor }: Environment, theme: Theme): Theme {
+  const { kind, color, topColor } = background;
+  const isPlain = floor.kind === 'plain';
+  if (kind === 'theme' || kind === 'transparent') {
+    return isPlain ? { ...theme, floorDark: theme.floorLight } : theme;
+  }
+  const own = linear(color);
+  return {
+    backdropTop: kind === 'color' ? own : linear(topColor),
+    backdropBottom: own,
+    floorLight: own,
+    floorDark: isPlain ? own : own.map((channel) => channel * darkCheck),
+    shadowStrength: 1,
+  };
+}
 
 /** The studio's clays as the display's #rrggbb, warm to dark; a look has the index of one. */
 export const clayColors = [

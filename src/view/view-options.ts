@@ -17,8 +17,6 @@ export interface SessionOptions {
   readonly showTextures: boolean;
   readonly showAxes: boolean;
   readonly translucent: boolean;
-  /** Shows floor and backdrop; without them the picture is transparent around the characters. */
-  readonly showStudio: boolean;
   readonly selectedActorId: ActorId | null;
   /** The selected joint of the selected actor, or null. */
   readonly selectedJoint: number | null;
@@ -35,20 +33,20 @@ export interface SessionOptions {
 /** Everything besides the actors that a picture depends on. */
 export interface ViewOptions extends SessionOptions {
   readonly environment: Environment;
+  /** Shows floor and background; without them the picture is transparent around the characters. */
+  readonly showSurroundings: boolean;
 }
 
 /** Returns the options of a scene as the session views it. Reading subscribes to the session. */
 export function viewOptionsOf(session: Session, { environment }: Scene): ViewOptions {
-  return { ...sessionOptionsOf(session), environment };
+  return { ...sessionOptionsOf(session), environment, showSurroundings: true };
 }
 
 /**
- * Returns the session's options, with the studio and the overlay shown. Reading subscribes to the
- * session.
+ * Returns the session's options, with the overlay shown. Reading subscribes to the session.
  */
 export function sessionOptionsOf(session: Session): SessionOptions {
   return {
-    showStudio: true,
     showSkin: session.showSkin.value,
     showSkeleton: session.showSkeleton.value,
     skeletonStyle: session.skeletonStyle.value,

@@ -149,19 +149,19 @@ export class Viewer {
   }
 
   /**
-   * Returns the pixels of the view at a size, with or without its studio. The caller must first
-   * check that the view is `available`.
+   * Returns the pixels of the view at a size, with or without what surrounds the actors. The caller
+   * must first check that the view is `available`.
    *
    * @param contents shown side by side; the viewer's own if absent
    * @returns (width × height × 4) bytes of RGBA as GL gives them, the bottom row first
    */
   readPixels(
     { width, height }: CaptureSize,
-    showStudio: boolean,
+    showSurroundings: boolean,
     contents: readonly ViewContent[] = this.contents,
   ): Uint8Array {
     const views = sideBySide(contents, width, height);
-    const frames = this.createFrames(views, { showStudio, showOverlay: false });
+    const frames = this.createFrames(views, { showSurroundings, showOverlay: false });
     return this.present().capture(frames, width, height);
   }
 

@@ -30,9 +30,12 @@ const rotation = fc.tuple(number, number, number, number).map(([x, y, z, w]) => 
   return isLong ? ([x / length, y / length, z / length, w / length] as const) : unmoved.rotation;
 });
 
+const color = fc.nat(0xffffff).map((value) => `#${value.toString(16).padStart(6, '0')}`);
+const share = fc.double({ min: 0, max: 1, noNaN: true });
+
 const light: fc.Arbitrary<Light> = fc.record({
   name: fc.string(),
-  color: fc.nat(0xffffff).map((value) => `#${value.toString(16).padStart(6, '0')}`),
+  color,
   intensity: fc.double({ min: 0, max: 100, noNaN: true }),
   azimuth: fc.double({ min: -360, max: 360, noNaN: true }),
   elevation: fc.double({ min: -90, max: 90, noNaN: true }),
@@ -108,6 +111,16 @@ export const randomScene: fc.Arbitrary<Scene> = fc.record({
   actors: fc
     .array(fc.constantFrom(...characters).chain(actorOf), { maxLength: 5 })
     .map((actors) => actors.map((actor, at) => ({ ...actor, id: at + 1 }))),
-  environment: fc.record({ lights: fc.array(light, { maxLength: 5 }) }),
+  environment: fc.record({
+    lights: fc.array(light, { minLength: 3, maxLength: 3 }),
+    ambient: fc.record({ color, intensity: share }),
+    shadow: fc.record({ kind: fc.constantFrom('mapped', 'planar', 'off'), darkness: share }),
+    floor: fc.record({ kind: fc.constantFrom('checks', 'plain', 'off'), reflection: share }),
+    background: fc.record({
+      kind: fc.constantFrom('theme', 'color', 'gradient', 'transparent'),
+      color,
+      topColor: color,
+    }),
+  }),
   shots: fc.uniqueArray(shot, { maxLength: 4, selector: ({ id }) => id }),
 });

@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { stripGlsl } from '../../tools/vite-glsl.ts';
 
-test('comments, blank lines and indentation are removed; directives and the order of lines stay', () => {
+test('comments, blank lines and spaces are removed; directives and the order of lines stay', () => {
   const source = `// What it is for.
 #include "lib/palette.glsl"
 
@@ -11,8 +11,12 @@ test('comments, blank lines and indentation are removed; directives and the orde
 #endif
 `;
   expect(stripGlsl(source)).toBe(
-    '#include "lib/palette.glsl"\n#if ROWS > 0\nfloat a = 1.0;   float b = a / 2.0;\n#endif\n',
+    '#include "lib/palette.glsl"\n#if ROWS > 0\nfloat a=1.0;float b=a/2.0;\n#endif\n',
   );
+});
+
+test('what a minus needs stays', () => {
+  expect(stripGlsl('float c = a - -b; // a sum\n')).toBe('float c=a - -b;\n');
 });
 
 test('a macro of several lines stays one', () => {

@@ -1,5 +1,5 @@
 import { type Light, studio } from '../environment.ts';
-import { color, listOf, numberWithin, text } from './codec.ts';
+import { checked, color, listOf, numberWithin, oneOf, text } from './codec.ts';
 import { fields } from './fields.ts';
 
 const plainLight: Light = {
@@ -18,7 +18,27 @@ const light = fields(plainLight, {
   elevation: numberWithin(-1e6, 1e6),
 });
 
-/** More lights than any shader has. */
-const mostLights = 64;
+const lightCount = studio.lights.length;
 
-export const environmentJson = fields(studio, { lights: listOf(light, mostLights) });
+export const environmentJson = fields(studio, {
+  // Every light has its own part in what shaders draw.
+  lights: checked(
+    listOf(light, lightCount),
+    ({ length }) => length === lightCount,
+    `a list of ${lightCount} lights`,
+  ),
+  ambient: fields(studio.ambient, { color, intensity: numberWithin(0, 1e6) }),
+  shadow: fields(studio.shadow, {
+    kind: oneOf(['mapped', 'planar', 'off']),
+    darkness: numberWithin(0, 1),
+  }),
+  floor: fields(studio.floor, {
+    kind: oneOf(['checks', 'plain', 'off']),
+    reflection: numberWithin(0, 1),
+  }),
+  background: fields(studio.background, {
+    kind: oneOf(['theme', 'color', 'gradient', 'transparent']),
+    color,
+    topColor: color,
+  }),
+});

@@ -57,6 +57,14 @@ export const viewCommands = [
     run: ({ session }) => toggle(session.boneMode),
   },
   {
+    id: 'drag-lights',
+    label: 'Drag the lights in the view, or put their handles away',
+    short: 'Drag the lights',
+    keys: [{ key: 'u' }],
+    isOn: ({ session }) => session.dragsLights.value,
+    run: ({ session }) => toggle(session.dragsLights),
+  },
+  {
     id: 'first-person',
     label: 'First-person camera on or off',
     short: 'First person',

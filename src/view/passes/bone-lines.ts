@@ -20,6 +20,7 @@ const [boneWidth, gridWidth] = [2.5, 1.25];
 export const boneLinesPass: Pass = {
   id: 'bone-lines',
   isShown: showsLines,
+  isMirrored: true,
   create(gpu, programs) {
     const { gl } = gpu;
     const program = programs.pass('line');

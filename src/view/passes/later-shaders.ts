@@ -2,9 +2,8 @@ import { addShaderFiles } from '../shader-files.ts';
 
 /** These shaders belong to the passes that are not in the first picture. */
 addShaderFiles(
-  import.meta.glob<string>('../../../shaders/passes/{line,lit-limb,overlay,solid}.*.glsl', {
-    query: '?raw',
-    import: 'default',
-    eager: true,
-  }),
+  import.meta.glob<string>(
+    '../../../shaders/passes/{line,lit-limb,overlay,planar-shadow,reflection,solid}.*.glsl',
+    { query: '?raw', import: 'default', eager: true },
+  ),
 );

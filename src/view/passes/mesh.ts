@@ -25,6 +25,7 @@ const leastOpacity = 0.002;
 export const meshPass: Pass = {
   id: 'mesh',
   isShown: ({ showSkin }) => showSkin,
+  isMirrored: true,
   create({ gl }, programs) {
     return {
       draw(frame) {

@@ -7,11 +7,15 @@ import { floorPass } from './floor.ts';
 import { litLimbPass } from './lit-limb.ts';
 import { meshPass } from './mesh.ts';
 import { overlayPass } from './overlay.ts';
+import { planarShadowPass } from './planar-shadow.ts';
+import { reflectionPass } from './reflection.ts';
 import { hiddenSkeletonPass, skeletonPass } from './skeleton.ts';
 
 /** All passes, in the order of drawing. */
 export const passes: readonly Pass[] = [
   floorPass,
+  planarShadowPass,
+  reflectionPass,
   backdropPass,
   skeletonPass,
   meshPass,

@@ -26,6 +26,7 @@ const glass = 0.3;
 export const skeletonPass: Pass = {
   id: 'skeleton',
   isShown: ({ showSkeleton }) => showSkeleton,
+  isMirrored: true,
   create(gpu, programs) {
     const solids = new SkeletonSolids(gpu, programs);
     return {
@@ -45,6 +46,7 @@ export const skeletonPass: Pass = {
 export const hiddenSkeletonPass: Pass = {
   id: 'hidden-skeleton',
   isShown: ({ showSkeleton, showSkin }) => showSkeleton && showSkin,
+  isMirrored: true,
   create(gpu, programs) {
     const { gl } = gpu;
     const solids = new SkeletonSolids(gpu, programs);

@@ -1,0 +1,1 @@
+#include "passes/floor.vert.glsl"
