@@ -5,6 +5,7 @@ import type { ViewOptions } from './view-options.ts';
 
 export type PassId =
   | 'backdrop'
+  | 'checkerboard'
   | 'floor'
   | 'planar-shadow'
   | 'reflection'

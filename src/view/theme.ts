@@ -47,18 +47,18 @@ export const themes: Readonly<Record<ThemeName, Theme>> = {
  */
 export function themeIn({ background, floor }: Environment, theme: Theme): Theme {
   const { kind, color, topColor } = background;
-  const isPlain = floor.kind === 'plain';
-  if (kind === 'theme' || kind === 'transparent') {
-    return isPlain ? { ...theme, floorDark: theme.floorLight } : theme;
-  }
   const own = linear(color);
-  return {
-    backdropTop: kind === 'color' ? own : linear(topColor),
-    backdropBottom: own,
-    floorLight: own,
-    floorDark: isPlain ? own : own.map((channel) => channel * darkCheck),
-    shadowStrength: 1,
-  };
+  const colors =
+    kind === 'color' || kind === 'gradient'
+      ? {
+          backdropTop: kind === 'color' ? own : linear(topColor),
+          backdropBottom: own,
+          floorLight: own,
+          floorDark: own.map((channel) => channel * darkCheck),
+          shadowStrength: 1,
+        }
+      : theme;
+  return floor.kind === 'plain' ? { ...colors, floorDark: colors.floorLight } : colors;
 }
 
 /** The studio's clays as the display's #rrggbb, warm to dark; a look has the index of one. */

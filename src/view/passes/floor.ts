@@ -1,10 +1,10 @@
 import { vec3 } from 'gl-matrix';
 import type { Plane } from '../../core/planar.ts';
 import type { UniformValue } from '../../gl/program.ts';
+import type { Defines } from '../../gl/shader-library.ts';
 import type { Frame } from '../frame.ts';
 import type { Pass } from '../pass.ts';
 import type { ViewOptions } from '../view-options.ts';
-import { backdropDefines } from './backdrop.ts';
 
 /** The floor, which is lit from above. */
 export const floorPlane: Plane = [0, 1, 0, 0];
@@ -25,7 +25,7 @@ export const floorPass: Pass = {
   create({ gl }, programs) {
     return {
       draw(frame) {
-        const program = programs.pass('floor', backdropDefines(frame.options));
+        const program = programs.pass('floor', floorDefines(frame));
         program.use();
         program.set(frame.uniforms);
         program.set(floorUniforms(frame));
@@ -41,6 +41,11 @@ export const floorPass: Pass = {
 
 export function hasFloor({ environment, showSurroundings }: ViewOptions): boolean {
   return showSurroundings && environment.floor.kind !== 'off';
+}
+
+/** Without a background, the floor fades into nothing. */
+export function floorDefines({ options: { environment } }: Frame): Defines {
+  return environment.background.kind === 'transparent' ? { CUT_OUT: 1 } : {};
 }
 
 /** What shaders need to know of the floor's surface. */

@@ -1,8 +1,7 @@
 import { planarShadow } from '../../core/planar.ts';
 import { lightDirection } from '../light-direction.ts';
 import type { Pass } from '../pass.ts';
-import { backdropDefines } from './backdrop.ts';
-import { floorPlane, floorUniforms, hasFloor } from './floor.ts';
+import { floorDefines, floorPlane, floorUniforms, hasFloor } from './floor.ts';
 
 /**
  * Draws the characters once more, pressed flat onto the floor along the key light, in the color that
@@ -18,7 +17,7 @@ export const planarShadowPass: Pass = {
       draw(frame) {
         const direction = lightDirection(frame.options.environment.lights[0]!);
         if (frame.eye[1] <= 0 || direction[1] <= 0) return;
-        const program = programs.pass('planar-shadow', backdropDefines(frame.options));
+        const program = programs.pass('planar-shadow', floorDefines(frame));
         program.use();
         program.set(frame.uniforms);
         program.set(floorUniforms(frame));

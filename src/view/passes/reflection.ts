@@ -3,8 +3,7 @@ import { clippedBehind, planarMirror } from '../../core/planar.ts';
 import type { Frame } from '../frame.ts';
 import { MirrorPicture } from '../mirror-picture.ts';
 import type { Pass } from '../pass.ts';
-import { backdropDefines } from './backdrop.ts';
-import { floorPlane, floorUniforms, hasFloor } from './floor.ts';
+import { floorDefines, floorPlane, floorUniforms, hasFloor } from './floor.ts';
 
 const mirrorUnit = 5;
 
@@ -25,7 +24,7 @@ export const reflectionPass: Pass = {
       },
       draw(frame) {
         if (!isSeen(frame)) return;
-        const program = programs.pass('reflection', backdropDefines(frame.options));
+        const program = programs.pass('reflection', floorDefines(frame));
         program.use();
         program.set(frame.uniforms);
         program.set(floorUniforms(frame));

@@ -3,6 +3,7 @@ import './later-shaders.ts';
 import { axesPass } from './axes.ts';
 import { backdropPass } from './backdrop.ts';
 import { boneLinesPass } from './bone-lines.ts';
+import { checkerboardPass } from './checkerboard.ts';
 import { floorPass } from './floor.ts';
 import { litLimbPass } from './lit-limb.ts';
 import { meshPass } from './mesh.ts';
@@ -19,6 +20,7 @@ export const passes: readonly Pass[] = [
   backdropPass,
   skeletonPass,
   meshPass,
+  checkerboardPass,
   litLimbPass,
   hiddenSkeletonPass,
   boneLinesPass,

@@ -1,0 +1,1 @@
+#include "passes/backdrop.vert.glsl"
