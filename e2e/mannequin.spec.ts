@@ -122,7 +122,7 @@ test('in bone mode a drag turns the bone, which stays under the pointer; draggin
 
 test('in bone mode a drag beside the bones still moves the camera', async () => {
   const [pose, camera] = [await getPose(page()), await cameraOf(page())];
-  await drag(await placeAt(0.06, 0.3), [40, 0]);
+  await drag(await placeAt(0.06, 0.75), [40, 0]);
   await page().mouse.up();
   expect(await getPose(page())).toEqual(pose);
   expect(await cameraOf(page())).not.toEqual(camera);

@@ -2,15 +2,16 @@ import { signal } from '@preact/signals-core';
 import { hasErrors } from '../core/diagnostics.ts';
 import { loadPart } from '../core/failure.ts';
 import { BallAngles } from '../document/ball-angles.ts';
+import { PlaceAngles } from '../document/place-angles.ts';
 import { removeActor, removeActors, resetPose } from '../document/edits.ts';
 import { replaceScene } from '../document/scene-edits.ts';
-import { emptyScene } from '../document/scene.ts';
+import { type ActorId, emptyScene } from '../document/scene.ts';
 import { openCharacter } from '../document/open-characters.ts';
 import { selectActor } from '../document/reconcile.ts';
 import { selectedActor } from '../document/selected-actor.ts';
 import { isUntouched } from '../document/untouched.ts';
 import { Transport } from '../document/transport.ts';
-import { placeInRow } from '../evaluation/placing.ts';
+import { placeBeside } from '../evaluation/placing.ts';
 import { sceneBounds } from '../evaluation/scene-bounds.ts';
 import { readableExtensions, sceneExtension } from '../formats/extensions.ts';
 import { writeObj } from '../formats/obj/write-obj.ts';
@@ -39,12 +40,14 @@ export function createEditor(
     ...opening,
     transport: new Transport(store, session),
     ballAngles: new BallAngles(),
+    placeAngles: new PlaceAngles(),
     recentEntries: signal([]),
     letterKeys: signal(true),
     tab: signal('pose'),
     hints: createHints(canvas, opening),
     drawer: signal<Drawer | null>(null),
     fileExtensions: [...new Set([sceneExtension, ...readableExtensions, '.json', '.png'])],
+    renaming: signal<ActorId | null>(null),
 
     scenes,
 
@@ -104,8 +107,8 @@ export function createEditor(
     duplicateSelected() {
       const actor = selected();
       if (!actor) return;
-      const [transform] = placeInRow(sceneBounds(evaluations.all()), [actor.character]);
-      const kept = { ...actor, transform: { ...actor.transform, position: transform!.position } };
+      const transform = placeBeside(sceneBounds(evaluations.all()), evaluations.of(actor));
+      const kept = { ...actor, transform };
       store.dispatch(openCharacter(null, actor.character, actor.method, kept));
       notice.value = `${actor.name} added once more`;
     },

@@ -54,14 +54,16 @@ export function renews(
 
 /** The state that an actor passes on to its successor when its files are read again. */
 export function keptState(before: Actor, character: Character): KeptState {
-  const { q, morphWeights, normalizeWeights, clip, transform, look } = before;
+  const { q, name, morphWeights, normalizeWeights, clip, transform, fitted, look } = before;
   const { clips } = before;
   const { morphs } = before.character;
   const weights = new Map(morphs.map(({ name }, index) => [name, morphWeights[index]!]));
   const bound = character.clips.findIndex(({ name }) => name === clips[clip ?? -1]?.name);
   return {
     q,
+    name,
     transform,
+    fitted,
     morphWeights: Float64Array.from(character.morphs, ({ name }) => weights.get(name) ?? 0),
     clip: bound === -1 ? null : bound,
     normalizeWeights,

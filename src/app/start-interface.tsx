@@ -5,6 +5,7 @@ import { render } from 'preact';
 import { followCursor } from '../ui/cursor.ts';
 import { listenToKeys } from '../ui/keys.ts';
 import { nameView } from '../ui/name-view.ts';
+import { keepOneTool } from '../ui/one-tool.ts';
 import { Dialogs } from '../ui/panels/dialogs.tsx';
 import { PhoneBar } from '../ui/panels/phone-bar.tsx';
 import { Sections } from '../ui/panels/sections.tsx';
@@ -55,6 +56,7 @@ export function startInterface(
   nameView(layout.canvas, editor);
   followCursor(layout.canvas, editor);
   followShots(editor);
+  keepOneTool(editor.session);
   effect(() => {
     layout.root.dataset['drawer'] = editor.drawer.value ?? '';
   });

@@ -3,7 +3,7 @@ import { jointRange } from '../core/pose.ts';
 import type { NormalsId } from '../core/skin.ts';
 import type { MethodId } from '../skinning/method.ts';
 import { type Edit, editActor } from './edit.ts';
-import type { Actor, ActorId, Transform } from './scene.ts';
+import type { Actor, ActorId } from './scene.ts';
 
 /**
  * Sets one value of a character's pose. An edit applies to the pose that is shown: if a clip is
@@ -85,6 +85,11 @@ export function setNormalizeWeights(id: ActorId, normalizeWeights: boolean): Edi
   return editActor(id, label, (actor) => ({ ...actor, normalizeWeights }));
 }
 
+/** Gives an actor another name; its character keeps its own. */
+export function renameActor({ id, name: old }: Actor, name: string): Edit {
+  return editActor(id, `Rename ${old}`, (actor) => ({ ...actor, name }));
+}
+
 /** Removes an actor from the scene. */
 export function removeActor({ id, name }: Actor): Edit {
   return {
@@ -96,9 +101,4 @@ export function removeActor({ id, name }: Actor): Edit {
 /** Removes all actors and shots from the scene. */
 export function removeActors(label: string): Edit {
   return { label, apply: (scene) => ({ ...scene, actors: [], shots: [] }) };
-}
-
-/** Moves, rotates or scales an actor in the scene. */
-export function setTransform(id: ActorId, transform: Transform, label: string): Edit {
-  return editActor(id, label, (actor) => ({ ...actor, transform }));
 }

@@ -45,14 +45,14 @@ export function sourceOf(
 }
 
 /**
- * The placement of an actor in the scene, applied after the character's normalized size and
- * position; scene space.
+ * The placement of an actor in the scene, applied after the character was fitted to the common
+ * size, if it was; scene space.
  */
 export interface Transform {
   readonly position: readonly [number, number, number];
   /** Unit quaternion xyzw. */
   readonly rotation: readonly [number, number, number, number];
-  /** Uniform, about the point between the feet. */
+  /** Uniform, about the point between the feet, or about the file's origin if it is not fitted. */
   readonly scale: number;
 }
 
@@ -64,6 +64,11 @@ export interface Actor {
   readonly character: Character;
   readonly source: Source;
   readonly transform: Transform;
+  /**
+   * Whether it is shown one unit tall with its feet at the transform's origin; otherwise in its
+   * file's own units, about its file's own origin.
+   */
+  readonly fitted: boolean;
   /** (qCount) the pose; never written in place. */
   readonly q: Float64Array;
   /** (morphCount) the weight of each morph; never written in place. */
@@ -89,6 +94,7 @@ export type KeptState = Partial<
     | 'name'
     | 'source'
     | 'transform'
+    | 'fitted'
     | 'q'
     | 'morphWeights'
     | 'clips'
@@ -118,6 +124,7 @@ export function createActor(
     character,
     source,
     transform,
+    fitted: kept.fitted ?? true,
     q: (kept.q ?? character.skeleton.qRest).slice(),
     morphWeights: kept.morphWeights?.slice() ?? new Float64Array(character.morphs.length),
     clips: kept.clips ?? character.clips,

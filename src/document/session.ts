@@ -28,6 +28,12 @@ export interface ActiveDof {
 /** The id of a handle in the view, by which a value is dragged. */
 export type HandleId = string;
 
+/** What a tool does to the whole selected character. */
+export type PlaceTool = 'move' | 'turn' | 'scale';
+
+/** The axes by which a character is moved and turned: the scene's, or its own. */
+export type PlaceAxes = 'world' | 'local';
+
 /**
  * How a skeleton is drawn: spheres and bones, the boxes of its file, both, or one line per bone.
  */
@@ -80,6 +86,11 @@ export class Session {
    * left.
    */
   readonly hoverPlace = signal<readonly [number, number] | null>(null);
+  /** The tool that places the whole selected character, while no joint is selected, or null. */
+  readonly placeTool = signal<PlaceTool | null>(null);
+  readonly placeAxes = signal<PlaceAxes>('world');
+  /** What the present drag of a handle has done so far, for the text in the view, or null. */
+  readonly dragText = signal<string | null>(null);
   /** Whether every limb turns when it is dragged, not only the selected one. */
   readonly boneMode = signal(false);
   readonly posesBy = signal<PosesBy>('selection');

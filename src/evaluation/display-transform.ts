@@ -1,7 +1,7 @@
 import { mat4 } from 'gl-matrix';
 import { extents, isEmpty } from '../core/bounds.ts';
 import type { Character } from '../core/character.ts';
-import { type Transform, unmoved } from '../document/scene.ts';
+import { type Actor, unmoved } from '../document/scene.ts';
 
 /** How a character is placed in the scene. The scale is uniform. */
 export interface DisplayTransform {
@@ -16,21 +16,20 @@ export interface DisplayTransform {
 const flatness = 0.5;
 
 /**
- * Without a transform, a character is one unit tall whatever its file's units, with its feet on the
- * floor y = 0 and its middle over the origin. The transform then scales, rotates and moves it from
- * there.
+ * A fitted character is one unit tall whatever its file's units, with its feet on the floor y = 0
+ * and its middle over the origin; another one stands as its file has it, one unit of the file being
+ * one of the scene. The transform then scales, rotates and moves it from there.
  */
 export function displayTransform(
   { bounds }: Pick<Character, 'bounds'>,
-  transform: Transform = unmoved,
+  { transform = unmoved, fitted = true }: Partial<Pick<Actor, 'transform' | 'fitted'>> = {},
 ): DisplayTransform {
   const { position, rotation } = transform;
   const sceneFromCharacter = new Float64Array(16);
   mat4.fromRotationTranslation(sceneFromCharacter, [...rotation], [...position]);
-  const standing = isEmpty(bounds) ? 1 : standingScale(extents(bounds));
-  const scale = standing * transform.scale;
+  const scale = (fitted ? fittedScale({ bounds }) : 1) * transform.scale;
   mat4.scale(sceneFromCharacter, sceneFromCharacter, [scale, scale, scale]);
-  if (isEmpty(bounds)) return { sceneFromCharacter, scale };
+  if (!fitted || isEmpty(bounds)) return { sceneFromCharacter, scale };
   const [width, , depth] = extents(bounds);
   mat4.translate(sceneFromCharacter, sceneFromCharacter, [
     -(bounds.min[0]! + width / 2),
@@ -40,7 +39,10 @@ export function displayTransform(
   return { sceneFromCharacter, scale };
 }
 
-function standingScale([width, height, depth]: readonly [number, number, number]): number {
+/** The factor that makes a character one unit tall: scene units per unit of its file. */
+export function fittedScale({ bounds }: Pick<Character, 'bounds'>): number {
+  if (isEmpty(bounds)) return 1;
+  const [width, height, depth] = extents(bounds);
   const size = Math.max(height, flatness * width, flatness * depth);
   return size > 0 ? 1 / size : 1;
 }

@@ -74,8 +74,8 @@ export class Evaluator implements Evaluation {
     );
     this.displayStage = new Stage(
       shared.display,
-      () => [this.now.transform],
-      () => displayTransform(character, this.now.transform),
+      () => [this.now.transform, this.now.fitted],
+      () => displayTransform(character, this.now),
     );
   }
 

@@ -1,7 +1,9 @@
 import { type Bounds, extents, isEmpty } from '../core/bounds.ts';
 import type { Character } from '../core/character.ts';
 import { type Transform, unmoved } from '../document/scene.ts';
-import { displayTransform } from './display-transform.ts';
+import { fittedScale } from './display-transform.ts';
+import type { Evaluation } from './evaluation.ts';
+import { sceneBounds } from './scene-bounds.ts';
 
 /** The distance between neighbors in scene units, in which a character is one unit tall. */
 const gap = 0.2;
@@ -20,6 +22,20 @@ export function placeInRow(taken: Bounds, characters: readonly Character[]): Tra
   });
 }
 
+/**
+ * Returns the place of a copy of a character: as high and as deep as it, to the right of everything
+ * that is in the scene.
+ *
+ * @param taken the box around what is in the scene, in scene space
+ */
+export function placeBeside(taken: Bounds, original: Evaluation): Transform {
+  const { transform } = original.state;
+  const own = sceneBounds([original]);
+  if (isEmpty(own)) return transform;
+  const [x, y, z] = transform.position;
+  return { ...transform, position: [x + taken.max[0]! + gap - own.min[0]!, y, z] };
+}
+
 /** Places the character so that its left side is at x. */
 function placeAt(x: number, character: Character): Transform {
   return { ...unmoved, position: [x + widthOf(character) / 2, 0, 0] };
@@ -28,5 +44,5 @@ function placeAt(x: number, character: Character): Transform {
 /** The width in the file's pose, in scene units. */
 function widthOf(character: Character): number {
   if (isEmpty(character.bounds)) return 0;
-  return extents(character.bounds)[0] * displayTransform(character).scale;
+  return extents(character.bounds)[0] * fittedScale(character);
 }

@@ -1,5 +1,6 @@
 import type { ReadonlySignal, Signal } from '@preact/signals-core';
 import type { BallAngles } from '../document/ball-angles.ts';
+import type { PlaceAngles } from '../document/place-angles.ts';
 import type { ActorId } from '../document/scene.ts';
 import type { Session } from '../document/session.ts';
 import type { Store } from '../document/store.ts';
@@ -164,6 +165,8 @@ export interface PageState {
   /** What this visitor may not know yet. */
   readonly hints: ReadonlySignal<readonly Hint[]>;
   readonly drawer: Signal<Drawer | null>;
+  /** The actor whose name is being written in the outliner, or null. */
+  readonly renaming: Signal<ActorId | null>;
   /** The file extensions that the file dialog offers. */
   readonly fileExtensions: readonly string[];
 }
@@ -173,6 +176,8 @@ export interface Posing {
   readonly transport: Transport;
   /** The angles at which ball joints are shown. */
   readonly ballAngles: BallAngles;
+  /** The angles at which the rotations of whole characters are shown. */
+  readonly placeAngles: PlaceAngles;
 }
 
 /** What a user can do with the selected character, apart from editing single values. */

@@ -1,6 +1,6 @@
 import type { HandleId } from '../document/session.ts';
 import { boneAt, type BoneTarget } from '../view/pick.ts';
-import { ringAt } from '../view/pick-gizmo.ts';
+import { bodyHandleAt, handleAt } from '../view/pick-gizmo.ts';
 import type { Looking } from './editor.ts';
 import type { ToolPlace } from './tool.ts';
 
@@ -11,17 +11,19 @@ import type { ToolPlace } from './tool.ts';
 const mostTriangles = 400_000;
 
 /**
- * Highlights what a press at a place of the view would reach: a ring, or else a limb. While a clip
- * plays nothing is highlighted, since it would not stay under the pointer.
+ * Highlights what a press at a place of the view would reach: a handle, or else a limb. While a clip
+ * plays no limb is highlighted, since it would not stay under the pointer.
  */
 export function hoverAt(editor: Looking, place: ToolPlace | null): void {
-  if (!place || editor.session.playing.value) {
-    showHover(editor, null, null);
+  const handle = place && handleAt(editor, place);
+  if (handle !== null) {
+    showHoveredHandle(editor, handle);
     return;
   }
-  const ring = ringAt(editor, place);
-  if (ring) showHoveredHandle(editor, ring.id);
-  else showHover(editor, place, canLight(editor) ? boneAt(editor, place) : null);
+  const canPick = place !== null && !editor.session.playing.value && canLight(editor);
+  const body = canPick ? bodyHandleAt(editor, place) : null;
+  if (body) showHoveredHandle(editor, body.id);
+  else showHover(editor, place, canPick ? boneAt(editor, place) : null);
 }
 
 function canLight({ store, session }: Looking): boolean {

@@ -41,7 +41,7 @@ function matches({ key, control = false, shift }: KeyPress, event: KeyboardEvent
   if (control !== (event.ctrlKey || event.metaKey)) return false;
   // "?" needs Shift on many keyboards, so Shift is compared only if a key names it, or with Ctrl or
   // Cmd.
-  return shift === true ? event.shiftKey : !control || !event.shiftKey;
+  return shift === undefined ? !control || !event.shiftKey : shift === event.shiftKey;
 }
 
 function isLetter({ key, control }: KeyPress): boolean {

@@ -38,12 +38,15 @@ export function paletteEntries(editor: Editor): readonly PaletteEntry[] {
   ];
 }
 
-/** Whether a command can do something now. The timeline's commands need only a clip. */
+/**
+ * Whether a command can do something now. The timeline's commands need only a clip, and those for
+ * the whole character may deselect its joint.
+ */
 function applies(command: Command, editor: Editor): boolean {
   if (command.keyOnly || command.isEnabled?.(editor) === false) return false;
   const { context = 'everywhere' } = command;
-  const state = contexts.find(({ id }) => id === context);
-  return context === 'timeline' || state?.isActive(editor) === true;
+  if (context === 'timeline' || context === 'character') return true;
+  return contexts.find(({ id }) => id === context)?.isActive(editor) === true;
 }
 
 function toEntry(group: string, editor: Editor): (command: Command) => PaletteEntry {

@@ -1,7 +1,7 @@
 import { zoom } from '../view/camera.ts';
 import { selectActor } from '../document/reconcile.ts';
 import { boneAt } from '../view/pick.ts';
-import { ringAt } from '../view/pick-gizmo.ts';
+import { handleAt } from '../view/pick-gizmo.ts';
 import type { Looking } from './editor.ts';
 import { hoverAt, showHover } from './hover.ts';
 import { onceAFrame } from './once-a-frame.ts';
@@ -108,13 +108,14 @@ export function listenToPointer(canvas: HTMLCanvasElement, editor: Looking): voi
   }
 
   function click(place: ToolPlace): void {
-    if (ringAt(editor, place)) return;
+    if (handleAt(editor, place) !== null) return;
     const target = boneAt(editor, place);
-    const { selectedJoint, activeDof } = session;
+    const { selectedJoint, activeDof, placeTool } = session;
     if (target) selectActor(session, editor.store.scene.value, target.actorId);
     // A click on the selected limb lets all of its angles turn again.
     activeDof.value = null;
-    selectedJoint.value = target?.joint ?? null;
+    // A tool for whole characters stays with them.
+    selectedJoint.value = placeTool.value === null ? (target?.joint ?? null) : null;
   }
 }
 

@@ -5,10 +5,10 @@ import type { ViewAxes } from '../posing/mouse-turns.ts';
 
 export { startCamera } from '../document/camera.ts';
 
-/** The limits of a camera's distance, in scene units. */
-const [nearest, farthest] = [0.02, 40];
-/** What is farther behind the target is cut off, in scene units. */
-const depthBehind = 60;
+/** The limits of a camera's distance, in scene units; characters in their file's units are large. */
+const [nearest, farthest] = [0.02, 1000];
+/** What is farther behind the target is cut off, in scene units, or farther than the camera. */
+const leastDepthBehind = 60;
 /**
  * The distance of an orthographic camera's eye, in scene units: from there, lines of sight are
  * parallel, while rays and directions to the eye need no case of their own.
@@ -39,7 +39,11 @@ export function eyeOf(camera: Camera): vec3 {
 /** The distance before the camera at which things are cut off. */
 export function nearOf({ projection, distance }: Camera): number {
   // A camera without perspective also shows what is beside and behind the place it orbits at.
-  return projection === 'perspective' ? distance * 0.02 : farAway - depthBehind;
+  return projection === 'perspective' ? distance * 0.02 : farAway - depthBehind(distance);
+}
+
+function depthBehind(distance: number): number {
+  return Math.max(leastDepthBehind, distance);
 }
 
 /** Half the height of what the picture shows of the plane through the target, in scene units. */
@@ -58,7 +62,7 @@ export function clipFromScene(camera: Camera, aspect: number): mat4 {
     ...[-vec3.dot(right, eye), -vec3.dot(up, eye), vec3.dot(look, eye), 1],
   );
   const clip: mat4 = new Float64Array(16);
-  const [near, far] = [nearOf(camera), reachOf(camera) + depthBehind];
+  const [near, far] = [nearOf(camera), reachOf(camera) + depthBehind(camera.distance)];
   if (camera.projection === 'perspective') {
     mat4.perspective(clip, camera.fieldOfView, aspect, near, far);
   } else {

@@ -112,7 +112,8 @@ export function gizmoLines(rings: readonly GizmoRing[], { hovered, active }: Giz
   });
 }
 
-function arc(ring: GizmoRing, from: number, to: number): vec3[] {
+/** Points of a ring from one angle to another, closely enough to look round. */
+export function arc(ring: RingPlace, from: number, to: number): vec3[] {
   const count = Math.max(1, Math.ceil(((to - from) / fullTurn) * pieces));
   return Array.from({ length: count + 1 }, (_, i) =>
     pointOf(ring, from + ((to - from) * i) / count),
@@ -124,6 +125,7 @@ function pointOf({ center, first, second }: RingPlace, angle: number, part = 1):
   return vec3.scaleAndAdd(point, point, second, part * Math.sin(angle));
 }
 
-function lighter(color: readonly number[]): number[] {
+/** The color of what the pointer is over. */
+export function lighter(color: readonly number[]): number[] {
   return color.map((channel) => channel + (1 - channel) * 0.45);
 }

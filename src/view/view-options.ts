@@ -4,6 +4,8 @@ import type {
   ActiveDof,
   HandleId,
   HoveredLimb,
+  PlaceAxes,
+  PlaceTool,
   PosesBy,
   Session,
   SkeletonStyle,
@@ -25,6 +27,8 @@ export interface SessionOptions {
   readonly showOverlay: boolean;
   readonly hoveredHandle: HandleId | null;
   readonly activeDof: ActiveDof | null;
+  readonly placeTool: PlaceTool | null;
+  readonly placeAxes: PlaceAxes;
   readonly posesBy: PosesBy;
   readonly playing: boolean;
   readonly byTouch: boolean;
@@ -59,6 +63,8 @@ export function sessionOptionsOf(session: Session): SessionOptions {
     showOverlay: true,
     hoveredHandle: session.hoveredHandle.value,
     activeDof: session.activeDof.value,
+    placeTool: session.placeTool.value,
+    placeAxes: session.placeAxes.value,
     posesBy: session.posesBy.value,
     playing: session.playing.value,
     byTouch: session.byTouch.value,

@@ -12,9 +12,9 @@ import {
   setMorphWeight,
   setNormalizeWeights,
   setPose,
-  setTransform,
   setValue,
 } from '../../src/document/edits.ts';
+import { setTransform } from '../../src/document/place-edits.ts';
 import type { Edit } from '../../src/document/edit.ts';
 import { openCharacter } from '../../src/document/open-characters.ts';
 import { type Actor, type Scene, type Transform, unmoved } from '../../src/document/scene.ts';

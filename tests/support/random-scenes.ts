@@ -83,6 +83,7 @@ function actorOf(character: Character): fc.Arbitrary<Omit<Actor, 'id'>> {
       rotation,
       scale: fc.double({ min: 1e-6, max: 1e6, noNaN: true }),
     }),
+    fitted: fc.boolean(),
     q: values.map((own) =>
       skeleton.qRest.map((rest, at) =>
         Math.min(Math.max(own[at] ?? rest, skeleton.qMin[at]!), skeleton.qMax[at]!),

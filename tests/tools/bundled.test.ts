@@ -119,9 +119,11 @@ describe('the first visit', () => {
   async function inScene({ character: id, pose, place }: (typeof scene.actors)[number]) {
     const character = await readBundled(id);
     const { sceneFromCharacter, scale } = displayTransform(character, {
-      position: [place.x, 0, place.z],
-      rotation: [0, Math.sin(place.turn / 2), 0, Math.cos(place.turn / 2)],
-      scale: place.scale,
+      transform: {
+        position: [place.x, 0, place.z],
+        rotation: [0, Math.sin(place.turn / 2), 0, Math.cos(place.turn / 2)],
+        scale: place.scale,
+      },
     });
     const positions = posedPoints(character, poseOf(pose, character));
     const points = Array.from({ length: character.mesh.pointCount }, (_, point) =>

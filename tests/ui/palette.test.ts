@@ -89,7 +89,9 @@ describe('the palette', () => {
     expect(listed()).not.toContain('reset-joint');
     session.selectedJoint.value = 0;
     expect(listed()).toContain('reset-joint');
-    expect(listed()).not.toContain('remove-character');
+    // What is done to the whole character may deselect its joint.
+    expect(listed()).toContain('move-tool');
+    expect(listed()).not.toContain('place-axes');
     expect(listed()).not.toContain('release-clip');
     store.amend(bindClip(session.selectedActorId.value!, 0));
     expect(listed()).toContain('release-clip');
@@ -108,6 +110,7 @@ describe('the palette', () => {
     session.shownShot.value = 1;
     for (const id of listed()) seen.add(id);
     session.selectedJoint.value = null;
+    session.placeTool.value = 'move';
     for (const id of listed()) seen.add(id);
     const never = fitting.filter((id) => !seen.has(id));
     expect(never).toEqual(['palette']);

@@ -20,6 +20,7 @@ type PlainFields = Omit<
 const plainFields: Codecs<PlainFields> = {
   name: text,
   transform: transformJson,
+  fitted: flag,
   method: oneOf(methods.map(({ id }) => id)),
   normals: oneOf(normalWays.map(({ id }) => id)),
   normalizeWeights: flag,

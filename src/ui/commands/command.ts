@@ -7,12 +7,20 @@ export interface KeyPress {
   readonly key: string;
   /** With Ctrl, or Cmd on a Mac. */
   readonly control?: boolean;
+  /** Whether Shift must be held; either way, if absent, except with Ctrl or Cmd. */
   readonly shift?: boolean;
 }
 
 /** The states in which a command's keys apply; see contexts.ts. */
 export type ContextId =
-  'first person' | 'timeline' | 'bone' | 'joint' | 'character' | 'everywhere' | 'control';
+  | 'first person'
+  | 'timeline'
+  | 'placing'
+  | 'bone'
+  | 'joint'
+  | 'character'
+  | 'everywhere'
+  | 'control';
 
 /**
  * Something that a user can do. Keys, buttons, rows of the controls, the help sheet and

@@ -1,3 +1,4 @@
+import { selectedActor } from '../../document/selected-actor.ts';
 import type { Editor } from '../editor.ts';
 import { type Command, type ContextId, keyName, type KeyPress } from './command.ts';
 import { rolledJoint } from './joint-commands.ts';
@@ -22,6 +23,11 @@ export const contexts: readonly KeyContext[] = [
   },
   { id: 'timeline', label: 'While the timeline has the focus', isActive: () => false },
   {
+    id: 'placing',
+    label: 'While the character is moved, turned or scaled as a whole',
+    isActive: (editor) => isPlacing(editor),
+  },
+  {
     id: 'bone',
     label: 'In bone mode, with a highlighted or selected joint',
     isActive: ({ session }) => session.boneMode.value && rolledJoint(session) !== null,
@@ -38,6 +44,13 @@ export const contexts: readonly KeyContext[] = [
   },
   { id: 'everywhere', label: '', isActive: () => true },
 ];
+
+/** Whether a tool for whole characters has one to act on. */
+function isPlacing({ store, session }: Editor): boolean {
+  const { placeTool, selectedJoint } = session;
+  const isChosen = placeTool.value !== null && selectedJoint.value === null;
+  return isChosen && selectedActor(store, session) !== undefined;
+}
 
 /** A key of a command. */
 export interface KeyBinding {
@@ -70,6 +83,11 @@ export const pointerRows: readonly HelpRow[] = [
     'Left drag on a ring',
     'Turn one angle of the selected joint (Shift: a tenth; Ctrl/Cmd: in steps of 15°)',
   ],
+  [
+    'Left drag on an arrow, a square or a ring of the whole character',
+    'Move, turn or scale it (Shift: a tenth; Ctrl/Cmd: in steps of 0.1 or 15°); while it is moved, the character is a handle too',
+  ],
+  ['Double-click on a name', 'Rename the character'],
   ['Left drag elsewhere', 'Orbit; with the first-person camera, look around'],
   ['Middle drag', 'Pan'],
   ['Right drag, wheel', 'Zoom'],

@@ -1,4 +1,5 @@
 import { resetJoint } from '../../document/edits.ts';
+import { selectedActor } from '../../document/selected-actor.ts';
 import type { Editor } from '../editor.ts';
 import type { Command } from './command.ts';
 
@@ -36,6 +37,7 @@ export const editCommands = [
     short: 'Remove',
     keys: [{ key: 'Delete' }],
     context: 'character',
+    isEnabled: ({ store, session }) => selectedActor(store, session) !== undefined,
     run: (editor) => editor.removeSelected(),
   },
   {
@@ -61,7 +63,7 @@ export const editCommands = [
   },
   {
     id: 'cancel',
-    label: 'Cancel a drag, or deselect the active value',
+    label: 'Cancel a drag, lay down the tool, or deselect the active value',
     keys: [{ key: 'Escape' }],
     run: takeBack,
   },
@@ -72,16 +74,17 @@ function told(verb: string, label: string | null): string {
 }
 
 /**
- * Takes a step of the history, shows its name, and frames new characters. A character that was
- * opened again keeps its name, so the camera stays.
+ * Takes a step of the history, shows its name, and frames characters that are new or in other
+ * units. A character that was opened again keeps its name, so the camera stays.
  */
 function step(editor: Editor, verb: string, take: () => string | null): void {
   const { store, notice } = editor;
-  const names = (): string => store.scene.value.actors.map(({ name }) => name).join();
-  const before = names();
+  const shown = (): string =>
+    store.scene.value.actors.map(({ character, fitted }) => `${character.name} ${fitted}`).join();
+  const before = shown();
   const label = take();
   if (label === null) return;
-  if (names() !== before) editor.frameOpened();
+  if (shown() !== before) editor.frameOpened();
   const text = `${verb}: ${label}`;
   // Screen readers announce changes only, so a repeated text differs by a blank.
   notice.value = notice.value === text ? `${text}\u00a0` : text;
@@ -93,7 +96,13 @@ function resetSelectedJoint({ store, session, evaluations }: Editor): void {
   if (shown && joint !== null) store.dispatch(resetJoint(shown.state, shown.pose.q, joint));
 }
 
-/** Cancels a drag, or else deselects the active value, which drags would otherwise set. */
+/**
+ * Cancels a drag, or else lays down the tool for whole characters, or else deselects the active
+ * value, which drags would otherwise set.
+ */
 function takeBack({ store, session }: Editor): void {
-  if (!store.cancelGesture()) session.activeDof.value = null;
+  const { placeTool, activeDof, dragText } = session;
+  if (store.cancelGesture()) dragText.value = null;
+  else if (placeTool.value !== null) placeTool.value = null;
+  else activeDof.value = null;
 }

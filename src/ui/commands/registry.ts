@@ -6,6 +6,7 @@ import { editCommands } from './edit-commands.ts';
 import { fileCommands } from './file-commands.ts';
 import { jointCommands } from './joint-commands.ts';
 import { shotCommands } from './shot-commands.ts';
+import { placeCommands } from './place-commands.ts';
 import { viewCommands } from './view-commands.ts';
 
 /** Every command by the file it stands in, in the order of the help sheet. */
@@ -13,6 +14,7 @@ const groups = [
   { label: 'View', commands: viewCommands },
   { label: 'Files', commands: fileCommands },
   { label: 'Edit', commands: editCommands },
+  { label: 'Character', commands: placeCommands },
   { label: 'Joints', commands: jointCommands },
   { label: 'Clip', commands: clipCommands },
   { label: 'Camera', commands: [...cameraCommands, ...axisCommands] },

@@ -1,87 +1,124 @@
 import { effect } from '@preact/signals-core';
 import type { GUI } from 'lil-gui';
-import { setTransform } from '../../document/edits.ts';
-import { type Transform, unmoved } from '../../document/scene.ts';
+import { extents, isEmpty } from '../../core/bounds.ts';
+import { farthestPlace, legalScales, setTransform } from '../../document/place-edits.ts';
+import { type Actor, type Transform, unmoved } from '../../document/scene.ts';
 import { selectedActor } from '../../document/selected-actor.ts';
-import type { Looking } from '../editor.ts';
+import { displayTransform } from '../../evaluation/display-transform.ts';
+import type { Editor } from '../editor.ts';
+import { axisNames } from '../joint-values.ts';
+import { placeLabel } from '../place-steps.ts';
+import { formatSize } from '../number-text.ts';
+import type { PlaceTool } from '../../document/session.ts';
+import { addCommandRow } from './command-row.ts';
+import { addNote } from './note.ts';
 import { addValueRow, type ValueRow } from './value-row.ts';
 
-/** In scene units; a character is one unit tall. */
+/** In scene units; a fitted character is one unit tall. */
 const reach = 3;
 const largestScale = 4;
+const axes = [0, 1, 2] as const;
 
 interface PlaceValue {
   readonly name: string;
-  readonly label: string;
+  readonly tool: PlaceTool;
+  readonly axis?: 0 | 1 | 2;
   readonly minimum: number;
   readonly maximum: number;
   readonly legal: readonly [number, number];
-  readonly isAngle: boolean;
-  read(transform: Transform): number;
-  write(transform: Transform, value: number): Transform;
+  read(actor: Pick<Actor, 'id' | 'transform'>): number;
+  write(actor: Pick<Actor, 'id' | 'transform'>, value: number): Transform;
 }
 
 /** Adds controls for the position, rotation and size of the selected character in the scene. */
-export function addPlaceFolder(gui: GUI, editor: Looking): void {
-  const { store, session } = editor;
+export function addPlaceFolder(gui: GUI, editor: Editor): () => void {
+  const { store, session, placeAngles } = editor;
   const folder = gui.addFolder('Place').close();
-  const values: readonly PlaceValue[] = [moved(0), moved(1), moved(2), turned, sized];
+  const values: readonly PlaceValue[] = [
+    ...axes.map(moved),
+    ...axes.map((axis) => turned(axis, placeAngles)),
+    sized,
+  ];
   const rows = values.map((value) => addRow(folder, editor, value));
-  effect(() => {
-    folder.show(selectedActor(store, session) !== undefined);
-    for (const row of rows) row.refresh();
-  });
+  addCommandRow(folder, editor, 'fit');
+  const note = addNote(folder, '');
+  addCommandRow(folder, editor, 'set-on-floor');
+  addCommandRow(folder, editor, 'reset-place');
+  const ends = [
+    effect(() => {
+      const actor = selectedActor(store, session);
+      folder.show(actor !== undefined);
+      for (const row of rows) row.refresh();
+      note.textContent = actor ? sizeText(actor) : '';
+    }),
+    // Whoever takes up a tool wants to see its numbers.
+    effect(() => {
+      if (session.placeTool.value !== null) folder.open();
+    }),
+  ];
+  return () => {
+    for (const end of ends) end();
+  };
+}
+
+/** How tall the file's pose is, in the file's units and as it is shown. */
+function sizeText(actor: Actor): string {
+  const { bounds } = actor.character;
+  const height = isEmpty(bounds) ? 0 : extents(bounds)[1];
+  const shown = formatSize(height * displayTransform(actor.character, actor).scale);
+  const file = `${formatSize(height)} units tall in its file`;
+  return actor.fitted
+    ? `${file}, ${shown} here`
+    : `${file}, and ${shown} here, about the file's own origin`;
 }
 
 function moved(axis: 0 | 1 | 2): PlaceValue {
-  const letter = 'XYZ'[axis]!;
   return {
-    name: `Move ${letter}`,
-    label: 'Move',
+    name: `Move ${axisNames[axis]}`,
+    tool: 'move',
+    axis,
     minimum: -reach,
     maximum: reach,
-    legal: [-1000, 1000],
-    isAngle: false,
-    read: ({ position }) => position[axis],
-    write: (transform, value) => {
+    legal: [-farthestPlace, farthestPlace],
+    read: ({ transform }) => transform.position[axis],
+    write: ({ transform }, value) => {
       const position = transform.position.map((old, i) => (i === axis ? value : old));
       return { ...transform, position: position as [number, number, number] };
     },
   };
 }
 
-/** Rotation about the vertical axis, the only one that the controls offer. */
-const turned: PlaceValue = {
-  name: 'Turn',
-  label: 'Turn',
-  minimum: -Math.PI,
-  maximum: Math.PI,
-  legal: [-1000, 1000],
-  isAngle: true,
-  read: ({ rotation: [, y, , w] }) => 2 * Math.atan2(y, w),
-  write: (transform, angle) => {
-    return { ...transform, rotation: [0, Math.sin(angle / 2), 0, Math.cos(angle / 2)] };
-  },
-};
+/** A rotation is made of three angles; see `PlaceAngles`. */
+function turned(axis: 0 | 1 | 2, angles: Editor['placeAngles']): PlaceValue {
+  return {
+    name: `Turn ${axisNames[axis]}`,
+    tool: 'turn',
+    axis,
+    minimum: -Math.PI,
+    maximum: Math.PI,
+    legal: [-1000, 1000],
+    read: ({ id, transform }) => angles.of(id, transform.rotation)[axis],
+    write: ({ id, transform }, angle) => angles.withAngle(id, transform, axis, angle),
+  };
+}
 
 const sized: PlaceValue = {
   name: 'Size',
-  label: 'Size',
+  tool: 'scale',
   minimum: 0.05,
   maximum: largestScale,
-  legal: [0.001, 1000],
-  isAngle: false,
-  read: ({ scale }) => scale,
-  write: (transform, scale) => ({ ...transform, scale }),
+  legal: legalScales,
+  read: ({ transform }) => transform.scale,
+  write: ({ transform }, scale) => ({ ...transform, scale }),
 };
 
-function addRow(folder: GUI, { store, session }: Looking, value: PlaceValue): ValueRow {
-  const { name, minimum, maximum, legal, isAngle } = value;
-  const actor = () => selectedActor(store, session);
-  const labelNow = (): string => `${value.label} ${actor()?.name ?? ''}`;
+function addRow(folder: GUI, { store, session }: Editor, value: PlaceValue): ValueRow {
+  const { name, axis, tool, minimum, maximum, legal } = value;
+  const nobody = { id: 0, name: '', transform: unmoved };
+  const actor = () => selectedActor(store, session) ?? nobody;
+  const labelNow = (): string => placeLabel(tool, actor());
   const write = (number: number) => {
-    const { id, transform } = actor()!;
-    return setTransform(id, value.write(transform, number), labelNow());
+    return setTransform(actor().id, value.write(actor(), number), labelNow());
   };
   return addValueRow(folder, {
     name,
@@ -89,11 +126,12 @@ function addRow(folder: GUI, { store, session }: Looking, value: PlaceValue): Va
     minimum,
     maximum,
     legal,
-    isAngle,
+    ...(axis === undefined ? {} : { axis }),
+    isAngle: tool === 'turn',
     locked: false,
-    read: () => value.read(actor()?.transform ?? unmoved),
+    read: () => value.read(actor()),
     begin: () => store.begin(labelNow()),
     preview: (gesture, number) => gesture.preview(write(number)),
-    reset: () => store.dispatch(write(value.read(unmoved))),
+    reset: () => store.dispatch(write(tool === 'scale' ? unmoved.scale : 0)),
   });
 }

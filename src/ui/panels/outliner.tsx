@@ -6,6 +6,7 @@ import { hintAt } from '../hints.ts';
 import { numberedNames } from '../numbered-names.ts';
 import { CommandButton } from './command-button.tsx';
 import { Icon } from './icon.tsx';
+import { NameField } from './name-field.tsx';
 
 /** The characters of the scene, one of them selected, and what adds more. */
 export function Outliner({ editor }: { readonly editor: Editor }) {
@@ -45,21 +46,27 @@ interface ActorRowProperties {
   readonly name: string;
 }
 
-function ActorRow({ editor, actor: { id, look }, name }: ActorRowProperties) {
+function ActorRow({ editor, actor, name }: ActorRowProperties) {
+  const { id, look } = actor;
   const isSelected = id === editor.session.selectedActorId.value;
   const label = look.visible ? `Hide ${name}` : `Show ${name}`;
   return (
     <li class={isSelected ? 'selected' : ''}>
-      <button
-        type="button"
-        class="name"
-        title={name}
-        aria-pressed={isSelected}
-        onClick={() => editor.select(id)}
-      >
-        <span class="clay" style={{ background: clayColors[look.clay] }} />
-        <span class="text">{name}</span>
-      </button>
+      {editor.renaming.value === id ? (
+        <NameField editor={editor} actor={actor} />
+      ) : (
+        <button
+          type="button"
+          class="name"
+          title={`${name} (double-click to rename)`}
+          aria-pressed={isSelected}
+          onClick={() => editor.select(id)}
+          onDblClick={() => (editor.renaming.value = id)}
+        >
+          <span class="clay" style={{ background: clayColors[look.clay] }} />
+          <span class="text">{name}</span>
+        </button>
+      )}
       {isSelected && (
         <>
           <CommandButton editor={editor} command="duplicate-character" icon="copy" />

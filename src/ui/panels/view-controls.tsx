@@ -3,11 +3,18 @@ import { CommandButton } from './command-button.tsx';
 
 /** The tools at the left edge of the view, the switches at its top right, the camera below them. */
 export function ViewControls({ editor }: { readonly editor: Editor }) {
+  const { placeTool } = editor.session;
+  const isPlacing = placeTool.value === 'move' || placeTool.value === 'turn';
   return (
     <>
       <div class="view-tools" role="group" aria-label="Tools">
+        <CommandButton editor={editor} command="look-tool" icon="look" />
         <CommandButton editor={editor} command="bone-mode" icon="pose" />
+        <CommandButton editor={editor} command="move-tool" icon="move" />
+        <CommandButton editor={editor} command="turn-tool" icon="turn" />
+        <CommandButton editor={editor} command="scale-tool" icon="scale" />
         <CommandButton editor={editor} command="first-person" icon="walk" />
+        {isPlacing && <CommandButton editor={editor} command="place-axes" icon="own-axes" />}
       </div>
       <div class="view-switches" role="group" aria-label="What is shown">
         <CommandButton editor={editor} command="skin" icon="skin" />

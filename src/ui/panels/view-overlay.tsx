@@ -79,8 +79,13 @@ function CameraText({ editor: { viewer } }: { readonly editor: Looking }) {
   return <p class="camera-text">{axis ? `${axis.label} · orthographic` : 'Orthographic'}</p>;
 }
 
-/** The degree of freedom that was last changed, with its value, in a corner of the picture. */
+/**
+ * What a drag of the whole character has done so far, or else the degree of freedom that was last
+ * changed, with its value, in a corner of the picture.
+ */
 function ActiveDofText({ editor }: { readonly editor: Looking & Posing }) {
+  const { dragText } = editor.session;
+  if (dragText.value !== null) return <output class="active-dof">{dragText.value}</output>;
   const dof = editor.session.activeDof.value;
   if (!dof) return null;
   const value = valueOf(editor, dof);

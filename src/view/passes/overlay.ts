@@ -4,24 +4,30 @@ import type { Program } from '../../gl/program.ts';
 import { type Attribute, VertexArray } from '../../gl/vertex-array.ts';
 import type { Frame } from '../frame.ts';
 import { gizmoLines, gizmoOf, gizmoRings } from '../gizmo.ts';
-import type { Overlay } from '../overlay.ts';
+import { isFace, type Overlay, type OverlayFace, type OverlayLine } from '../overlay.ts';
 import type { Pass } from '../pass.ts';
+import { placeGizmoOf, placeHandles, placeShapes } from '../place-gizmo.ts';
 
-/** The floats of a piece of a line: its two ends, its color with opacity, and its width. */
-const pieceSize = 11;
+/** The floats of a piece: three corners, its color with opacity, and its two widths. */
+const pieceSize = 15;
+/** The widths of a triangle. */
+const triangle = [-1, -1] as const;
 /** The opacity of what the scene hides, as a part of its own. */
 const hiddenOpacity = 0.55;
 
-/** Draws the overlay: lines of constant width over the scene, fainter where it hides them. */
+/**
+ * Draws the overlay: lines of constant width and filled faces over the scene, fainter where it
+ * hides them.
+ */
 export const overlayPass: Pass = {
   id: 'overlay',
-  isShown: (options) => gizmoOf(options) !== null,
+  isShown: (options) => gizmoOf(options) !== null || placeGizmoOf(options) !== null,
   create(gpu, programs) {
     const { gl } = gpu;
     const program = programs.pass('overlay');
     // The overlay is drawn on the page alone, so that the picture fills the canvas.
     const canvas = gl.canvas as HTMLCanvasElement;
-    const pieces = new LinePieces(gpu, program);
+    const pieces = new Pieces(gpu, program);
     return {
       draw(frame) {
         const cssScale = frame.viewport.height / canvas.clientHeight;
@@ -49,15 +55,33 @@ export const overlayPass: Pass = {
 
 /** @param cssScale the picture's pixels per CSS pixel */
 function overlayOf({ characters, options, camera, viewport }: Frame, cssScale: number): Overlay {
-  const gizmo = gizmoOf(options);
   const character = characters.find(({ state }) => state.id === options.selectedActorId);
-  if (!gizmo || !character) return [];
+  if (!character) return [];
+  const { evaluation } = character;
   const view = { camera, width: viewport.width / cssScale, height: viewport.height / cssScale };
-  return gizmoLines(gizmoRings(character.evaluation, view, gizmo), gizmo);
+  const [joint, place] = [gizmoOf(options), placeGizmoOf(options)];
+  return [
+    ...(joint ? gizmoLines(gizmoRings(evaluation, view, joint), joint) : []),
+    ...(place ? placeShapes(placeHandles(evaluation.state, view, place), place) : []),
+  ];
 }
 
-/** The straight pieces of lines, which one call draws. */
-class LinePieces {
+/** The pieces of a shape, as floats. */
+function floatsOf(shape: OverlayLine | OverlayFace): number[] {
+  const { points, color, opacity } = shape;
+  const paint = [...color, opacity];
+  if (isFace(shape)) {
+    const [first, ...others] = points;
+    return others
+      .slice(1)
+      .flatMap((to, i) => [...first!, ...others[i]!, ...to, ...paint, ...triangle]);
+  }
+  const widths = [shape.width, shape.endWidth ?? shape.width];
+  return points.slice(1).flatMap((to, i) => [...points[i]!, ...to, ...to, ...paint, ...widths]);
+}
+
+/** Straight pieces of lines and triangles, which one call draws. */
+class Pieces {
   private readonly gpu: Gpu;
   private readonly program: Program;
   private held: { readonly buffer: Buffer; readonly array: VertexArray } | null = null;
@@ -69,9 +93,7 @@ class LinePieces {
   }
 
   write(overlay: Overlay): void {
-    const floats = overlay.flatMap(({ points, color, opacity, width }) =>
-      points.slice(1).flatMap((to, i) => [...points[i]!, ...to, ...color, opacity, width]),
-    );
+    const floats = overlay.flatMap(floatsOf);
     this.count = floats.length / pieceSize;
     if (this.count === 0) return;
     const bytes = Float32Array.from(floats);
@@ -97,7 +119,7 @@ class LinePieces {
   }
 
   private createArray(buffer: Buffer): VertexArray {
-    const attribute = (size: 1 | 3 | 4, firstFloat: number): Attribute => ({
+    const attribute = (size: 2 | 3 | 4, firstFloat: number): Attribute => ({
       buffer,
       size,
       stride: pieceSize * Float32Array.BYTES_PER_ELEMENT,
@@ -107,8 +129,9 @@ class LinePieces {
     return new VertexArray(this.gpu, this.program, {
       startPlace: attribute(3, 0),
       endPlace: attribute(3, 3),
-      pieceColor: attribute(4, 6),
-      pieceWidth: attribute(1, 10),
+      cornerPlace: attribute(3, 6),
+      pieceColor: attribute(4, 9),
+      pieceWidths: attribute(2, 13),
     });
   }
 }
