@@ -16,8 +16,9 @@ import { sceneBounds } from '../evaluation/scene-bounds.ts';
 import { readableExtensions, sceneExtension } from '../formats/extensions.ts';
 import { writeObj } from '../formats/obj/write-obj.ts';
 import { poseToJson } from '../formats/write-pose-json.ts';
+import { attempt } from '../ui/attempt.ts';
 import { copyText } from '../ui/copy-text.ts';
-import type { Drawer, Editor } from '../ui/editor.ts';
+import type { Drawer, Editor, Keeping } from '../ui/editor.ts';
 import { createHints } from '../ui/hints.ts';
 import { focusJoint } from '../ui/focus-joint.ts';
 import { verifyShown } from '../view/verify.ts';
@@ -25,6 +26,7 @@ import type { CatalogueScene } from './catalogue.ts';
 import type { OpeningOfScenes } from './create-opening.ts';
 import { download } from './download.ts';
 import { savePicture } from './save-picture.ts';
+import { freshTarget } from './scenes/scene-target.ts';
 
 /** Completes the opening to an editor with everything that the interface can ask for. */
 export function createEditor(
@@ -34,6 +36,7 @@ export function createEditor(
 ): Editor {
   const { store, session, evaluations, viewer, notice } = opening;
   const selected = () => selectedActor(store, session);
+  const keeping = signal<Keeping>('nothing');
   let added: Promise<void> = Promise.resolve();
 
   const editor: Editor = {
@@ -46,6 +49,7 @@ export function createEditor(
     tab: signal('pose'),
     hints: createHints(canvas, opening),
     drawer: signal<Drawer | null>(null),
+    keeping,
     fileExtensions: [...new Set([sceneExtension, ...readableExtensions, '.json', '.png'])],
     renaming: signal<ActorId | null>(null),
 
@@ -57,6 +61,7 @@ export function createEditor(
         notice.value = `There is no scene "${id}"`;
         return;
       }
+      Object.assign(opening.parts.target, freshTarget(scene.label));
       // The characters come one after another and belong to this step.
       const cleared = removeActors(`Open ${scene.label}`);
       if (isUntouched(store)) store.amend(cleared);
@@ -86,13 +91,28 @@ export function createEditor(
       await forgetRecent();
     },
 
+    async listEarlier() {
+      const { listEarlier } = await loadPart(import('./scenes/earlier-scenes.ts'));
+      return listEarlier();
+    },
+
+    async openEarlier(id) {
+      const { openEarlier } = await loadPart(import('./scenes/earlier-scenes.ts'));
+      await openEarlier(opening.parts, id);
+    },
+
+    async startFresh() {
+      const [first] = scenes;
+      if (first) await editor.openBundledScene(first.id);
+    },
+
     select(id) {
       selectActor(session, store.scene.value, id);
     },
 
     clearScene() {
       store.dispatch(replaceScene(emptyScene, 'New scene'));
-      Object.assign(opening.parts.target, { handle: null, name: 'scene' });
+      Object.assign(opening.parts.target, freshTarget());
       opening.wanted.value = null;
       notice.value = 'New scene';
     },
@@ -197,7 +217,14 @@ export function createEditor(
       notice.value = `Report saved: ${report.summary}`;
     },
   };
+  attempt(opening, keepScenes());
   return editor;
+
+  /** Loaded after the rest of the page, since there is nothing to keep before the first change. */
+  async function keepScenes(): Promise<void> {
+    const { SceneKeeper } = await loadPart(import('./scenes/keep-scene.ts'));
+    new SceneKeeper(opening.parts, keeping);
+  }
 
   function poseText(): string {
     const shown = evaluations.selected();

@@ -16,6 +16,7 @@ import { FileOpener, type OpenOutcome } from './open-files.ts';
 import { type OpeningScene, openScene } from './open-scene.ts';
 import { ProgressMeter } from './progress-meter.ts';
 import type { SceneParts } from './scenes/scene-parts.ts';
+import { freshTarget } from './scenes/scene-target.ts';
 import { workspaces } from './workspaces.ts';
 
 /** What opens characters, and bundled scenes too. */
@@ -61,6 +62,7 @@ export function createOpening(
     dialog: signal(null),
     question: signal(null),
     wanted: signal(null),
+    restored: signal(''),
 
     async openFiles(files, add = false, handles = []) {
       await opening.whileWorking('Reading', async (signal) => {
@@ -154,7 +156,7 @@ export function createOpening(
       if (workspaceNow().framed) viewer.frameAll();
     },
   };
-  const target = { handle: null, name: 'scene' };
+  const target = freshTarget();
   const parts: SceneParts = { opening, opener, own, meter, workspaceId, target, entryOf };
   return {
     ...opening,

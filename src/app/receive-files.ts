@@ -1,13 +1,9 @@
-import type { Diagnostic } from '../core/diagnostics.ts';
-import { loadPart } from '../core/failure.ts';
-import { sceneExtension } from '../formats/extensions.ts';
-import { pathStem } from '../formats/file-entry.ts';
 import type { FileEntry } from '../formats/format.ts';
 import type { ReadCharacter } from '../formats/read-characters.ts';
 import { askToAdd } from './ask-to-add.ts';
 import { openOwnFiles } from './open-own-files.ts';
 import { rememberFiles } from './recent-files.ts';
-import { type GivenScene, sceneAmong } from './scenes/scene-among.ts';
+import { receiveScene } from './scenes/receive-scene.ts';
 import type { SceneParts } from './scenes/scene-parts.ts';
 
 /** The number of your own characters that stay in the list in addition to those opened last. */
@@ -35,19 +31,7 @@ export async function receiveFiles(
 ): Promise<void> {
   const { opening, opener, own, meter, openBundled, showOpened } = receiver;
   if (await opening.wanted.value?.give(files, signal)) return;
-  const problems: Diagnostic[] = [];
-  const scene = await sceneAmong(files, problems);
-  if (signal.aborted) return;
-  if (scene ?? problems.length > 0) {
-    const opened = await receiveScene(receiver, scene, signal, { add: add === true, problems });
-    if (!opened) return;
-    const [handle] = handles;
-    const isFile =
-      handles.length === 1 && handle?.name === scene!.file && handle.name.endsWith(sceneExtension);
-    if (isFile && add !== true) receiver.target.handle = handle as FileSystemFileHandle;
-    await rememberFiles(scene!.file, handles);
-    return;
-  }
+  if (await receiveScene(receiver, { files, add: add === true, handles }, signal)) return;
   const ask = (found: readonly ReadCharacter[]): Promise<boolean | null> => {
     meter.clear(); // the question would stand over it
     return askToAdd(opening, nameOf(found), opener.selected!.name, signal);
@@ -72,25 +56,6 @@ export async function receiveFiles(
   const beside = added ? 'added' : 'opened';
   showOpened(nameOf(found), reopened ? 'updated; pose and camera kept' : beside);
   await rememberFiles(nameOf(found), handles);
-}
-
-/** Opens a scene, if one could be read from its file; returns whether it was opened. */
-async function receiveScene(
-  parts: SceneParts,
-  scene: GivenScene | undefined,
-  signal: AbortSignal,
-  { add, problems }: { readonly add: boolean; readonly problems: readonly Diagnostic[] },
-): Promise<boolean> {
-  const { session, notice } = parts.opening;
-  const { openGivenScene } = await loadPart(import('./scenes/open-given-scene.ts'));
-  const name = scene && pathStem(scene.file);
-  if (scene && (await openGivenScene(parts, scene, signal, { name: name!, add, problems }))) {
-    return true;
-  }
-  if (signal.aborted) return false;
-  if (!scene) session.problems.value = problems;
-  notice.value = 'The scene could not be opened; see Problems';
-  return false;
 }
 
 /** What several characters are called together: the first one's name and the count of the others. */

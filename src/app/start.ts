@@ -18,7 +18,7 @@ import {
 } from './catalogue.ts';
 import { createOpening, type OpeningOfScenes } from './create-opening.ts';
 import { createLayout } from './layout.ts';
-import { hasLink } from './scenes/follow-links.ts';
+import { hasLink, isReload, mayRestore } from './scenes/at-start.ts';
 import type { Scripting } from './scripting.ts';
 import { followTheme } from './theme.ts';
 import { workspaces } from './workspaces.ts';
@@ -86,7 +86,7 @@ export async function start(root: HTMLElement): Promise<void> {
 }
 
 /**
- * Opens what the page's address names; without names, the first scene. An unknown name gives a
+ * Opens what the page's address names; without names, the scene that was kept, or else the first one. An unknown name gives a
  * message, and the first entry is opened.
  */
 async function openNamed(
@@ -113,15 +113,17 @@ async function openNamed(
     if (!(error instanceof Failure)) throw error;
     notes.push(error.message);
   }
-  if (hasLink()) {
-    const { openLink } = await loadPart(import('./scenes/open-link.ts'));
-    const fault = await openLink(opening.parts, location.hash);
-    if (fault === undefined) return;
-    notes.push(fault);
+  const isNamed = parameters.has('model') || parameters.has('workspace');
+  let isOpened = false;
+  if (hasLink() || (mayRestore() && (isReload() || !isNamed))) {
+    const { openAtStart } = await loadPart(import('./scenes/open-at-start.ts'));
+    const { opened, message } = await openAtStart(opening.parts, isNamed);
+    if (message !== '') notes.push(message);
+    isOpened = opened;
   }
-  if (scene && !parameters.has('model') && !parameters.has('workspace')) {
+  if (!isOpened && scene && !isNamed) {
     await opening.openScene(scene, firstFrame).first;
-  } else {
+  } else if (!isOpened) {
     const character = named(catalogue.value, 'model');
     if (character) await opening.openBundled(character.id);
   }

@@ -150,6 +150,22 @@ export interface Courses {
 export interface Telling {
   /** A short message about the last action, for the status line. */
   readonly notice: Signal<string>;
+  /** The message that a scene came back; while it is shown, a fresh start is offered. */
+  readonly restored: Signal<string>;
+}
+
+/**
+ * Whether this browser has the scene as it is now: there is nothing to keep, it will have it in a
+ * moment, it has it, or it can't keep it.
+ */
+export type Keeping = 'nothing' | 'soon' | 'kept' | 'failed';
+
+/** A scene that this browser kept of an earlier visit or another tab. */
+export interface EarlierScene {
+  readonly id: string;
+  readonly name: string;
+  /** In milliseconds since 1970. */
+  readonly time: number;
 }
 
 /** The state of the page itself, apart from the scene. */
@@ -167,6 +183,7 @@ export interface PageState {
   readonly drawer: Signal<Drawer | null>;
   /** The actor whose name is being written in the outliner, or null. */
   readonly renaming: Signal<ActorId | null>;
+  readonly keeping: ReadonlySignal<Keeping>;
   /** The file extensions that the file dialog offers. */
   readonly fileExtensions: readonly string[];
 }
@@ -195,6 +212,11 @@ export interface Actions {
   /** Adds what was opened lately, by its handles. */
   openRecent(recent: RecentFiles): Promise<void>;
   forgetRecent(): Promise<void>;
+  /** The scenes that this browser keeps and no page has open, the last changed first. */
+  listEarlier(): Promise<readonly EarlierScene[]>;
+  openEarlier(id: string): Promise<void>;
+  /** Opens the first scene, beside which what was open is kept. */
+  startFresh(): Promise<void>;
   /** Selects an actor of the scene. */
   select(id: ActorId): void;
   /** Removes all characters, as one step of undo. */

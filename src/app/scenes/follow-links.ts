@@ -1,11 +1,7 @@
 import { loadPart } from '../../core/failure.ts';
 import { attempt } from '../../ui/attempt.ts';
+import { hasLink } from './at-start.ts';
 import type { SceneParts } from './scene-parts.ts';
-
-/** Whether the page's address carries a scene. What opens it is loaded only then. */
-export function hasLink(): boolean {
-  return location.hash.startsWith('#s=');
-}
 
 /** Opens the links that come to the open page, as when one is pasted into the address bar. */
 export function followLinks(parts: SceneParts): void {

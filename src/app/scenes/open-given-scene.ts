@@ -10,6 +10,7 @@ import { FileFinder } from './find-files.ts';
 import { type LoadedCharacter, loadCharacter } from './load-characters.ts';
 import type { GivenScene } from './scene-among.ts';
 import type { SceneParts } from './scene-parts.ts';
+import { freshTarget, type SceneTarget } from './scene-target.ts';
 
 interface OpenSceneOptions {
   /** What the scene is called in messages. */
@@ -18,6 +19,8 @@ interface OpenSceneOptions {
   readonly add?: boolean;
   /** Whether a scene with any error is refused: a link with one is damaged. */
   readonly strict?: boolean;
+  /** Where it is saved next, as far as that is known. */
+  readonly target?: Partial<SceneTarget>;
   /** Problems that were found before. */
   readonly problems?: readonly Diagnostic[];
 }
@@ -30,9 +33,9 @@ interface OpenSceneOptions {
  */
 export async function openGivenScene(
   parts: SceneParts,
-  given: GivenScene,
+  given: Omit<GivenScene, 'isFile'>,
   signal: AbortSignal,
-  { name, add = false, strict = false, problems = [] }: OpenSceneOptions,
+  { name, add = false, strict = false, target = {}, problems = [] }: OpenSceneOptions,
 ): Promise<boolean> {
   const { session } = parts.opening;
   const { value, diagnostics } = readScene(given.file, given.text);
@@ -43,7 +46,7 @@ export async function openGivenScene(
   const arrival = new SceneArrival(parts, value, name);
   const actors = await arrival.load(given.files, signal);
   if (!actors) return false;
-  arrival.show(actors, add);
+  arrival.show(actors, add, target);
   session.problems.value = [...problems, ...value.log.diagnostics, ...arrival.problems];
   arrival.ask();
   return true;
@@ -96,14 +99,14 @@ class SceneArrival {
     return actors;
   }
 
-  show(actors: readonly Actor[], add: boolean): void {
+  show(actors: readonly Actor[], add: boolean, target: Partial<SceneTarget>): void {
     const { parts, scene, name } = this;
     const { store, notice } = parts.opening;
     if (add) store.dispatch(addActors(actors, `Add ${name}`));
     else store.dispatch(replaceScene({ actors, ...scene.surroundings }, `Open ${name}`));
     if (!add) {
       store.isMade.value = true;
-      Object.assign(parts.target, { handle: null, name });
+      Object.assign(parts.target, freshTarget(name), target);
     }
     if (scene.view && !add) this.view(scene.view);
     else parts.opening.frameOpened();

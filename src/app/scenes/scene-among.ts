@@ -13,6 +13,8 @@ export interface GivenScene {
   readonly file: string;
   readonly text: string;
   readonly files: readonly FileEntry[];
+  /** Whether it is a scene file, which holds its files. */
+  readonly isFile: boolean;
 }
 
 /** The name of the text in a scene file. */
@@ -62,7 +64,7 @@ async function ofArchive(
   problems.push(...log.diagnostics);
   if (!text) return undefined;
   const others = files.filter((file) => file !== text);
-  return { file: name, text: decodeText(await text.bytes()), files: others };
+  return { file: name, text: decodeText(await text.bytes()), files: others, isFile: true };
 }
 
 async function ofText(
@@ -73,7 +75,7 @@ async function ofText(
   const { readPngText } = await loadPart(import('../../formats/png/text-chunk.ts'));
   const text = extension === '.png' ? readPngText(bytes, pictureKeyword) : decodeText(bytes);
   return text !== undefined && isScene(text)
-    ? { file: baseName(path), text, files: [] }
+    ? { file: baseName(path), text, files: [], isFile: false }
     : undefined;
 }
 

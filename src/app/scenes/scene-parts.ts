@@ -5,14 +5,7 @@ import type { WorkspaceId } from '../../ui/workspace.ts';
 import type { CatalogueEntry } from '../catalogue.ts';
 import type { FileOpener } from '../open-files.ts';
 import type { ProgressMeter } from '../progress-meter.ts';
-
-/** Where the scene is saved. */
-interface SceneTarget {
-  /** The file in which it was saved or from which it came; the next saving overwrites it. */
-  handle: FileSystemFileHandle | null;
-  /** The name that a new file gets, without extension. */
-  name: string;
-}
+import type { SceneTarget } from './scene-target.ts';
 
 /** The parts of the page that saving and opening scenes needs. */
 export interface SceneParts {

@@ -14,6 +14,13 @@ export const fileCommands = [
     run: (editor) => editor.clearScene(),
   },
   {
+    id: 'start-fresh',
+    label: 'Start fresh, with the first scene',
+    short: 'Start fresh',
+    isEnabled: ({ scenes }) => scenes.length > 0,
+    run: (editor) => editor.startFresh(),
+  },
+  {
     id: 'gallery',
     label: 'Add a character',
     short: 'Add…',

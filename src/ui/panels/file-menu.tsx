@@ -10,6 +10,7 @@ export function FileMenu({ editor }: { readonly editor: Editor }) {
   return (
     <Menu id="file-menu" label="File">
       <CommandButton editor={editor} command="new-scene" role="menuitem" />
+      <CommandButton editor={editor} command="start-fresh" role="menuitem" />
       <CommandButton editor={editor} command="open-files" role="menuitem" />
       <CommandButton editor={editor} command="open-folder" role="menuitem" />
       <CommandButton editor={editor} command="add-files" role="menuitem" />

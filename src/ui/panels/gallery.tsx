@@ -8,6 +8,7 @@ import { numberedNames } from '../numbered-names.ts';
 import { fitsQuery } from '../rank-entries.ts';
 import { shelvesOf } from '../shelves.ts';
 import { CommandButton } from './command-button.tsx';
+import { EarlierScenes } from './earlier-scenes.tsx';
 
 /**
  * The characters that can be added: bundled ones as pictures, a shelf a course, and the user's own.
@@ -102,6 +103,7 @@ export function Gallery({ editor }: { readonly editor: Editor }) {
           </ul>
         </section>
       )}
+      <EarlierScenes editor={editor} typed={typed} onOpen={close} />
       <Recent
         editor={editor}
         isListed={({ name }) => fitsQuery(name, typed) && !names.includes(name)}

@@ -3,18 +3,23 @@ import { printable } from '../../core/diagnostics.ts';
 import { selectedActor } from '../../document/selected-actor.ts';
 import type { Actor } from '../../document/scene.ts';
 import { kernelById, kernelOf } from '../../skinning/registry.ts';
-import type { Editor } from '../editor.ts';
+import type { Editor, Keeping } from '../editor.ts';
+import { CommandButton } from './command-button.tsx';
 
 /** One line: the last message, the count of problems, and figures for who wants them. */
 export function StatusLine({ editor }: { readonly editor: Editor }) {
   const [open, setOpen] = useState(false);
-  const { session, notice, drawer } = editor;
+  const { session, notice, restored, drawer } = editor;
   const problems = session.problems.value.length;
   return (
     <footer class="status">
       <output class="notice" title={notice.value}>
         {notice.value}
       </output>
+      {restored.value !== '' && restored.value === notice.value && (
+        <CommandButton editor={editor} command="start-fresh" />
+      )}
+      <Kept keeping={editor.keeping.value} />
       {problems > 0 && (
         <button type="button" class="warning" onClick={() => (drawer.value = 'right')}>
           {problems} {problems === 1 ? 'problem' : 'problems'}
@@ -25,6 +30,20 @@ export function StatusLine({ editor }: { readonly editor: Editor }) {
         Figures
       </button>
     </footer>
+  );
+}
+
+/** Whether this browser has the scene as it is now, in a word that stays while that is a moment off. */
+function Kept({ keeping }: { readonly keeping: Keeping }) {
+  if (keeping === 'nothing') return null;
+  const title =
+    keeping === 'failed'
+      ? 'This browser does not keep the scene; save it in a file (Ctrl/Cmd+S)'
+      : 'This browser keeps the scene, and brings it back after a crash or a closed tab';
+  return (
+    <span class="kept" data-keeping={keeping} title={title}>
+      {keeping === 'failed' ? 'Not saved' : 'Saved'}
+    </span>
   );
 }
 
