@@ -4,6 +4,7 @@ import { unmoved } from '../../src/document/scene.ts';
 import { Session } from '../../src/document/session.ts';
 import { Store } from '../../src/document/store.ts';
 import { Evaluations } from '../../src/evaluation/evaluations.ts';
+import { captureFrame } from '../../src/view/picture/make-picture.ts';
 import { Viewer } from '../../src/view/viewer.ts';
 import { characterOf } from '../data/character.ts';
 import { cylinder, poseAngles } from '../data/cylinder.ts';
@@ -55,7 +56,10 @@ offerFrames(({ vertexCount, jointCount, actorCount, unskinned }) => {
     },
     silhouette() {
       const size = { width: pictureWidth, height: pictureHeight };
-      const pixels = viewer.readPixels(size, false);
+      const held = viewer.hold();
+      const view = { ...viewer.contents[0]!, viewport: { x: 0, y: 0, ...size } };
+      const pixels = viewer.drawApart(view, held.shown, { showSurroundings: false }, captureFrame);
+      held.release();
       return Uint8Array.from({ length: pixels.length / 4 }, (_, i) => pixels[i * 4 + 3]! >> 7);
     },
   };

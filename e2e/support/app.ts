@@ -4,7 +4,7 @@ import type { PoseJson } from '../../src/formats/pose-json.ts';
 import type { KernelId } from '../../src/skinning/method.ts';
 import { deformationOf, menuName, methods, normalWays } from '../../src/skinning/registry.ts';
 import { type TabId, tabs } from '../../src/ui/tabs.ts';
-import type { PictureFormat } from '../../src/view/picture.ts';
+import type { PictureFormat } from '../../src/view/picture/encode-picture.ts';
 import type { Verification } from '../../src/document/verification.ts';
 import './test.ts';
 

@@ -1,3 +1,5 @@
+#include "lib/picture.glsl"
+
 // These functions convert linear light for the display with a shoulder that preserves hue and then
 // the sRGB curve.
 
@@ -20,7 +22,7 @@ vec3 toneMap(vec3 linear) {
 
 // Adds up to half a step of noise, fixed to the pixel, so that gentle gradients show no banding.
 vec3 dither(vec3 encoded) {
-  vec2 p = floor(gl_FragCoord.xy);
+  vec2 p = floor(gl_FragCoord.xy) + pictureOffset;
   float noise = fract(52.9829189 * fract(dot(p, vec2(0.06711056, 0.00583715))));
   return encoded + (noise - 0.5) / 255.0;
 }

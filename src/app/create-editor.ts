@@ -21,11 +21,12 @@ import { copyText } from '../ui/copy-text.ts';
 import type { Drawer, Editor, Keeping } from '../ui/editor.ts';
 import { createHints } from '../ui/hints.ts';
 import { focusJoint } from '../ui/focus-joint.ts';
+import { plainSettings } from '../view/picture/picture-size.ts';
+import { posedPoints } from '../view/posed-points.ts';
 import { verifyShown } from '../view/verify.ts';
 import type { CatalogueScene } from './catalogue.ts';
 import type { OpeningOfScenes } from './create-opening.ts';
 import { download } from './download.ts';
-import { savePicture } from './save-picture.ts';
 import { freshTarget } from './scenes/scene-target.ts';
 
 /** Completes the opening to an editor with everything that the interface can ask for. */
@@ -46,6 +47,7 @@ export function createEditor(
     placeAngles: new PlaceAngles(),
     recentEntries: signal([]),
     letterKeys: signal(true),
+    picture: signal(plainSettings),
     tab: signal('pose'),
     hints: createHints(canvas, opening),
     drawer: signal<Drawer | null>(null),
@@ -178,7 +180,7 @@ export function createEditor(
         notice.value = 'There is no mesh to export';
         return;
       }
-      const bytes = writeObj(state.character.mesh, viewer.vertices(state, 'cpu'));
+      const bytes = writeObj(state.character.mesh, posedPoints(viewer, state, 'cpu'));
       download(`${state.name}-posed.obj`, bytes as BlobPart, 'text/plain');
       notice.value = 'Posed mesh saved as OBJ';
     },
@@ -193,9 +195,10 @@ export function createEditor(
       await copyLink(opening.parts);
     },
 
-    async savePicture(options) {
+    async savePicture(target) {
       await evaluations.settled();
-      notice.value = await savePicture(viewer, evaluations.selected(), options);
+      const { savePicture } = await loadPart(import('./save-picture.ts'));
+      await savePicture(editor, target);
     },
 
     async verify() {

@@ -1,37 +1,96 @@
+import { zipSync } from 'fflate';
+import { Failure } from '../core/failure.ts';
 import type { Evaluation } from '../evaluation/evaluation.ts';
 import { insertPngText } from '../formats/png/text-chunk.ts';
 import { poseToJson } from '../formats/write-pose-json.ts';
 import { GpuLimitError } from '../gl/gpu.ts';
-import type { PictureOptions } from '../ui/editor.ts';
-import { capturePicture, encodePicture } from '../view/picture.ts';
-import type { Viewer } from '../view/viewer.ts';
+import type { Editor, PictureTarget } from '../ui/editor.ts';
+import { pictureRequest } from '../ui/picture-request.ts';
+import { shownShot } from '../ui/shots.ts';
+import { encodePicture } from '../view/picture/encode-picture.ts';
+import { makePasses, passImages } from '../view/picture/make-passes.ts';
+import {
+  makePicture,
+  type PictureRequest,
+  type PictureWork,
+} from '../view/picture/make-picture.ts';
+import { tilesOf } from '../view/picture/picture-tiles.ts';
 import { download } from './download.ts';
 import { pictureKeyword, writePictureNote } from './picture-note.ts';
 
-/** Saves or copies a picture of the view, and returns a message about the result for the user. */
-export async function savePicture(
-  viewer: Viewer,
-  shown: Evaluation | undefined,
-  { format, size, background, target }: PictureOptions,
-): Promise<string> {
-  if (!viewer.available.value) return 'There is no view to take a picture of at the moment';
-  // The pose is read now, so that it matches the picture even if a clip plays while the picture is
-  // encoded.
+/** Saves or copies a picture of the view or of the shot that is shown, and says so. */
+export async function savePicture(editor: Editor, target: PictureTarget): Promise<void> {
+  const { viewer, notice, evaluations } = editor;
+  if (!viewer.available.value) {
+    notice.value = 'There is no view to take a picture of at the moment';
+    return;
+  }
+  const request = pictureRequest(editor);
+  // The pose is read now, so that it matches the picture even if a clip plays meanwhile.
+  const shown = evaluations.selected();
   const note = shown && noteOf(shown);
-  let blob: Blob;
+  const name = nameOf(editor);
+  const make = async (work: PictureWork): Promise<string> => {
+    const { blob, extension } = await pictureFile(editor, request, target, note, work);
+    if (target === 'clipboard') return copyPicture(blob);
+    if (target === 'file') {
+      download(`${name}.${extension}`, blob, blob.type);
+      return 'Picture saved';
+    }
+    const passes = await makePasses(viewer, passImages, request, work);
+    const files: Record<string, Uint8Array> = {
+      [`${name}.${extension}`]: new Uint8Array(await blob.arrayBuffer()),
+    };
+    for (const [id, png] of passes) files[`${name}-${id}.png`] = png;
+    // The files of an archive are compressed already.
+    download(`${name}-passes.zip`, zipSync(files, { level: 0 }) as BlobPart, 'application/zip');
+    return 'Picture and passes saved';
+  };
+  if (target !== 'passes' && tilesOf(request.size, request.samples).length === 1) {
+    notice.value = await make({});
+    return;
+  }
+  const done = await editor.whileWorking('Picture', (signal, onProgress) => {
+    const { width, height } = request.size;
+    const label = `${width} × ${height}`;
+    return make({ signal, onProgress: (fraction) => onProgress(label, fraction) });
+  });
+  if (done !== undefined) notice.value = done;
+}
+
+interface PictureFile {
+  readonly blob: Blob;
+  readonly extension: string;
+}
+
+async function pictureFile(
+  { viewer, picture: { value: settings } }: Editor,
+  request: PictureRequest,
+  target: PictureTarget,
+  note: string | undefined,
+  work: PictureWork,
+): Promise<PictureFile> {
+  // A browser's clipboard takes PNG alone.
+  const format = target === 'clipboard' ? 'png' : settings.format;
+  // JPEG has no transparency.
+  const showSurroundings = request.showSurroundings || format === 'jpeg';
   try {
-    // JPEG has no transparency.
-    const picture = capturePicture(viewer, size, background || format === 'jpeg');
-    blob = await encodePicture(picture, format);
+    const picture = await makePicture(viewer, { ...request, showSurroundings }, work);
+    const blob = await encodePicture(picture, format);
+    const extension = format === 'jpeg' ? 'jpg' : format;
+    if (format !== 'png' || note === undefined) return { blob, extension };
+    return { blob: await withNote(blob, note), extension };
   } catch (error) {
     if (!(error instanceof GpuLimitError)) throw error;
-    return error.message;
+    throw new Failure(`No picture: ${error.message}`, { cause: error });
   }
-  if (format === 'png' && note !== undefined) blob = await withNote(blob, note);
-  if (target === 'clipboard') return copyPicture(blob);
-  const extension = format === 'jpeg' ? 'jpg' : format;
-  download(`${shown?.state.name ?? 'sinew'}.${extension}`, blob, blob.type);
-  return 'Picture saved';
+}
+
+/** A shot's picture has its name, beside that of the selected character. */
+function nameOf(editor: Editor): string {
+  const name = editor.evaluations.selected()?.state.name ?? 'sinew';
+  const shot = shownShot(editor);
+  return shot ? `${name}-${shot.name}` : name;
 }
 
 function noteOf({ state: { character, source }, pose }: Evaluation): string {

@@ -1,9 +1,11 @@
 import { effect } from '@preact/signals-core';
 import type { Diagnostic } from '../core/diagnostics.ts';
+import { loadPart } from '../core/failure.ts';
 import { bindClip, removeActor, setMorphWeight, setPose } from '../document/edits.ts';
 import type { Actor } from '../document/scene.ts';
 import { selectedActor } from '../document/selected-actor.ts';
 import type { Session, SkinDevice } from '../document/session.ts';
+import type { Shot } from '../document/shots.ts';
 import type { Verification } from '../document/verification.ts';
 import { memoryFile } from '../formats/file-entry.ts';
 import type { FileEntry } from '../formats/format.ts';
@@ -13,9 +15,10 @@ import { formatDiagnostic } from '../core/diagnostics.ts';
 import type { Editor } from '../ui/editor.ts';
 import { fileEntry } from '../ui/file-entry.ts';
 import type { KernelId } from '../skinning/method.ts';
-import { deformationOf } from '../skinning/registry.ts';
 import type { Camera } from '../document/camera.ts';
-import { capturePicture, encodePicture, type PictureFormat } from '../view/picture.ts';
+import type { PictureFormat } from '../view/picture/encode-picture.ts';
+import type { PassImageId } from '../view/picture/make-passes.ts';
+import { posedPoints } from '../view/posed-points.ts';
 import { verifyShown } from '../view/verify.ts';
 import { fetchFile } from './fetch-file.ts';
 
@@ -40,6 +43,14 @@ export interface CaptureOptions {
   readonly background?: boolean;
   /** Views side by side, from the left; if absent, those of the page. */
   readonly views?: readonly CaptureView[];
+  /** The id or the name of a shot, in whose aspect the picture is; it takes the place of `views`. */
+  readonly shot?: number | string;
+  /** Samples on each side of a pixel, 1 to 4; 1 if absent. */
+  readonly samples?: number;
+  /** A picture of data in place of colors, as PNG. */
+  readonly pass?: PassImageId;
+  /** The most samples on a side of a tile; chosen by the size if absent. */
+  readonly tileLimit?: number;
 }
 
 /** A view of the scene; absent properties are as the page shows it. */
@@ -77,6 +88,8 @@ export interface Scripting {
   verify(actor?: ActorName): Verification | null;
   /** Settles when everything that is being read or decoded has been drawn, not as a draft. */
   settled(): Promise<void>;
+  /** The shots of the scene. */
+  readonly shots: readonly Pick<Shot, 'id' | 'name' | 'aspect'>[];
   /** Returns the view's pixels as a file, or those of the same view at another size. */
   capture(options?: CaptureOptions): Promise<Blob>;
   readonly problems: readonly Diagnostic[];
@@ -159,22 +172,21 @@ export function createScripting(editor: Editor, ready: Promise<void>): Scripting
     togglePlay: () => editor.transport.togglePlay(),
     vertices(device, name) {
       const actor = find(name);
-      return actor ? viewer.vertices(actor, device) : new Float32Array(0);
+      return actor ? posedPoints(viewer, actor, device) : new Float32Array(0);
     },
     async settled() {
       await settled();
       await drawnInFull(session);
     },
     verify: (name) => verifyShown(find(name), viewer),
-    async capture({ format = 'png', width, height, background = true, views } = {}) {
+    get shots() {
+      return store.scene.value.shots.map(({ id, name, aspect }) => ({ id, name, aspect }));
+    },
+    async capture(options = {}) {
       await settled();
-      await evaluations.settled(views?.flatMap(({ method }) => method ?? []));
-      const size = width !== undefined && height !== undefined ? { width, height } : undefined;
-      const contents = views?.map(({ camera, method }) => ({
-        camera: { ...viewer.camera.value, ...camera },
-        overrides: method === undefined ? {} : { deformation: deformationOf(method) },
-      }));
-      return encodePicture(capturePicture(viewer, size, background, contents), format);
+      await evaluations.settled(options.views?.flatMap(({ method }) => method ?? []));
+      const { capture } = await loadPart(import('./capture.ts'));
+      return capture(editor, options);
     },
     get problems() {
       return session.problems.value;

@@ -58,4 +58,11 @@ export interface Evaluation {
   bounds(): Bounds;
   /** Returns a copy of the pose that is shown, which the caller may keep. */
   snapshot(): Pose;
+  /** Returns an evaluation that stays at this moment until the caller disposes of it. */
+  still(): StillEvaluation;
+}
+
+/** An evaluation of one moment. */
+export interface StillEvaluation extends Evaluation {
+  dispose(): void;
 }

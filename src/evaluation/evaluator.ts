@@ -10,7 +10,7 @@ import type { SkinningMethod, VertexStreams } from '../skinning/method.ts';
 import { kernelOf } from '../skinning/registry.ts';
 import { restKey, restMesh } from '../skinning/rest-mesh.ts';
 import { type DisplayTransform, displayTransform } from './display-transform.ts';
-import type { Evaluation, Revisions } from './evaluation.ts';
+import type { Evaluation, Revisions, StillEvaluation } from './evaluation.ts';
 import { EvaluationPool, type ShownValues } from './evaluation-pool.ts';
 import type { Kernels } from './kernels.ts';
 import { posedBounds } from './posed-bounds.ts';
@@ -21,6 +21,7 @@ import { Stage } from './stage.ts';
  * what other evaluators of its pool have computed from equal inputs.
  */
 export class Evaluator implements Evaluation {
+  private readonly pool: EvaluationPool;
   private readonly kernels: Kernels;
   private now: Actor;
   private time = 0;
@@ -35,6 +36,7 @@ export class Evaluator implements Evaluation {
 
   constructor(state: Actor, pool = new EvaluationPool()) {
     this.now = state;
+    this.pool = pool;
     this.kernels = pool.kernels;
     const { character } = state;
     const { skeleton } = character;
@@ -149,6 +151,12 @@ export class Evaluator implements Evaluation {
   snapshot(): Pose {
     const { q, morphWeights } = this.pose;
     return { q: q.slice(), morphWeights: morphWeights.slice() };
+  }
+
+  still(): StillEvaluation {
+    const still = new Evaluator(this.now, this.pool);
+    still.evaluate(this.now, this.time);
+    return still;
   }
 
   /** Releases everything that it holds in its pool. */

@@ -30,8 +30,11 @@ export function pickSkin(mesh: Mesh, skin: Skin, tree: TriangleTree, ray: Ray): 
   return { joint: ownerOf(mesh, skin, triangle, barycentric), triangle, barycentric, distance };
 }
 
-/** The joint with the largest weight, summed over the corners with their barycentric weights. */
-function ownerOf(
+/**
+ * The joint with the largest weight, summed over the corners with their barycentric weights; null if
+ * the skin there follows no joint.
+ */
+export function ownerOf(
   { indices, pointOf }: Mesh,
   skin: Skin,
   triangle: number,

@@ -9,8 +9,8 @@ import type { Evaluations } from '../evaluation/evaluations.ts';
 import type { ConvertTarget, FormatId } from '../formats/registry.ts';
 import type { FileEntry } from '../formats/format.ts';
 import type { ReadCharacter, ReadProgress } from '../formats/read-characters.ts';
-import type { PictureFormat } from '../view/picture.ts';
-import type { CaptureSize, Viewer } from '../view/viewer.ts';
+import type { PictureSettings } from '../view/picture/picture-size.ts';
+import type { Viewer } from '../view/viewer.ts';
 import type { Hint } from './hints.ts';
 import type { TabId } from './tabs.ts';
 import type { Workspace, WorkspaceId } from './workspace.ts';
@@ -45,14 +45,8 @@ export interface Progress {
   readonly fraction: number;
 }
 
-export interface PictureOptions {
-  readonly format: PictureFormat;
-  /** In pixels; the view's size if absent. */
-  readonly size?: CaptureSize;
-  /** Whether floor and backdrop are drawn; without them a PNG is transparent. */
-  readonly background: boolean;
-  readonly target: 'file' | 'clipboard';
-}
+/** Where a picture goes; with its passes it is in an archive. */
+export type PictureTarget = 'file' | 'clipboard' | 'passes';
 
 /** The scene and the state of the view. */
 export interface Looking {
@@ -173,6 +167,8 @@ export interface PageState {
   readonly theme: Signal<ThemeChoice>;
   /** The dialog that is open, or null. */
   readonly dialog: Signal<DialogId | null>;
+  /** How pictures are saved, by `j` too. */
+  readonly picture: Signal<PictureSettings>;
   /** The ids of the palette's entries that were used in this session, the last first. */
   readonly recentEntries: Signal<readonly string[]>;
   /** Whether single-letter keys act; users of speech input, for example, may turn them off. */
@@ -240,7 +236,7 @@ export interface Actions {
   saveScene(asNew: boolean): Promise<void>;
   /** Copies a link that opens the scene as it is viewed now, or offers the file in its place. */
   copyLink(): Promise<void>;
-  savePicture(options: PictureOptions): Promise<void>;
+  savePicture(target: PictureTarget): Promise<void>;
   verify(): Promise<void>;
   /** Measures this machine with a bundled character and saves a report. */
   checkMachine(): Promise<void>;

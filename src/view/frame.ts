@@ -1,4 +1,4 @@
-import type { mat4, vec3 } from 'gl-matrix';
+import { mat4, type vec3 } from 'gl-matrix';
 import type { Detail } from '../document/session.ts';
 import type { UniformValue } from '../gl/program.ts';
 import type { Camera } from '../document/camera.ts';
@@ -19,7 +19,7 @@ export interface Frame {
   readonly camera: Camera;
   readonly viewport: Viewport;
   readonly detail: Detail;
-  /** The picture's pixels per pixel of the view, along one side. */
+  /** How wide lines are, as a factor of their width on the page. */
   readonly scale: number;
   /** The camera's place in the scene, and the distance before it at which things are cut off. */
   readonly eye: vec3;
@@ -44,17 +44,21 @@ export function createFrame(
   characters: readonly CharacterView[],
   options: ViewOptions,
   plainTheme: Theme,
-  { camera, viewport }: RenderView,
+  { camera, viewport, lineScale = 1, window }: RenderView,
   detail: Detail = 'full',
 ): Frame {
   const { width, height } = viewport;
   const eye = eyeOf(camera);
   const theme = themeIn(options.environment, plainTheme);
-  const clipFromScene = projectionOf(camera, width / height);
+  const picture = window ?? { x: 0, y: 0, width, height };
+  const clipFromScene = projectionOf(camera, picture.width / picture.height);
+  if (window) mat4.multiply(clipFromScene, window.tileFromPicture, clipFromScene);
   const uniforms = {
     clipFromScene: Float32Array.from(clipFromScene),
     eye,
     viewportSize: [width, height],
+    pictureSize: [picture.width, picture.height],
+    pictureOffset: [picture.x, picture.y],
     backdropTop: theme.backdropTop,
     backdropBottom: theme.backdropBottom,
   };
@@ -65,7 +69,7 @@ export function createFrame(
     camera,
     viewport,
     detail,
-    scale: scaleOf(detail),
+    scale: scaleOf(detail) * lineScale,
     eye,
     near: nearOf(camera),
     clipFromScene,

@@ -1,3 +1,4 @@
+import type { ReadonlyMat4 } from 'gl-matrix';
 import type { Overrides } from '../evaluation/evaluations.ts';
 import type { Camera } from '../document/camera.ts';
 
@@ -15,10 +16,24 @@ export interface RenderView {
   readonly viewport: Viewport;
   /** What differs from the scene in this view. */
   readonly overrides: Overrides;
+  /** The larger picture that this is a tile of, if it is one. */
+  readonly window?: PictureWindow;
+  /** How wide lines are, as a factor of their width on the page. */
+  readonly lineScale?: number;
+}
+
+/** A whole picture in pixels, and the lower left corner of a tile in it. */
+export interface PictureWindow {
+  readonly x: number;
+  readonly y: number;
+  readonly width: number;
+  readonly height: number;
+  /** From the picture's clip space to that of the tile, which it fills. */
+  readonly tileFromPicture: ReadonlyMat4;
 }
 
 /** The content of a view, before it has a place in a picture. */
-export type ViewContent = Omit<RenderView, 'viewport'>;
+export type ViewContent = Pick<RenderView, 'camera' | 'overrides'>;
 
 /**
  * Places views side by side from the left, each at full height. The last one gets the pixels that

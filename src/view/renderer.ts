@@ -22,7 +22,7 @@ export class Renderer {
   readonly gpu: Gpu;
   /** The passes in the order of drawing; each is created for its first picture. */
   passes: readonly Pass[] = [];
-  private readonly programs: Programs;
+  readonly programs: Programs;
   private readonly pools = new GpuPools();
   /**
    * There is one for each frame of a picture, so that halves with different poses keep their
@@ -97,19 +97,6 @@ export class Renderer {
     return target;
   }
 
-  /**
-   * Draws frames at any size. It returns (width × height × 4) bytes of RGBA, the bottom row first.
-   */
-  capture(frames: readonly Frame[], width: number, height: number): Uint8Array {
-    const target = new RenderTarget(this.gpu, width, height);
-    try {
-      this.drawInto(target, frames);
-      return target.readPixels();
-    } finally {
-      target.dispose();
-    }
-  }
-
   dispose(): void {
     for (const view of this.views.values()) view.dispose();
     for (const pass of this.instances.values()) pass.dispose();
@@ -147,7 +134,7 @@ export class Renderer {
    * Each of several frames is drawn separately and then copied to its place. It is thus the same
    * picture as it would be alone, regardless of the rounding that an offset would cause.
    */
-  private drawInto(target: RenderTarget, frames: readonly Frame[]): void {
+  drawInto(target: RenderTarget, frames: readonly Frame[]): void {
     const [only] = frames;
     if (only && frames.length === 1) {
       this.drawFrame(target, only, 0);

@@ -5,7 +5,8 @@ import type { Actor } from '../document/scene.ts';
 import { selectedActor } from '../document/selected-actor.ts';
 import type { Detail, Session, SkinDevice } from '../document/session.ts';
 import type { Store } from '../document/store.ts';
-import type { Evaluations } from '../evaluation/evaluations.ts';
+import type { Evaluation, StillEvaluation } from '../evaluation/evaluation.ts';
+import type { Evaluations, Overrides } from '../evaluation/evaluations.ts';
 import type { VertexStreams } from '../skinning/method.ts';
 import { deformationOf } from '../skinning/registry.ts';
 import type { Camera } from '../document/camera.ts';
@@ -26,6 +27,12 @@ import { type ViewOptions, viewOptionsOf } from './view-options.ts';
 export interface CaptureSize {
   readonly width: number;
   readonly height: number;
+}
+
+/** What was shown at one moment. */
+export interface HeldMoment {
+  readonly shown: readonly StillEvaluation[];
+  release(): void;
 }
 
 /**
@@ -78,6 +85,9 @@ export class Viewer {
   /** The detail that the effect below saw last. */
   private seenDetail: Detail = 'full';
   private renderer: Renderer | null = null;
+  /** The evaluations of the page's last picture, and those of pictures in work. */
+  private onPage: readonly Evaluation[] = [];
+  private readonly held = new Set<Evaluation>();
   private frameRequest = 0;
   /** The camera that was fitted to a box, to fit it again when the view's size changes. */
   private framed: { readonly camera: Camera; readonly box: Bounds } | null = null;
@@ -149,26 +159,36 @@ export class Viewer {
   }
 
   /**
-   * Returns the pixels of the view at a size, with or without what surrounds the actors. The caller
-   * must first check that the view is `available`.
-   *
-   * @param contents shown side by side; the viewer's own if absent
-   * @returns (width × height × 4) bytes of RGBA as GL gives them, the bottom row first
+   * Returns what is shown at this moment, for a picture that takes longer. Until it is released, it
+   * keeps its objects on the GPU.
    */
-  readPixels(
-    { width, height }: CaptureSize,
-    showSurroundings: boolean,
-    contents: readonly ViewContent[] = this.contents,
-  ): Uint8Array {
-    const views = sideBySide(contents, width, height);
-    const frames = this.createFrames(views, { showSurroundings, showOverlay: false });
-    return this.present().capture(frames, width, height);
+  hold(overrides?: Overrides): HeldMoment {
+    const shown = this.evaluations.visible(overrides).map((evaluation) => evaluation.still());
+    for (const still of shown) this.held.add(still);
+    const release = (): void => {
+      for (const still of shown) {
+        this.held.delete(still);
+        still.dispose();
+      }
+      this.requestFrame();
+    };
+    return { shown, release };
   }
 
-  /** Returns (pointCount × 3) posed positions of an actor, in the file's order and units. */
-  vertices(actor: Actor, device: SkinDevice): Float32Array {
-    const { positions } = this.skin(actor, device);
-    return positions.slice(0, actor.character.mesh.pointCount * 3);
+  /**
+   * Draws a view beside the page, without its overlay. The caller must first check that the view is
+   * `available`.
+   *
+   * @param shown evaluations that are held
+   */
+  drawApart<Result>(
+    view: RenderView,
+    shown: readonly Evaluation[],
+    changed: Partial<ViewOptions>,
+    draw: (renderer: Renderer, frame: Frame) => Result,
+  ): Result {
+    const [frame] = this.createFrames([view], { showOverlay: false, ...changed }, 'full', shown);
+    return draw(this.present(), frame!);
   }
 
   /** The reason why an actor can't be drawn, or null; it is known after the first attempt. */
@@ -275,15 +295,19 @@ export class Viewer {
   private createFrames(
     views: readonly RenderView[],
     changed: Partial<ViewOptions>,
-    detail: Detail = 'full',
+    detail: Detail,
+    held?: readonly Evaluation[],
   ): Frame[] {
     const { selected, device, options: own, theme } = this.readState();
     const options = { ...own, ...changed };
     const renderer = this.present();
     renderer.passes = this.passes.peek();
-    const shown = views.map(({ overrides }) => this.evaluations.visible(overrides));
-    this.evaluations.keepOnly(shown.flat());
-    renderer.sync(shown.flat(), device);
+    const shown = views.map(({ overrides }) => held ?? this.evaluations.visible(overrides));
+    if (!held) {
+      this.onPage = shown.flat();
+      this.evaluations.keepOnly(this.onPage);
+    }
+    renderer.sync([...new Set([...this.onPage, ...this.held])], device);
     this.refusal.value = selected ? renderer.refusalOf(selected) : null;
     const [first] = selected ? renderer.viewsOf([this.evaluations.of(selected)]) : [];
     if (first) this.poseMilliseconds.value = first.poseMilliseconds;

@@ -5,7 +5,7 @@ import { crc32 } from '../crc32.ts';
  * UTF-8 with a keyword. Saved pictures store a note of how they were made in it.
  */
 
-const signature = [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a];
+export const pngSignature = [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a];
 const chunkOverhead = 12; // length, type, checksum
 
 /** Inserts the text before the end of the picture; `png` must be a PNG. */
@@ -21,10 +21,10 @@ export function insertPngText(png: Uint8Array, keyword: string, text: string): U
 
 /** The text with the keyword; nothing if the bytes are not a PNG or have no such text. */
 export function readPngText(bytes: Uint8Array, keyword: string): string | undefined {
-  if (signature.some((byte, i) => bytes[i] !== byte)) return undefined;
+  if (pngSignature.some((byte, i) => bytes[i] !== byte)) return undefined;
   const prefix = textPrefix(keyword);
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-  let at = signature.length;
+  let at = pngSignature.length;
   while (at + chunkOverhead <= bytes.length) {
     const length = view.getUint32(at);
     if (length > bytes.length - at - chunkOverhead) return undefined;
@@ -41,14 +41,20 @@ export function readPngText(bytes: Uint8Array, keyword: string): string | undefi
 function textChunk(keyword: string, text: string): Uint8Array {
   const prefix = textPrefix(keyword);
   const content = encoder.encode(text);
-  const length = prefix.length + content.length;
-  const chunk = new Uint8Array(length + chunkOverhead);
+  const data = new Uint8Array(prefix.length + content.length);
+  data.set(prefix);
+  data.set(content, prefix.length);
+  return pngChunk('iTXt', data);
+}
+
+/** A chunk with its length, type and checksum. */
+export function pngChunk(type: string, data: Uint8Array): Uint8Array {
+  const chunk = new Uint8Array(data.length + chunkOverhead);
   const view = new DataView(chunk.buffer);
-  view.setUint32(0, length);
-  chunk.set(encoder.encode('iTXt'), 4);
-  chunk.set(prefix, 8);
-  chunk.set(content, 8 + prefix.length);
-  view.setUint32(8 + length, crc32(chunk.subarray(4, 8 + length)));
+  view.setUint32(0, data.length);
+  chunk.set(encoder.encode(type), 4);
+  chunk.set(data, 8);
+  view.setUint32(8 + data.length, crc32(chunk.subarray(4, 8 + data.length)));
   return chunk;
 }
 

@@ -98,8 +98,21 @@ export const fileCommands = [
   {
     id: 'save-picture',
     label: 'Save a picture',
+    short: 'Save (j)',
     keys: [{ key: 'j' }],
-    run: (editor) => editor.savePicture({ format: 'png', background: true, target: 'file' }),
+    run: (editor) => editor.savePicture('file'),
+  },
+  {
+    id: 'copy-picture',
+    label: 'Copy a picture',
+    short: 'Copy',
+    run: (editor) => editor.savePicture('clipboard'),
+  },
+  {
+    id: 'save-passes',
+    label: 'Save a picture and passes: depth, normals, joints, masks',
+    short: 'Save picture and passes',
+    run: (editor) => editor.savePicture('passes'),
   },
   {
     id: 'verify',

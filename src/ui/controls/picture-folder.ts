@@ -1,44 +1,62 @@
 import type { GUI } from 'lil-gui';
-import type { PictureFormat } from '../../view/picture.ts';
-import { attempt } from '../attempt.ts';
-import type { Actions, PictureOptions, Telling } from '../editor.ts';
+import { lossyQuality, type PictureFormat } from '../../view/picture/encode-picture.ts';
+import type { PictureSettings, PictureSizeId } from '../../view/picture/picture-size.ts';
+import type { Editor } from '../editor.ts';
+import { pictureRequest } from '../picture-request.ts';
+import { watch } from '../watch.ts';
+import { addCommandRow } from './command-row.ts';
+import { addNote } from './note.ts';
+import { field } from './signal-field.ts';
 
-/**
- * Adds controls for saving a picture of exactly what the view shows, or of the same view at any
- * size.
- */
-export function addPictureFolder(gui: GUI, editor: Actions & Telling): void {
+const quality = `, at a quality of ${Math.round(lossyQuality * 100)} %`;
+const formats: Readonly<Record<string, PictureFormat>> = {
+  PNG: 'png',
+  JPEG: 'jpeg',
+  WebP: 'webp',
+};
+const sizes: Readonly<Record<string, PictureSizeId>> = {
+  'As the view': 'view',
+  '1080p': '1080p',
+  '4K': '4k',
+  'A4, 300 dpi': 'a4',
+  'Width × height': 'free',
+};
+const samples: Readonly<Record<string, number>> = {
+  'As the view': 1,
+  '2 × 2': 2,
+  '3 × 3': 3,
+  '4 × 4': 4,
+};
+
+/** Adds controls for pictures of exactly what the view or its frame shows, at any size. */
+export function addPictureFolder(gui: GUI, editor: Editor): void {
+  const { picture, viewer, session, store } = editor;
   const folder = gui.addFolder('Picture').close();
-  const bound = {
-    format: 'png' as PictureFormat,
-    size: 'view' as 'view' | 'exact',
-    width: 1920,
-    height: 1080,
-    background: true,
-    save: () => attempt(editor, editor.savePicture(options('file'))),
-    copy: () => attempt(editor, editor.savePicture({ ...options('clipboard'), format: 'png' })),
-  };
-  const options = (target: PictureOptions['target']): PictureOptions => ({
-    format: bound.format,
-    background: bound.background,
-    target,
-    ...(bound.size === 'exact' ? { size: { width: bound.width, height: bound.height } } : {}),
-  });
-  folder.add(bound, 'format', { PNG: 'png', JPEG: 'jpeg' }).name('Format');
-  folder
-    .add(bound, 'size', { 'As the view': 'view', 'Width × height': 'exact' })
-    .name('Size')
-    .onChange(showSize);
-  const sizes = [
-    folder.add(bound, 'width', 16, 8192, 1).name('Width'),
-    folder.add(bound, 'height', 16, 8192, 1).name('Height'),
+  const setting = <Key extends keyof PictureSettings>(key: Key) =>
+    field(
+      () => picture.value[key],
+      (value) => (picture.value = { ...picture.value, [key]: value }),
+    );
+  const rows = [
+    folder.add(setting('format'), 'value', formats).name('Format'),
+    folder.add(setting('size'), 'value', sizes).name('Size'),
+    folder.add(setting('samples'), 'value', samples).name('Samples a pixel'),
+    folder.add(setting('background'), 'value').name('Background'),
   ];
-  folder.add(bound, 'background').name('Background');
-  folder.add(bound, 'save').name('Save (j)');
-  folder.add(bound, 'copy').name('Copy');
-  showSize();
-
-  function showSize(): void {
-    for (const size of sizes) size.show(bound.size === 'exact');
-  }
+  const width = folder.add(setting('width'), 'value', 16, 16_384, 1).name('Width');
+  const height = folder.add(setting('height'), 'value', 16, 16_384, 1).name('Height');
+  const note = addNote(folder, '');
+  addCommandRow(folder, editor, 'save-picture');
+  addCommandRow(folder, editor, 'copy-picture');
+  addCommandRow(folder, editor, 'save-passes');
+  const { size, camera, framing } = viewer;
+  watch([picture, size, camera, framing, session.shownShot, store.scene], () => {
+    for (const row of [...rows, width, height]) row.updateDisplay();
+    const isFree = picture.value.size === 'free';
+    width.show(isFree);
+    height.show(isFree && framing.value === null);
+    const wanted = pictureRequest(editor).size;
+    const isLossy = picture.value.format !== 'png';
+    note.textContent = `${wanted.width} × ${wanted.height} pixels${isLossy ? quality : ''}`;
+  });
 }

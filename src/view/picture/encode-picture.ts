@@ -1,0 +1,34 @@
+import { Failure } from '../../core/failure.ts';
+
+export type PictureFormat = 'png' | 'jpeg' | 'webp';
+
+export interface Picture {
+  readonly width: number;
+  readonly height: number;
+  /** (width × height × 4) bytes of RGBA, with alpha not multiplied in, the top row first. */
+  readonly pixels: Uint8ClampedArray<ArrayBuffer>;
+}
+
+/** The quality of formats with losses, from 0 to 1. */
+export const lossyQuality = 0.92;
+
+/** Returns the bytes of a file. PNG keeps every pixel. */
+export async function encodePicture(picture: Picture, format: PictureFormat): Promise<Blob> {
+  const { width, height, pixels } = picture;
+  const canvas = document.createElement('canvas');
+  canvas.width = width;
+  canvas.height = height;
+  const context = canvas.getContext('2d');
+  const noRoom = `This browser has no room for a picture of ${width} × ${height} pixels`;
+  if (!context) throw new Failure(noRoom);
+  context.putImageData(new ImageData(pixels, width, height), 0, 0);
+  const blob = await new Promise<Blob | null>((resolve) => {
+    canvas.toBlob(resolve, `image/${format}`, lossyQuality);
+  });
+  if (!blob) throw new Failure(noRoom);
+  // A browser that does not write a format gives a PNG in its place.
+  if (blob.type !== `image/${format}`) {
+    throw new Failure(`This browser writes no ${format.toUpperCase()} of this size; PNG it does`);
+  }
+  return blob;
+}
