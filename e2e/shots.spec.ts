@@ -209,7 +209,13 @@ test('a picture in tiles is the picture in one piece; passes come in one archive
 test('three characters in a framed shot', async () => {
   await resizeView(page(), 640, 480);
   await press(page(), 'add-shot');
+  await page()
+    .locator('.shot-bar select')
+    .evaluate((choice: HTMLSelectElement) => {
+      choice.value = '3:2';
+      choice.dispatchEvent(new Event('change'));
+    });
   await page().keyboard.press('Home');
   await press(page(), 'update-shot');
-  expectPicture('framed-shot', await captureBy(page(), { shot: 'Shot 2', width: 400 }));
+  expectPicture('framed-shot', await captureBy(page(), { shot: 'Shot 2', width: 480 }));
 });
