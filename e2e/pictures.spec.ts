@@ -50,6 +50,7 @@ const scenes: Readonly<Record<string, Scene>> = {
   'human-skeleton': { keys: ['s'] },
   'human-both': { keys: ['s', 's'] },
   'human-axes': { pose: {}, keys: ['s', 'a', 'ArrowRight', 'ArrowUp'] },
+  'human-front': { keys: ['Home', 'a', '1'] },
   'human-hard-pose': { pose: hardPose, keys: ['Home'] },
   'human-rigid': { pose: hardPose, method: menuName(kernelById('rigid')), keys: ['Home'] },
   'human-translucent': { keys: ['s', 's', 't'] },

@@ -9,6 +9,7 @@ import { Evaluator } from '../src/evaluation/evaluator.ts';
 import { readPngText } from '../src/formats/png/text-chunk.ts';
 import { pickSkin } from '../src/posing/pick-skin.ts';
 import { axesOf } from '../src/view/camera.ts';
+import type { PassImageId } from '../src/view/picture/make-passes.ts';
 import { characterRay, rayThrough } from '../src/view/picking.ts';
 import { posedTriangles } from '../src/view/posed-triangles.ts';
 import { readBundled } from '../tests/support/bundled.ts';
@@ -72,9 +73,9 @@ test('depth, joints, normals and masks are those of the skin that a ray of the c
   const turned = { ...startCamera, distance: 2, azimuth: 0.5, elevation: 0.2 };
   for (const projection of ['perspective', 'orthographic'] as const) {
     const camera = { ...turned, projection };
-    const passOf = async (pass: CaptureOptions['pass']) =>
-      captureBy(page(), { ...size, views: [{ camera }], pass: pass!, tileLimit: 50 });
-    const depthFile = await passOf('depth');
+    const passOf = async (pass: PassImageId, tileLimit = 200) =>
+      captureBy(page(), { ...size, views: [{ camera }], pass, tileLimit });
+    const depthFile = await passOf('depth', 50);
     const depths = PNG.sync.read(depthFile, { skipRescale: true }).data;
     const note = readPngText(depthFile, 'Description')!;
     const [near, span] = /: (\S+) \+ \(value - 1\) \/ 65534 \* (\S+);/

@@ -43,7 +43,7 @@ export async function savePicture(editor: Editor, target: PictureTarget): Promis
     };
     for (const [id, png] of passes) files[`${name}-${id}.png`] = png;
     // The files of an archive are compressed already.
-    download(`${name}-passes.zip`, zipSync(files, { level: 0 }) as BlobPart, 'application/zip');
+    download(`${name}-passes.zip`, zipSync(files, { level: 0 }), 'application/zip');
     return 'Picture and passes saved';
   };
   if (target !== 'passes' && tilesOf(request.size, request.samples).length === 1) {

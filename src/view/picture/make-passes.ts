@@ -64,7 +64,7 @@ export async function makePasses(
         const point = reader.at(geometry, (row * tile.width + column) * 4);
         if (!point) continue;
         const at = top * width + view.x + tile.x + column;
-        for (const { write, bytes, pixelBytes } of images) write(point, bytes, at * pixelBytes);
+        for (const image of images) image.write(point, image.bytes, at * image.pixelBytes);
       }
     }
   });
@@ -123,10 +123,7 @@ function depthImage(camera: Camera, shown: readonly Evaluation[]): PassImage {
 }
 
 /** The least and the largest depth of the characters' vertices that are in front of the camera. */
-export function depthRange(
-  camera: Camera,
-  shown: readonly Evaluation[],
-): readonly [number, number] {
+function depthRange(camera: Camera, shown: readonly Evaluation[]): readonly [number, number] {
   const { look } = axesOf(camera);
   const point: vec3 = new Float64Array(3);
   let [near, far] = [Infinity, -Infinity];
