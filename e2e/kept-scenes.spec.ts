@@ -1,7 +1,7 @@
 import { expect, type BrowserContext, type Page } from '@playwright/test';
 import { capture, drop, getPose, setPose } from './support/app.ts';
 import { madeCharacter } from './support/made-character.ts';
-import { test } from './support/test.ts';
+import { failureTest, test } from './support/test.ts';
 
 test.use({ viewport: { width: 960, height: 420 } });
 test.describe.configure({ timeout: 90_000 });
@@ -55,3 +55,109 @@ test('a scene comes back after a crash, with its own files, and a fresh start is
   await expect.poll(() => names(back)).toHaveLength(2);
   await expect(back.getByRole('button', { name: 'Start fresh' })).toHaveCount(0);
 });
+
+test('two tabs keep a scene each, a reload brings back its own, and an address with a name wins', async ({
+  context,
+}) => {
+  const first = await visit(context);
+  await first.evaluate(() => window.sinew.open('tube'));
+  await setPose(first, { joints: { '#1': [0.1, 0, 0] } });
+  await kept(first);
+  const second = await visit(context);
+  expect(await names(second), 'the scene of an open tab is not opened twice').toHaveLength(2);
+  await second.evaluate(() => window.sinew.open('insect'));
+  await kept(second);
+  await setPose(first, { joints: { '#1': [0.2, 0, 0] } });
+  await kept(first);
+
+  for (const [page, length] of [
+    [second, await names(second)],
+    [first, await names(first)],
+  ] as const) {
+    await page.reload();
+    await ready(page);
+    expect(await names(page)).toEqual(length);
+  }
+  expect((await getPose(first)).joints).toEqual({ 'joint 01': [0.2, 0, 0] });
+
+  await first.goto('./?model=hand');
+  await ready(first);
+  expect(await names(first)).toEqual(['hand']);
+  await first.getByRole('button', { name: 'Add…' }).click();
+  const earlier = first.getByRole('region', { name: 'Earlier scenes' });
+  await earlier.getByRole('button').first().click();
+  await expect.poll(() => names(first)).toEqual(expect.arrayContaining(['tube']));
+  expect((await getPose(first)).joints).toEqual({ 'joint 01': [0.2, 0, 0] });
+});
+
+/** Opens the page's database and runs a function body with `put(record)`, which it may call. */
+async function change(page: Page, edit: string): Promise<void> {
+  await page.evaluate(async (edit) => {
+    const opening = indexedDB.open('sinew');
+    const database = await new Promise<IDBDatabase>((resolve, reject) => {
+      opening.onsuccess = () => resolve(opening.result);
+      opening.onerror = () => reject(new Error('no database'));
+    });
+    const store = database.transaction('scenes', 'readwrite').objectStore('scenes');
+    const all = store.getAll();
+    await new Promise((resolve) => (all.onsuccess = resolve));
+    const [record] = all.result as { text: string }[];
+    const [from, to] = edit.split(' -> ') as [string, string];
+    const put = store.put({ ...record, text: record!.text.replace(from, to) });
+    await new Promise((resolve) => (put.onsuccess = resolve));
+    database.close();
+  }, edit);
+}
+
+for (const [what, edit, problem] of [
+  ['is damaged', '"actors" -> "act', 'it is damaged'],
+  ['is of a newer Sinew', '"version":1 -> "version":99', 'a newer Sinew wrote it'],
+] as const) {
+  test(`a kept scene that ${what} is a message, and the first scene opens`, async ({ context }) => {
+    const page = await visit(context);
+    await page.evaluate(() => window.sinew.open('tube'));
+    await kept(page);
+    await change(page, edit);
+    await page.close();
+    const next = await visit(context);
+    await expect(status(next)).toContainText(`could not be restored: ${problem}`);
+    expect(await names(next)).toHaveLength(2);
+    await next.reload();
+    await ready(next);
+    await expect(status(next), 'it is not tried again').not.toContainText('could not be restored');
+  });
+}
+
+failureTest(
+  'a browser without room, or that keeps nothing, says so; the page goes on',
+  async ({ page }) => {
+    await page.addInitScript(() => {
+      const { put } = IDBObjectStore.prototype;
+      IDBObjectStore.prototype.put = function (...values) {
+        if (sessionStorage.getItem('full') === null) return put.apply(this, values);
+        throw new DOMException('no room', 'QuotaExceededError');
+      };
+      if (sessionStorage.getItem('private') !== null) {
+        Object.defineProperty(window, 'indexedDB', { value: undefined });
+      }
+    });
+    await page.goto('./?model=tube');
+    await ready(page);
+    await page.evaluate(() => sessionStorage.setItem('full', ''));
+    const set = await setPose(page, { joints: { '#1': [0.1, 0, 0] } });
+    await expect(status(page)).toContainText('no room to keep the scene');
+    await expect(keeping(page)).toHaveText('Not saved');
+    expect(await getPose(page)).toEqual(set);
+    await page.evaluate(() => sessionStorage.removeItem('full'));
+    const more = await setPose(page, { joints: { '#1': [0.2, 0, 0] } });
+    await kept(page);
+    expect(await getPose(page)).toEqual(more);
+
+    await page.evaluate(() => sessionStorage.setItem('private', ''));
+    await page.goto('./?model=hand');
+    await ready(page);
+    await setPose(page, { joints: { '#1': [0.1, 0, 0] } });
+    await expect(status(page)).toContainText('does not keep the scene');
+    await expect(keeping(page)).toHaveText('Not saved');
+  },
+);

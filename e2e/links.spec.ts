@@ -1,5 +1,6 @@
 import { expect, type Page } from '@playwright/test';
-import { capture, setPose } from './support/app.ts';
+import { capture, drop, getPose, setPose } from './support/app.ts';
+import { madeCharacter } from './support/made-character.ts';
 import { test } from './support/test.ts';
 
 test.use({
@@ -52,4 +53,49 @@ test('a link opens the same picture on a fresh page, by the byte', async ({ page
   ).toEqual(poses);
   expect((await capture(fresh)).equals(picture), 'the same picture').toBe(true);
   await fresh.context().close();
+});
+
+for (const [what, hash, message] of [
+  ['cut', '#s=1.rVI9T8Mw', 'it is damaged'],
+  ['no scene', '#s=1.q1YqAQA', 'it is damaged'],
+  ['newer', '#s=9.abc', 'a newer Sinew made it'],
+] as const) {
+  test(`a link that is ${what} is a message, and the first scene opens`, async ({ page }) => {
+    await visit(page, hash);
+    await expect(status(page)).toContainText(`The link could not be opened: ${message}`);
+    await expect.poll(() => names(page)).toHaveLength(2);
+  });
+}
+
+test('a link asks for your own files, which it only names', async ({ page, browser }) => {
+  await visit(page);
+  const files = madeCharacter(5, 2);
+  await drop(page, files);
+  const pose = await setPose(page, { joints: { '#1': [0.5, 0, 0] } });
+  const hash = await copyLink(page);
+  await expect(status(page)).toContainText('is asked for the files');
+
+  const fresh = await (await browser.newContext()).newPage();
+  await visit(fresh, hash);
+  const dialog = fresh.getByRole('dialog', { name: 'Files of the scene' });
+  for (const { name } of files) await expect(dialog).toContainText(name);
+  await drop(
+    fresh,
+    files.map(({ name, content }) => ({ name: `renamed ${name}`, content })),
+  );
+  await expect(dialog).toHaveCount(0);
+  expect(await getPose(fresh)).toEqual(pose);
+  expect(await fresh.evaluate(() => window.sinew.problems)).toEqual([]);
+  await fresh.context().close();
+});
+
+test('a link that comes to an open page opens there, as one step of undo', async ({ page }) => {
+  await visit(page);
+  const hash = await copyLink(page);
+  await page.evaluate(() => window.sinew.open('tube'));
+  const before = await names(page);
+  await page.evaluate((hash) => void (location.hash = hash), hash);
+  await expect.poll(() => names(page)).toHaveLength(2);
+  await page.keyboard.press('ControlOrMeta+z');
+  await expect.poll(() => names(page)).toEqual(before);
 });

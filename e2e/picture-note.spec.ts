@@ -2,7 +2,7 @@ import { readFileSync } from 'node:fs';
 import { expect } from '@playwright/test';
 import { PNG } from 'pngjs';
 import { insertPngText } from '../src/formats/png/text-chunk.ts';
-import { bytesOf, drop, openApp, setPose } from './support/app.ts';
+import { bytesOf, drop, getPose, openApp, setPose } from './support/app.ts';
 import { madeCharacter } from './support/made-character.ts';
 import { sharedPage, test } from './support/test.ts';
 
@@ -18,7 +18,7 @@ async function savedPicture(): Promise<Buffer> {
   return readFileSync(await download.path());
 }
 
-test('a PNG remembers its character and pose, and dropping it opens them', async () => {
+test('a PNG remembers its scene, and dropping it opens that', async () => {
   const pose = await setPose(page(), { joints: { '#2': [0.1, 0.2, 0.3] }, root: [0, 0.5, 0] });
   const png = await savedPicture();
   await page().evaluate(() => window.sinew.open('hand'));
@@ -75,5 +75,16 @@ test('a picture larger than the GPU can draw is refused with a message', async (
       (error: unknown) => String(error),
     ),
   );
-  expect(refused).toContain('picture of 1000000 × 16');
+  expect(refused).toContain('picture of 1,000,000 × 16');
+});
+
+test('a PNG of an early version, which remembers a character and its pose, opens both', async () => {
+  const picture = new Uint8Array(PNG.sync.write(new PNG({ width: 2, height: 2 })));
+  const note = '{"bundled":"tube","name":"Tube","pose":{"joints":{"#2":[0.1,0.2,0.3]}}}';
+  await page().evaluate(() => window.sinew.open('hand'));
+  await drop(page(), [
+    { name: 'early.png', content: Buffer.from(insertPngText(picture, 'Sinew', note)) },
+  ]);
+  await expect(page().locator('.status')).toContainText('tube');
+  expect((await getPose(page())).joints).toEqual({ 'joint 02': [0.1, 0.2, 0.3] });
 });

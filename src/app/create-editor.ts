@@ -198,7 +198,7 @@ export function createEditor(
     async savePicture(target) {
       await evaluations.settled();
       const { savePicture } = await loadPart(import('./save-picture.ts'));
-      await savePicture(editor, target);
+      await savePicture(editor, opening.parts, target);
     },
 
     async verify() {

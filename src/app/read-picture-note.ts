@@ -12,7 +12,10 @@ export interface ReadNote {
   readonly log: DiagnosticLog;
 }
 
-/** Reads what a PNG remembers, or reports why it can't be read. */
+/**
+ * Reads what a PNG of an early Sinew remembers, or reports why it can't be read. Later ones remember
+ * their whole scene.
+ */
 export function readPictureNote({ path, text }: JsonText): ReadNote {
   const log = new DiagnosticLog(path);
   const effect = 'the pose of the picture is not used';

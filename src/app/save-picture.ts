@@ -1,8 +1,6 @@
 import { zipSync } from 'fflate';
 import { Failure } from '../core/failure.ts';
-import type { Evaluation } from '../evaluation/evaluation.ts';
 import { insertPngText } from '../formats/png/text-chunk.ts';
-import { poseToJson } from '../formats/write-pose-json.ts';
 import { GpuLimitError } from '../gl/gpu.ts';
 import type { Editor, PictureTarget } from '../ui/editor.ts';
 import { pictureRequest } from '../ui/picture-request.ts';
@@ -16,19 +14,24 @@ import {
 } from '../view/picture/make-picture.ts';
 import { tilesOf } from '../view/picture/picture-tiles.ts';
 import { download } from './download.ts';
-import { pictureKeyword, writePictureNote } from './picture-note.ts';
+import { pictureKeyword } from './picture-note.ts';
+import type { SceneParts } from './scenes/scene-parts.ts';
+import { sceneText } from './scenes/scene-text.ts';
 
 /** Saves or copies a picture of the view or of the shot that is shown, and says so. */
-export async function savePicture(editor: Editor, target: PictureTarget): Promise<void> {
-  const { viewer, notice, evaluations } = editor;
+export async function savePicture(
+  editor: Editor,
+  parts: SceneParts,
+  target: PictureTarget,
+): Promise<void> {
+  const { viewer, notice } = editor;
   if (!viewer.available.value) {
     notice.value = 'There is no view to take a picture of at the moment';
     return;
   }
   const request = pictureRequest(editor);
-  // The pose is read now, so that it matches the picture even if a clip plays meanwhile.
-  const shown = evaluations.selected();
-  const note = shown && noteOf(shown);
+  // The scene is read now, so that it is that of the picture even if a clip plays meanwhile.
+  const note = sceneText(parts);
   const name = nameOf(editor);
   const make = async (work: PictureWork): Promise<string> => {
     const { blob, extension } = await pictureFile(editor, request, target, note, work);
@@ -67,7 +70,7 @@ async function pictureFile(
   { viewer, picture: { value: settings } }: Editor,
   request: PictureRequest,
   target: PictureTarget,
-  note: string | undefined,
+  note: string,
   work: PictureWork,
 ): Promise<PictureFile> {
   // A browser's clipboard takes PNG alone.
@@ -78,7 +81,7 @@ async function pictureFile(
     const picture = await makePicture(viewer, { ...request, showSurroundings }, work);
     const blob = await encodePicture(picture, format);
     const extension = format === 'jpeg' ? 'jpg' : format;
-    if (format !== 'png' || note === undefined) return { blob, extension };
+    if (format !== 'png') return { blob, extension };
     return { blob: await withNote(blob, note), extension };
   } catch (error) {
     if (!(error instanceof GpuLimitError)) throw error;
@@ -91,14 +94,6 @@ function nameOf(editor: Editor): string {
   const name = editor.evaluations.selected()?.state.name ?? 'sinew';
   const shot = shownShot(editor);
   return shot ? `${name}-${shot.name}` : name;
-}
-
-function noteOf({ state: { character, source }, pose }: Evaluation): string {
-  return writePictureNote({
-    ...(source.kind === 'bundled' ? { bundled: source.id } : {}),
-    name: character.name,
-    pose: poseToJson(character.skeleton, pose),
-  });
 }
 
 async function withNote(png: Blob, note: string): Promise<Blob> {

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { FileOpener } from '../../src/app/open-files.ts';
 import { openOwnFiles } from '../../src/app/open-own-files.ts';
-import { pictureKeyword, writePictureNote } from '../../src/app/picture-note.ts';
+import { pictureKeyword } from '../../src/app/picture-note.ts';
 import { openCharacters } from '../../src/document/open-characters.ts';
 import { reconcile } from '../../src/document/reconcile.ts';
 import type { Source } from '../../src/document/scene.ts';
@@ -54,7 +54,7 @@ function picture(bundled: string): FileEntry {
     10,
     ...new Array<number>(12).fill(0),
   ]);
-  const note = writePictureNote({ bundled, name: 'Any', pose: { joints: { '#0': [1, 0, 0] } } });
+  const note = JSON.stringify({ bundled, name: 'Any', pose: { joints: { '#0': [1, 0, 0] } } });
   return memoryFile('picture.png', insertPngText(empty, pictureKeyword, note));
 }
 

@@ -1,6 +1,7 @@
 import { Failure } from '../../core/failure.ts';
 import type { EarlierScene } from '../../ui/editor.ts';
 import { listKept } from './kept-scenes.ts';
+import { whyRefused } from './open-given-scene.ts';
 import { openKept } from './restore-scene.ts';
 import { openScenes } from './scene-locks.ts';
 import type { SceneParts } from './scene-parts.ts';
@@ -20,5 +21,5 @@ export async function openEarlier(parts: SceneParts, id: string): Promise<void> 
   const kept = (await listKept()).find((each) => each.id === id);
   if (!kept) throw new Failure('This browser does not keep that scene any more');
   const opened = await openKept(parts, kept, id);
-  if (!opened) parts.opening.notice.value = 'The scene could not be opened; see Problems';
+  if (!opened) parts.opening.notice.value = `The scene could not be opened: ${whyRefused(parts)}`;
 }

@@ -118,8 +118,14 @@ export class SceneKeeper {
 
   /** Removes the record of a scene that is not worth keeping any more. */
   private async drop(): Promise<void> {
-    if (this.id === null || this.id !== this.parts.target.id) return;
-    await forgetScene(this.id);
+    if (this.id === null) return;
+    sessionStorage.removeItem(keptMarker);
+    if (this.id === this.parts.target.id) await forgetScene(this.id);
+    else {
+      // It is the record of the scene before, which stays.
+      this.release?.();
+      this.id = null;
+    }
     this.stored = new Set();
   }
 

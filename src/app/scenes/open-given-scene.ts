@@ -52,6 +52,12 @@ export async function openGivenScene(
   return true;
 }
 
+/** Says in words why a scene was refused; the problems of the page give the place. */
+export function whyRefused({ opening }: SceneParts): string {
+  const isNewer = opening.session.problems.value.some(({ code }) => code === 'scene/version');
+  return isNewer ? 'a newer Sinew wrote it' : 'it is damaged';
+}
+
 /** A scene whose characters come, some of them perhaps later than others. */
 class SceneArrival {
   readonly problems: Diagnostic[] = [];

@@ -1,5 +1,5 @@
 import { sceneOfLink } from '../../document/scene-link.ts';
-import { openGivenScene } from './open-given-scene.ts';
+import { openGivenScene, whyRefused } from './open-given-scene.ts';
 import type { SceneParts } from './scene-parts.ts';
 
 /**
@@ -18,5 +18,5 @@ export async function openLink(parts: SceneParts, hash: string): Promise<string 
     openGivenScene(parts, given, signal, how),
   );
   if (opened === undefined) return opening.notice.value; // canceled or failed, as it says
-  return opened ? undefined : 'The link could not be opened: it is damaged; see Problems';
+  return opened ? undefined : `The link could not be opened: ${whyRefused(parts)}`;
 }

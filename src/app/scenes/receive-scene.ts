@@ -27,8 +27,8 @@ export async function receiveScene(
   const scene = await sceneAmong(files, problems);
   if (!scene && problems.length === 0) return false;
   const { session, notice } = parts.opening;
+  const { openGivenScene, whyRefused } = await loadPart(import('./open-given-scene.ts'));
   if (scene) {
-    const { openGivenScene } = await loadPart(import('./open-given-scene.ts'));
     const handle = handles.find((each): each is FileSystemFileHandle => each.name === scene.file);
     // A picture keeps its scene, but is not what the scene is saved in.
     const target = handle && scene.isFile ? { handle } : {};
@@ -38,6 +38,6 @@ export async function receiveScene(
       return true;
     }
   } else session.problems.value = problems;
-  if (!signal.aborted) notice.value = 'The scene could not be opened; see Problems';
+  if (!signal.aborted) notice.value = `The scene could not be opened: ${whyRefused(parts)}`;
   return true;
 }

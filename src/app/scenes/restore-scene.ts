@@ -2,7 +2,7 @@ import { headSize } from '../../formats/file-entry.ts';
 import type { FileEntry } from '../../formats/format.ts';
 import { timeText } from '../../ui/time-text.ts';
 import { keepScene, keptFiles, type KeptScene, listKept } from './kept-scenes.ts';
-import { openGivenScene } from './open-given-scene.ts';
+import { openGivenScene, whyRefused } from './open-given-scene.ts';
 import { isReload, keptMarker } from './at-start.ts';
 import { holdScene, openScenes } from './scene-locks.ts';
 import type { SceneParts } from './scene-parts.ts';
@@ -38,7 +38,7 @@ export async function restoreLast(
     if (opened) return { message: `Restored the scene of ${when}`, opened };
     await keepScene({ ...found, isRefused: true }, new Map(), () => true);
     return {
-      message: `The scene of ${when} could not be restored; see Problems. It stays in the gallery`,
+      message: `The scene of ${when} could not be restored: ${whyRefused(parts)}`,
       opened,
     };
   } catch {

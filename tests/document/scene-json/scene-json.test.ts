@@ -110,7 +110,9 @@ describe('a wrong value', () => {
     `{"version":1,"characters":[{"bundled":"tube"}],"actors":[{"character":0}]${more}}`;
 
   it('affects only itself, and is reported by its path', () => {
-    const text = scene(',"environment":{"lights":[{"color":"red"},{"intensity":-1,"azimuth":3},{}]}');
+    const text = scene(
+      ',"environment":{"lights":[{"color":"red"},{"intensity":-1,"azimuth":3},{}]}',
+    );
     const { value, diagnostics } = readScene('scene.json', text);
     expect(value!.actors).toHaveLength(1);
     const [first, second] = value!.surroundings.environment.lights;
