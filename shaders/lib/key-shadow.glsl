@@ -14,7 +14,9 @@ float keyVisibility(vec3 position, vec3 normal) {
   // The point is moved off the surface by more than the samples reach, so that the surface does
   // not shadow itself where light grazes it.
   vec3 at = (keyClipFromScene * vec4(position + normal * keyShadowStep, 1.0)).xyz * 0.5 + 0.5;
-  if (any(lessThan(at, vec3(0.0))) || any(greaterThan(at, vec3(1.0)))) return 1.0;
+  if (any(lessThan(at, vec3(0.0))) || any(greaterThan(at.xy, vec2(1.0)))) return 1.0;
+  // A low light's shadow reaches beyond the map's depth.
+  at.z = min(at.z, 1.0);
   // This averages four samples, each of which the sampler filters from four texels.
   vec2 texel = 1.25 / vec2(textureSize(keyShadow, 0));
   float below = keySample(at, -texel) + keySample(at, vec2(texel.x, -texel.y));

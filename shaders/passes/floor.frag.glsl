@@ -3,6 +3,8 @@
 
 in vec3 scenePosition;
 
+uniform vec3 keyDirection;
+
 // The contact (red) and broad (green) shadow over a square. contactSquare is the square's center in
 // x and z, and half its side.
 uniform sampler2D contactShadow;
@@ -21,7 +23,9 @@ float lightAt(vec2 place) {
     vec2 inside = smoothstep(1.0, 0.8, at);
     contact = textureLod(contactShadow, within, 0.0).rg * inside.x * inside.y * contactStrength;
   }
-  float shade = 1.0 - keyVisibility(vec3(place.x, 0.0, place.y), vec3(0.0, 1.0, 0.0));
+  // The floor casts no shadow on itself; moved off it, a low light's shadow would leave the feet.
+  vec3 offset = vec3(0.0, clamp(1.35 * keyDirection.y, 0.0, 1.0), 0.0);
+  float shade = 1.0 - keyVisibility(vec3(place.x, 0.0, place.y), offset);
   return (1.0 - 0.6 * contact.r) * (1.0 - 0.35 * contact.g) * (1.0 - shadowDarkness * shade);
 }
 

@@ -45,7 +45,7 @@ export const lightPresets: readonly LightPreset[] = [
     label: 'Side light',
     environment: {
       lights: lights(
-        ['#ffe9d2', 1.75, -72, 22],
+        ['#ffe9d2', 1.75, -84, 26],
         ['#b9ccff', 0.08, 96, 10],
         ['#dfe9ff', 0.4, 140, 30],
       ),
@@ -85,7 +85,7 @@ export const lightPresets: readonly LightPreset[] = [
     label: 'Low sun',
     environment: {
       lights: lights(
-        ['#ffb46b', 1.9, -52, 11],
+        ['#ffb46b', 1.9, -28, 12],
         ['#9db8ff', 0.3, 100, 24],
         ['#ffc890', 0.7, 172, 20],
       ),
@@ -100,7 +100,7 @@ export const lightPresets: readonly LightPreset[] = [
     label: 'Night',
     environment: {
       lights: lights(
-        ['#b4c8ff', 0.85, -40, 46],
+        ['#b4c8ff', 0.95, -54, 52],
         ['#6f8cff', 0.12, 96, 12],
         ['#c6d6ff', 1.1, 150, 26],
       ),

@@ -2,6 +2,7 @@ import type { HandleId } from '../document/session.ts';
 import type { Evaluation } from '../evaluation/evaluation.ts';
 import { gizmoLines, gizmoOf, type GizmoRing, gizmoRings } from './gizmo.ts';
 import { type Overlay, type OverlayView, pickOverlay } from './overlay.ts';
+import { overlayViewAt, pixelsAt } from './overlay-place.ts';
 import { boneAt, type Looking, type PickPlace } from './pick.ts';
 import {
   floorHandle,
@@ -11,18 +12,8 @@ import {
   placeShapes,
   viewHandle,
 } from './place-gizmo.ts';
+import { lightAt } from './pick-light.ts';
 import { sessionOptionsOf } from './view-options.ts';
-
-/** Returns the view at a place as the overlay sees it; its pixels are CSS pixels. */
-export function overlayViewAt({ viewer }: Looking, { viewHeight }: PickPlace): OverlayView {
-  const width = viewHeight * viewer.aspect;
-  return { camera: viewer.viewCamera.value, width, height: viewHeight };
-}
-
-/** The place in pixels from the view's middle, y up. */
-export function pixelsAt(view: OverlayView, { x, y }: PickPlace): [number, number] {
-  return [(x * view.width) / 2, (y * view.height) / 2];
-}
 
 /** Returns the ring of the selected joint at a place of the view, or null. */
 export function ringAt(look: Looking, place: PickPlace): GizmoRing | null {
@@ -66,7 +57,7 @@ export function bodyHandleAt(look: Looking, place: PickPlace): PlaceHandle | nul
 
 /** Returns the id of the handle at a place of the view, or null. */
 export function handleAt(look: Looking, place: PickPlace): HandleId | null {
-  return (ringAt(look, place) ?? placeHandleAt(look, place))?.id ?? null;
+  return (lightAt(look, place) ?? ringAt(look, place) ?? placeHandleAt(look, place))?.id ?? null;
 }
 
 function nearest<T extends { readonly id: HandleId }>(

@@ -3,6 +3,7 @@ import { type Bone, bonesOf } from '../core/bones.ts';
 import { distanceToSegment, pointOnRay, type Ray } from '../core/ray.ts';
 import type { ActorId } from '../document/scene.ts';
 import type { Session } from '../document/session.ts';
+import type { Store } from '../document/store.ts';
 import type { Evaluation } from '../evaluation/evaluation.ts';
 import type { Evaluations } from '../evaluation/evaluations.ts';
 import { pickSkin } from '../posing/pick-skin.ts';
@@ -39,6 +40,7 @@ export interface BoneTarget {
 
 /** What picking needs, which the interface and the tools provide. */
 export interface Looking {
+  readonly store: Store;
   readonly evaluations: Evaluations;
   readonly session: Session;
   readonly viewer: Viewer;

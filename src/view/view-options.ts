@@ -26,6 +26,7 @@ export interface SessionOptions {
   /** Shows what belongs to the page and not to the picture: handles and the light on a limb. */
   readonly showOverlay: boolean;
   readonly hoveredHandle: HandleId | null;
+  readonly dragsLights: boolean;
   readonly activeDof: ActiveDof | null;
   readonly placeTool: PlaceTool | null;
   readonly placeAxes: PlaceAxes;
@@ -62,6 +63,7 @@ export function sessionOptionsOf(session: Session): SessionOptions {
     hoveredLimb: session.hoveredLimb.value,
     showOverlay: true,
     hoveredHandle: session.hoveredHandle.value,
+    dragsLights: session.dragsLights.value,
     activeDof: session.activeDof.value,
     placeTool: session.placeTool.value,
     placeAxes: session.placeAxes.value,

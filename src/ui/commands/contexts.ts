@@ -88,6 +88,10 @@ export const pointerRows: readonly HelpRow[] = [
     'Move, turn or scale it (Shift: a tenth; Ctrl/Cmd: in steps of 0.1 or 15°); while it is moved, the character is a handle too',
   ],
   ['Double-click on a name', 'Rename the character'],
+  [
+    'Left drag on a light, while they have handles',
+    'Move it around the characters (Ctrl/Cmd: in steps of 15°)',
+  ],
   ['Left drag elsewhere', 'Orbit; with the first-person camera, look around'],
   ['Middle drag', 'Pan'],
   ['Right drag, wheel', 'Zoom'],

@@ -4,6 +4,7 @@ import { selectedActor } from '../../document/selected-actor.ts';
 import type { ActiveDof } from '../../document/session.ts';
 import { kernelById, kernelOf } from '../../skinning/registry.ts';
 import { axisViewOf } from '../../view/axis-views.ts';
+import { lightOfHandle } from '../../view/light-handles.ts';
 import { ancestorsOf } from '../joint-rows.ts';
 import { formatDegrees } from '../angle-text.ts';
 import type { Editor, Looking, Posing } from '../editor.ts';
@@ -30,6 +31,7 @@ export function ViewOverlay({ editor }: { readonly editor: Editor }) {
       <CameraText editor={editor} />
       <ViewHint editor={editor} />
       <ActiveDofText editor={editor} />
+      <LightText editor={editor} />
       <LitBoneLabel editor={editor} />
     </>
   );
@@ -94,6 +96,19 @@ function ActiveDofText({ editor }: { readonly editor: Looking & Posing }) {
     <output class="active-dof">
       {dof.name} {value.toFixed(3)}
       {dof.isAngle && ` (${formatDegrees(value)})`}
+    </output>
+  );
+}
+
+/** The light under the pointer, with its direction, in the same corner. */
+function LightText({ editor: { session, store } }: { readonly editor: Looking }) {
+  const index = lightOfHandle(session.hoveredHandle.value);
+  const light = index === null ? undefined : store.scene.value.environment.lights[index];
+  if (!light) return null;
+  const { name, azimuth, elevation } = light;
+  return (
+    <output class="active-dof">
+      {name} light {azimuth.toFixed(1)}° around, {elevation.toFixed(1)}° above
     </output>
   );
 }

@@ -4,6 +4,7 @@ import type { Program } from '../../gl/program.ts';
 import { type Attribute, VertexArray } from '../../gl/vertex-array.ts';
 import type { Frame } from '../frame.ts';
 import { gizmoLines, gizmoOf, gizmoRings } from '../gizmo.ts';
+import { lightLines, showsLights } from '../light-handles.ts';
 import { isFace, type Overlay, type OverlayFace, type OverlayLine } from '../overlay.ts';
 import type { Pass } from '../pass.ts';
 import { placeGizmoOf, placeHandles, placeShapes } from '../place-gizmo.ts';
@@ -21,7 +22,8 @@ const hiddenOpacity = 0.55;
  */
 export const overlayPass: Pass = {
   id: 'overlay',
-  isShown: (options) => gizmoOf(options) !== null || placeGizmoOf(options) !== null,
+  isShown: (options) =>
+    gizmoOf(options) !== null || placeGizmoOf(options) !== null || showsLights(options),
   create(gpu, programs) {
     const { gl } = gpu;
     const program = programs.pass('overlay');
@@ -56,11 +58,15 @@ export const overlayPass: Pass = {
 /** @param cssScale the picture's pixels per CSS pixel */
 function overlayOf({ characters, options, camera, viewport }: Frame, cssScale: number): Overlay {
   const character = characters.find(({ state }) => state.id === options.selectedActorId);
-  if (!character) return [];
-  const { evaluation } = character;
   const view = { camera, width: viewport.width / cssScale, height: viewport.height / cssScale };
+  const lights = showsLights(options)
+    ? lightLines(options.environment, view, options.hoveredHandle)
+    : [];
+  if (!character) return lights;
+  const { evaluation } = character;
   const [joint, place] = [gizmoOf(options), placeGizmoOf(options)];
   return [
+    ...lights,
     ...(joint ? gizmoLines(gizmoRings(evaluation, view, joint), joint) : []),
     ...(place ? placeShapes(placeHandles(evaluation.state, view, place), place) : []),
   ];
