@@ -20,6 +20,8 @@ interface Scene {
   readonly morphs?: Readonly<Record<string, number>>;
   /** The time of the character's clip, in seconds. */
   readonly time?: number;
+  /** Labels of menus of the light and the floor, and what to choose there, in order. */
+  readonly surroundings?: Readonly<Record<string, string>>;
   /** The label of the skeleton's style in the controls. */
   readonly skeletonAs?: string;
   /** The keys to press, in order. */
@@ -56,8 +58,11 @@ const scenes: Readonly<Record<string, Scene>> = {
   'human-translucent': { keys: ['s', 's', 't'] },
   'two-methods': { pose: hardPose, keys: ['Home', 'x'] },
   'three-actors': { added: ['dog', 'insect'], time: 0.8, keys: ['s', 's', ']'] },
+  'planar-shadow': { added: ['dog'], surroundings: { Preset: 'Noon' }, keys: ['Home'] },
   'hand-both': { model: 'hand', keys: ['s', 's'] },
   dog: { model: 'dog' },
+  'dog-low-sun': { model: 'dog', surroundings: { Preset: 'Low sun' } },
+  'dog-mirrored': { model: 'dog', surroundings: { Preset: 'Back light' }, keys: ['s', 's'] },
   'tube-twisted': { model: 'tube' },
   'insect-boxes': { model: 'insect', workspace: 'cse169' },
   'insect-boxes-skin': { model: 'insect', workspace: 'cse169', keys: ['s'] },
@@ -77,7 +82,7 @@ let loaded = '';
 
 for (const [name, scene] of Object.entries(scenes)) {
   const { model = 'human', workspace = 'studio', dark = false, added = [], keys = [] } = scene;
-  const { pose, method, morphs, time, skeletonAs } = scene;
+  const { pose, method, morphs, time, skeletonAs, surroundings = {} } = scene;
   test(name, async () => {
     await page().emulateMedia({ colorScheme: dark ? 'dark' : 'light' });
     if (loaded !== model) await openView(page(), `model=${model}`);
@@ -94,6 +99,7 @@ for (const [name, scene] of Object.entries(scenes)) {
       },
       { morphs, time },
     );
+    for (const [row, option] of Object.entries(surroundings)) await choose(page(), row, option);
     for (const key of keys) await page().keyboard.press(key);
     expectPicture(name, await capture(page()));
   });

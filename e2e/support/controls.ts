@@ -26,3 +26,12 @@ export async function drawnOf(page: Page): Promise<string[]> {
   }
   return drawn;
 }
+
+/** Types a number into the row with this name for screen readers, even if it is out of sight. */
+export async function typeNumber(page: Page, name: string, value: number): Promise<void> {
+  await page.locator(`input[aria-label="${name}"]`).evaluate((field: HTMLInputElement, text) => {
+    field.value = text;
+    field.dispatchEvent(new Event('input', { bubbles: true }));
+    field.dispatchEvent(new Event('blur'));
+  }, `${value}`);
+}

@@ -6,14 +6,17 @@ import type { Frame } from './frame.ts';
 /** A picture as large as the frame's, which shaders read; transparent where nothing is drawn. */
 export class MirrorPicture {
   private readonly gpu: Gpu;
+  private readonly unit: number;
   private held: {
     readonly key: string;
     readonly target: RenderTarget;
     readonly result: TextureTarget;
   } | null = null;
 
-  constructor(gpu: Gpu) {
+  /** @param unit the texture unit that it may use */
+  constructor(gpu: Gpu, unit: number) {
     this.gpu = gpu;
+    this.unit = unit;
   }
 
   draw({ viewport: { width, height }, detail }: Frame, drawScene: () => void): void {
@@ -21,6 +24,8 @@ export class MirrorPicture {
     const key = `${width} ${height} ${detail}`;
     if (this.held?.key !== key) {
       this.dispose();
+      // A new texture is bound for a moment; the other units hold the frame's shadows.
+      gl.activeTexture(gl.TEXTURE0 + this.unit);
       const target = new RenderTarget(this.gpu, width, height, detail === 'draft' ? 0 : 4);
       this.held = { key, target, result: new TextureTarget(this.gpu, width, height) };
     }
@@ -32,8 +37,8 @@ export class MirrorPicture {
     target.resolveInto(result);
   }
 
-  bind(unit: number): void {
-    this.held?.result.texture.bind(unit);
+  bind(): void {
+    this.held?.result.texture.bind(this.unit);
   }
 
   dispose(): void {

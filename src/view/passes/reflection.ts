@@ -16,7 +16,7 @@ export const reflectionPass: Pass = {
   isShown: (options) => hasFloor(options) && options.environment.floor.reflection > 0,
   create(gpu, programs) {
     const { gl } = gpu;
-    const picture = new MirrorPicture(gpu);
+    const picture = new MirrorPicture(gpu, mirrorUnit);
     const isSeen = ({ eye }: Frame): boolean => eye[1] > 0;
     return {
       prepare(frame, drawMirrored) {
@@ -28,7 +28,7 @@ export const reflectionPass: Pass = {
         program.use();
         program.set(frame.uniforms);
         program.set(floorUniforms(frame));
-        picture.bind(mirrorUnit);
+        picture.bind();
         program.set({
           mirrored: mirrorUnit,
           reflection: frame.options.environment.floor.reflection,
