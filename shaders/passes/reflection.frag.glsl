@@ -2,6 +2,8 @@
 
 in vec3 scenePosition;
 
+// The size of the mirrored picture, which may be a tile of a larger one.
+uniform vec2 viewportSize;
 uniform vec3 eye;
 // The mirrored scene as it is displayed, upside down, with colors multiplied by their alpha.
 uniform sampler2D mirrored;
