@@ -200,11 +200,34 @@ test('a picture in tiles is the picture in one piece; passes come in one archive
     expect(new Set(whole.data).size).toBeGreaterThan(50);
   }
   await page().keyboard.press('a');
-  const row = controlRow(page(), 'Save picture and passes').locator('button');
+  const row = controlRow(page(), 'Save with passes').locator('button');
   const { name, bytes } = await saveBy(page(), () => row.dispatchEvent('click'));
   expect(name).toBe('insect-passes.zip');
   const names = ['', '-depth', '-normal', '-joint', '-mask'].map((pass) => `insect${pass}.png`);
   for (const file of names) expect(bytes.includes(file)).toBe(true);
+});
+
+test('a picture shows one moment, while the view shows the next', async () => {
+  const options = { width: 301, height: 202, tileLimit: 60 };
+  const before = await captureBy(page(), options);
+  const buffers = await page().evaluate(() => window.sinew.liveObjects['buffer']);
+  const picture = await page().evaluateHandle(async (options) => {
+    const before = window.sinew.liveObjects['buffer'];
+    const made = window.sinew.capture(options);
+    // The picture holds buffers of its own.
+    while (window.sinew.liveObjects['buffer'] === before) {
+      await new Promise((resolve) => setTimeout(resolve));
+    }
+    window.sinew.pose({ root: [0, 1, 0] });
+    return { made };
+  }, options);
+  const view = PNG.sync.read(await page().locator('canvas').screenshot());
+  expect(new Set(new Uint32Array(view.data.buffer)).size, 'colors').toBeGreaterThan(500);
+  const made = await picture.evaluateHandle(({ made }) => made);
+  expect(PNG.sync.read(await bytesOf(made)).data).toEqual(PNG.sync.read(before).data);
+  expect(await captureBy(page(), options)).not.toEqual(before);
+  await expect.poll(() => page().evaluate(() => window.sinew.liveObjects['buffer'])).toBe(buffers);
+  await page().keyboard.press('Control+z');
 });
 
 test('three characters in a framed shot', async () => {

@@ -165,6 +165,8 @@ export class Viewer {
   hold(overrides?: Overrides): HeldMoment {
     const shown = this.evaluations.visible(overrides).map((evaluation) => evaluation.still());
     for (const still of shown) this.held.add(still);
+    // Skinning them empties the canvas, as drawing of any kind does before it is shown.
+    this.requestFrame();
     const release = (): void => {
       for (const still of shown) {
         this.held.delete(still);

@@ -111,7 +111,7 @@ export const fileCommands = [
   {
     id: 'save-passes',
     label: 'Save a picture and passes: depth, normals, joints, masks',
-    short: 'Save picture and passes',
+    short: 'Save with passes',
     run: (editor) => editor.savePicture('passes'),
   },
   {
