@@ -180,7 +180,8 @@ export function createEditor(
         notice.value = 'There is no mesh to export';
         return;
       }
-      const bytes = writeObj(state.character.mesh, posedPoints(viewer, state, 'cpu'));
+      const positions = posedPoints(viewer, state, 'cpu');
+      const bytes = writeObj(state.character.mesh, { positions, normals: null });
       download(`${state.name}-posed.obj`, bytes as BlobPart, 'text/plain');
       notice.value = 'Posed mesh saved as OBJ';
     },

@@ -15,7 +15,6 @@ import {
   defaultDeformation,
   deformationOf,
   kernelNamed,
-  kernelOf,
   methods,
   normalWays,
 } from '../skinning/registry.ts';
@@ -31,7 +30,8 @@ const normalsIds = normalWays.map(({ id }) => id).join('|');
 
 /**
  * `pose FILES --pose POSE.json --out OUT` writes posed vertices in the file's order and units, in
- * Sinew's right-handed space or, with `--keep-file-space`, in the space of the file.
+ * Sinew's right-handed space or, with `--keep-file-space`, in the space of the file. An OBJ gets
+ * normals if `--normals` says which.
  */
 export const pose: Command = {
   name: 'pose',
@@ -39,7 +39,7 @@ export const pose: Command = {
     `pose FILES --pose POSE.json [--method ${methodIds}] [--normals ${normalsIds}] [--normalize] [--keep-file-space]` +
     ' --out OUT.obj|OUT.f32',
   summary:
-    'Writes the posed vertices of one character, in the order and the units of its file, as an OBJ mesh or as raw floats.',
+    'Writes the posed vertices of one character, in the order and the units of its file, as an OBJ mesh or as raw floats. An OBJ has normals if --normals says which.',
   async run(words) {
     const options = parseOptions(words);
     const { files, diagnostics: missing } = readFiles(options.files);
@@ -120,29 +120,33 @@ async function poseMesh(character: Character, posed: Pose, options: Options): Pr
   const kept = { ...posed, normals, normalizeWeights: options.normalize };
   const actor = createActor(1, character, method, kept);
   const pool = new EvaluationPool();
-  await pool.kernels.load(kernelOf(actor).id);
+  await pool.kernels.loadFor(actor);
   pool.kernels.wasm = await wasmKernel();
   const skinned = new Evaluator(actor, pool).vertices();
   const isMirrored = options.keepFileSpace && character.meta.fileSpace === 'left-handed';
-  const { mesh, positions } = isMirrored
-    ? mirrored(character.mesh, skinned.positions)
-    : { mesh: character.mesh, positions: skinned.positions };
-  if (extensionOf(options.out) === '.obj') return writeObj(mesh, positions);
+  const mesh = isMirrored ? flipped(character.mesh) : character.mesh;
+  const positions = isMirrored ? mirrored(skinned.positions) : skinned.positions;
+  if (extensionOf(options.out) === '.obj') {
+    const asked = options.normals ? skinned.normals : null;
+    return writeObj(mesh, { positions, normals: asked && isMirrored ? mirrored(asked) : asked });
+  }
   const bytes = new DataView(new ArrayBuffer(mesh.pointCount * 12));
   for (let i = 0; i < mesh.pointCount * 3; i++) bytes.setFloat32(i * 4, positions[i]!, true);
   return new Uint8Array(bytes.buffer);
 }
 
-/** Converts to the file's left-handed space: negates z and reverses the triangles. */
-function mirrored(mesh: Mesh, positions: Float32Array): { mesh: Mesh; positions: Float32Array } {
+/** Reverses the triangles, for a left-handed file. */
+function flipped(mesh: Mesh): Mesh {
   const indices = mesh.indices.slice();
   for (let i = 0; i < indices.length; i += 3) {
     [indices[i + 1], indices[i + 2]] = [indices[i + 2]!, indices[i + 1]!];
   }
-  return {
-    mesh: { ...mesh, indices },
-    positions: positions.map((value, i) => (i % 3 === 2 ? 0 - value : value)),
-  };
+  return { ...mesh, indices };
+}
+
+/** Negates z, for a left-handed file. */
+function mirrored(triples: Float32Array): Float32Array {
+  return triples.map((value, i) => (i % 3 === 2 ? 0 - value : value));
 }
 
 function writeOut(path: string, bytes: Uint8Array): boolean {

@@ -1,7 +1,7 @@
 import type { CharacterExtra } from './character.ts';
 import type { Place } from './diagnostics.ts';
 import type { DofKind } from './skeleton.ts';
-import type { NormalsId } from './skin.ts';
+import type { SkinnedNormalsId } from './skin.ts';
 
 /**
  * The loose parts of a character, in a form that is easy for a reader to fill. A reader never makes
@@ -107,7 +107,7 @@ export interface SkinParts {
   /** (jointCount × 16) the inverses of `jointFromBind`, if the file stores these; for writers. */
   readonly bindFromJoint?: Float64Array;
   /** How the format's own programs transform normals; 'blended' if absent. */
-  readonly normals?: NormalsId;
+  readonly normals?: SkinnedNormalsId;
 }
 
 export interface MaterialParts {

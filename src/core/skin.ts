@@ -1,8 +1,13 @@
+import type { FaceWeighting } from './vertex-normals.ts';
+
 /** A palette entry that follows no joint and never moves in the character's space. */
 export const noJoint = 0xffff;
 
 /** How normals are transformed: by the vertex's blended matrix, or by each joint on its own. */
-export type NormalsId = 'blended' | 'joints';
+export type SkinnedNormalsId = 'blended' | 'joints';
+
+/** How normals follow: transformed with the skin, or recomputed from the posed faces. */
+export type NormalsId = SkinnedNormalsId | FaceWeighting;
 
 /**
  * Which joints influence which point, and how much, in compressed sparse rows of *palette entries*.
@@ -25,7 +30,7 @@ export interface Skin {
   /** (start[pointCount]) as the file has them; the courses' formula does not normalize them. */
   readonly weights: Float32Array;
   /** How the format's own programs transform normals. */
-  readonly normals: NormalsId;
+  readonly normals: SkinnedNormalsId;
 }
 
 export function largestInfluenceCount(skin: Skin): number {

@@ -22,6 +22,7 @@ class CharacterStages {
   readonly rest = new StageCells<Mesh>();
   readonly palette = new StageCells<Float32Array>();
   readonly vertices = new StageCells<VertexStreams>();
+  readonly recomputed = new StageCells<VertexStreams>();
   readonly bounds = new StageCells<Bounds>();
   readonly display = new StageCells<DisplayTransform>();
 

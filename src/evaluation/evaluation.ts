@@ -18,8 +18,13 @@ export interface Revisions {
   readonly rest: number;
   /** The revision of `palette`. */
   readonly palette: number;
-  /** The revision of `vertices` and `bounds`. */
+  /** The revision of skinned vertices and of `bounds`. */
   readonly vertices: number;
+  /**
+   * The revision of `vertices`. It is the same as that of skinned vertices unless normals are
+   * recomputed from the posed faces.
+   */
+  readonly normals: number;
   /** The revision of `display`. */
   readonly display: number;
 }

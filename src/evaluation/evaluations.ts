@@ -37,8 +37,8 @@ export class Evaluations {
    */
   async settled(beside: readonly KernelId[] = []): Promise<void> {
     const { kernels } = this.pool;
-    const shown = this.store.scene.peek().actors.map((actor) => kernelOf(actor).id);
-    await Promise.all([...shown, ...beside].map((id) => kernels.load(id)));
+    const shown = this.store.scene.peek().actors.map((actor) => kernels.loadFor(actor));
+    await Promise.all([...shown, ...beside.map((id) => kernels.load(id))]);
     await kernels.settled();
   }
 

@@ -1,5 +1,6 @@
 import type { Bounds } from '../core/bounds.ts';
 import { forwardKinematics } from '../core/forward-kinematics.ts';
+import type { FaceWeighting } from '../core/vertex-normals.ts';
 import type { Mesh } from '../core/mesh.ts';
 import type { Pose } from '../core/pose.ts';
 import type { Skin } from '../core/skin.ts';
@@ -7,7 +8,7 @@ import { type Actor, boundClip, skinInUse } from '../document/scene.ts';
 import { poseLayers } from '../posing/layers.ts';
 import { linearBlend } from '../skinning/linear-blend.ts';
 import type { SkinningMethod, VertexStreams } from '../skinning/method.ts';
-import { kernelOf } from '../skinning/registry.ts';
+import { kernelOf, normalWays, recomputedNormals } from '../skinning/registry.ts';
 import { restKey, restMesh } from '../skinning/rest-mesh.ts';
 import { type DisplayTransform, displayTransform } from './display-transform.ts';
 import type { Evaluation, Revisions, StillEvaluation } from './evaluation.ts';
@@ -31,6 +32,7 @@ export class Evaluator implements Evaluation {
   private readonly restStage: Stage<Mesh>;
   private readonly paletteStage: Stage<Float32Array>;
   private readonly vertexStage: Stage<VertexStreams>;
+  private readonly recomputedStage: Stage<VertexStreams>;
   private readonly boundsStage: Stage<Bounds>;
   private readonly displayStage: Stage<DisplayTransform>;
 
@@ -69,10 +71,15 @@ export class Evaluator implements Evaluation {
       () => [this.paletteStage.revision, this.restStage.revision],
       (former) => this.deform(former),
     );
+    this.recomputedStage = new Stage(
+      shared.recomputed,
+      () => [this.vertexStage.revision, this.weighting],
+      (former) => this.recompute(former),
+    );
     this.boundsStage = new Stage(
       shared.bounds,
       () => [this.vertexStage.revision],
-      () => posedBounds(character, this.vertices().positions, this.characterFromJoint),
+      () => posedBounds(character, this.vertexStage.value.positions, this.characterFromJoint),
     );
     this.displayStage = new Stage(
       shared.display,
@@ -119,7 +126,11 @@ export class Evaluator implements Evaluation {
 
   get pending(): readonly string[] {
     const { id, label } = kernelOf(this.now);
-    return this.kernels.isPending(id) ? [label] : [];
+    const pending = this.kernels.isPending(id) ? [label] : [];
+    if (recomputedNormals(this.now.normals) && this.kernels.recompute.isPending) {
+      pending.push(normalWays.find((way) => way.id === this.now.normals)!.label);
+    }
+    return pending;
   }
 
   get palette(): Float32Array {
@@ -136,12 +147,13 @@ export class Evaluator implements Evaluation {
       rest: this.restStage.revision,
       palette: this.paletteStage.revision,
       vertices: this.vertexStage.revision,
+      normals: this.shownVertices.revision,
       display: this.displayStage.revision,
     };
   }
 
   vertices(): VertexStreams {
-    return this.vertexStage.value;
+    return this.shownVertices.value;
   }
 
   bounds(): Bounds {
@@ -161,15 +173,22 @@ export class Evaluator implements Evaluation {
 
   /** Releases everything that it holds in its pool. */
   dispose(): void {
-    const { valueStage, jointStage, restStage, paletteStage } = this;
-    const { vertexStage, boundsStage, displayStage } = this;
-    for (const stage of [valueStage, jointStage, restStage, paletteStage]) stage.release();
-    for (const stage of [vertexStage, boundsStage, displayStage]) stage.release();
+    for (const part of Object.values(this)) if (part instanceof Stage) part.release();
   }
 
   /** Whether the actor has no clip, so that time does not change it. */
   private get isStill(): boolean {
     return this.now.clip === null;
+  }
+
+  /** How normals are recomputed, as soon as the code for it is there; otherwise null. */
+  private get weighting(): FaceWeighting | null {
+    const weighting = recomputedNormals(this.now.normals);
+    return weighting && this.kernels.recompute.value ? weighting : null;
+  }
+
+  private get shownVertices(): Stage<VertexStreams> {
+    return this.weighting ? this.recomputedStage : this.vertexStage;
   }
 
   /**
@@ -205,6 +224,14 @@ export class Evaluator implements Evaluation {
     if (!this.kernels.wasm?.deform(method, rest, skin, palette, posed)) {
       method.deform(rest, skin, palette, posed);
     }
+    return posed;
+  }
+
+  /** The positions are those of the skin. */
+  private recompute(former: VertexStreams | undefined): VertexStreams {
+    const { positions } = this.vertexStage.value;
+    const posed = { positions, normals: former?.normals ?? new Float32Array(positions.length) };
+    this.kernels.recompute.value!(this.now.character, this.weighting!, posed);
     return posed;
   }
 }

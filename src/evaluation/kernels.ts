@@ -1,8 +1,10 @@
-import { signal } from '@preact/signals-core';
+import { loadPart } from '../core/failure.ts';
 import { linearBlend } from '../skinning/linear-blend.ts';
 import type { KernelId, SkinningMethod } from '../skinning/method.ts';
-import { kernelById } from '../skinning/registry.ts';
+import { type Deformation, kernelById, kernelOf, recomputedNormals } from '../skinning/registry.ts';
 import type { WasmSkinning } from '../skinning/wasm/wasm-skinning.ts';
+import type { recomputeNormals } from '../skinning/welded-normals.ts';
+import { LazyPart } from './lazy-part.ts';
 
 export interface KernelsOptions {
   /**
@@ -10,7 +12,7 @@ export interface KernelsOptions {
    * same.
    */
   readonly prepare?: (kernel: SkinningMethod) => Promise<unknown>;
-  /** This is called once for each kernel that can't be loaded. */
+  /** This is called once for each part that can't be loaded. */
   readonly onFailed?: (error: unknown) => void;
 }
 
@@ -21,15 +23,17 @@ export class Kernels {
    * computed before changes.
    */
   wasm: WasmSkinning | null = null;
-  private readonly ready = signal<ReadonlyMap<KernelId, SkinningMethod>>(
-    new Map([[linearBlend.id, linearBlend]]),
-  );
-  private readonly loads = new Map<KernelId, Promise<void>>();
-  private readonly failed = new Set<KernelId>();
+  /** Recomputes normals from posed faces. */
+  readonly recompute: LazyPart<typeof recomputeNormals>;
+  private readonly parts = new Map<KernelId, LazyPart<SkinningMethod>>();
   private readonly options: KernelsOptions;
 
   constructor(options: KernelsOptions = {}) {
     this.options = options;
+    this.recompute = new LazyPart(
+      async () => (await loadPart(import('../skinning/welded-normals.ts'))).recomputeNormals,
+      options.onFailed,
+    );
   }
 
   /**
@@ -37,14 +41,12 @@ export class Kernels {
    * the kernel arrives.
    */
   of(id: KernelId): SkinningMethod | undefined {
-    const kernel = this.ready.value.get(id);
-    if (!kernel) this.load(id).catch(() => undefined); // onFailed reports the failure
-    return kernel;
+    return id === linearBlend.id ? linearBlend : this.part(id).value;
   }
 
   /** Whether the kernel is still loading: it has not arrived, and loading has not failed. */
   isPending(id: KernelId): boolean {
-    return !this.of(id) && !this.failed.has(id);
+    return !this.of(id) && this.part(id).isPending;
   }
 
   /**
@@ -52,27 +54,30 @@ export class Kernels {
    * again.
    */
   async load(id: KernelId): Promise<void> {
-    if (this.ready.peek().has(id)) return;
-    let load = this.loads.get(id);
-    if (!load) {
-      // A load that failed stays here, so that it is not tried again for every picture.
-      this.loads.set(id, (load = this.fetch(id)));
-      load.catch((error: unknown) => {
-        this.failed.add(id);
-        this.options.onFailed?.(error);
-      });
-    }
-    await load;
+    if (id !== linearBlend.id) await this.part(id).load();
+  }
+
+  /** Does the same for all that a deformation needs. */
+  async loadFor(deformation: Deformation): Promise<void> {
+    await this.load(kernelOf(deformation).id);
+    if (recomputedNormals(deformation.normals)) await this.recompute.load();
   }
 
   /** Resolves when every kernel that was requested is loaded or has failed. */
   async settled(): Promise<void> {
-    await Promise.allSettled(this.loads.values());
+    await Promise.allSettled([...this.parts.values()].map((part) => part.load()));
   }
 
-  private async fetch(id: KernelId): Promise<void> {
-    const kernel = await kernelById(id).load();
-    await this.options.prepare?.(kernel);
-    this.ready.value = new Map([...this.ready.peek(), [id, kernel]]);
+  private part(id: KernelId): LazyPart<SkinningMethod> {
+    let part = this.parts.get(id);
+    if (!part) {
+      part = new LazyPart(async () => {
+        const kernel = await kernelById(id).load();
+        await this.options.prepare?.(kernel);
+        return kernel;
+      }, this.options.onFailed);
+      this.parts.set(id, part);
+    }
+    return part;
   }
 }

@@ -3,7 +3,7 @@ import type { CharacterParts, FileSpace } from '../core/character-parts.ts';
 import type { Diagnostic, Parsed } from '../core/diagnostics.ts';
 import type { EulerProduct } from '../core/euler.ts';
 import type { Limits } from '../core/limits.ts';
-import type { NormalsId } from '../core/skin.ts';
+import type { SkinnedNormalsId } from '../core/skin.ts';
 
 /** A file that was dropped, fetched or named on the command line; its bytes are read on request. */
 export interface FileEntry {
@@ -82,7 +82,7 @@ export interface FormatShape {
   /** The largest number of influences of a vertex. */
   readonly influences: number;
   /** How the format's programs transform normals. */
-  readonly normals: NormalsId;
+  readonly normals: SkinnedNormalsId;
   /**
    * Whether the format's programs take normals from the files; otherwise they compute them from the
    * triangles.

@@ -2,6 +2,7 @@ import { assert } from '../core/assert.ts';
 import type { Character } from '../core/character.ts';
 import { loadPart } from '../core/failure.ts';
 import type { NormalsId } from '../core/skin.ts';
+import type { FaceWeighting } from '../core/vertex-normals.ts';
 import { linearBlend } from './linear-blend.ts';
 import type { KernelId, MethodId, SkinningMethod } from './method.ts';
 
@@ -50,11 +51,19 @@ export const kernels: readonly KernelRow[] = [linearBlendRow, jointNormalsRow, r
 /** Every skinning method, as shown in the interface. */
 export const methods: readonly KernelRow<MethodId>[] = [linearBlendRow, rigidRow];
 
-/** Every way of transforming normals, as shown in the interface. */
+/** Every way in which normals follow, as shown in the interface. */
 export const normalWays: readonly { readonly id: NormalsId; readonly label: string }[] = [
   { id: 'blended', label: 'blended' },
   { id: 'joints', label: 'per joint (CSE169)' },
+  { id: 'faces', label: 'mean of faces (6.837)' },
+  { id: 'area', label: 'mean of faces by area' },
+  { id: 'angle', label: 'mean of faces by angle' },
 ];
+
+/** How normals are recomputed from the posed faces, or null if they are transformed with the skin. */
+export function recomputedNormals(normals: NormalsId): FaceWeighting | null {
+  return normals === 'blended' || normals === 'joints' ? null : normals;
+}
 
 /** How a character is deformed: a method and a way of normals. */
 export interface Deformation {

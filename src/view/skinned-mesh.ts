@@ -133,8 +133,13 @@ export class SkinnedMesh {
   }
 
   /** Fills the posed buffers with vertices that were skinned on the CPU. */
-  upload({ positions, normals }: VertexStreams): void {
-    this.posedPositions.write(positions);
+  upload(posed: VertexStreams): void {
+    this.posedPositions.write(posed.positions);
+    this.uploadNormals(posed);
+  }
+
+  /** Replaces the posed normals by those that were recomputed on the CPU. */
+  uploadNormals({ normals }: VertexStreams): void {
     this.posedNormals.write(normals);
   }
 

@@ -6,7 +6,7 @@ import { commands } from '../../src/cli/commands.ts';
 import { unwritable } from '../../src/cli/files.ts';
 import { UsageError } from '../../src/cli/usage-error.ts';
 import { readObj } from '../../src/formats/obj/read-obj.ts';
-import { kernels } from '../../src/skinning/registry.ts';
+import { kernels, normalWays } from '../../src/skinning/registry.ts';
 import { leg, legAnim, legSkel, legSkin } from '../support/cse169-files.ts';
 import type { FileContents } from '../support/files.ts';
 import { squarePmd } from '../support/pmd-files.ts';
@@ -74,6 +74,23 @@ describe('pose', () => {
   it('takes every method of the registry', async () => {
     for (const { id } of kernels)
       expect(await posed('--method', id, '--out', 'o.obj')).toHaveLength(9);
+  });
+
+  it('writes the normals that --normals names, and none without it', async () => {
+    const faces = async (...words: string[]): Promise<string[]> => {
+      const all = ['--pose', 'p.json', ...words, '--out', 'o.obj'];
+      const { folder, code } = run('pose', files, ...names, ...all);
+      expect(await code).toBe(0);
+      return readFileSync(join(folder, 'o.obj'), 'utf8').match(/^(vn|f) .*$/gm)!;
+    };
+    expect(await faces()).toEqual(['f 1 2 3']);
+    for (const { id } of normalWays) {
+      const [normal, face] = await faces('--normals', id);
+      expect(normal).toMatch(/^vn /);
+      expect(face).toBe('f 1//1 2//1 3//1');
+    }
+    // The posed triangle is clockwise in the plane z = 0.
+    expect(await faces('--normals', 'angle')).toContain('vn 0 0 -1');
   });
 
   it('with --method rigid follows the heaviest joint alone', async () => {

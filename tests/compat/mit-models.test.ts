@@ -7,10 +7,14 @@ import { poseFromJson } from '../../src/formats/pose-json.ts';
 import { writeMit } from '../../src/formats/mit/write-character.ts';
 import { largestBindError } from '../../src/skinning/bind-error.ts';
 import { linearBlend } from '../../src/skinning/linear-blend.ts';
+import { recomputeNormals } from '../../src/skinning/welded-normals.ts';
+import type { FaceWeighting } from '../../src/core/vertex-normals.ts';
+import { unit } from '../reference/matrix.ts';
+import { faceWeights, meanNormal } from '../reference/normals.ts';
 import { loadedKernels } from '../support/kernels.ts';
 import { skinVertices } from '../support/skin-vertices.ts';
 import { expectSound } from '../support/check-character.ts';
-import { largestDifference } from '../support/compare.ts';
+import { largestDifference, numbersAt } from '../support/compare.ts';
 import { readContents, readOne } from '../support/files.ts';
 import { tolerances } from '../tolerances.ts';
 import { describeWithShared, modelFiles, sharedFloats, sharedJson } from './shared-material.ts';
@@ -71,6 +75,31 @@ describeWithShared('Model1 of 6.837, posed', [data, reference], () => {
       });
     }
   });
+
+  it.each(Object.keys(faceWeights))(
+    'has the normals of the oracle, recomputed from its posed faces: %s',
+    (way) => {
+      const { mesh } = character;
+      const { positions, normals } = skinVertices(
+        character,
+        character.skin,
+        poseOf(poses[2]!),
+        linearBlend,
+      );
+      recomputeNormals(character, way as FaceWeighting, { positions, normals });
+      const faces = Array.from(
+        { length: mesh.indices.length / 3 },
+        (_, face) => numbersAt(mesh.indices, face, 3) as [number, number, number],
+      );
+      const places = Array.from({ length: mesh.vertexCount }, (_, i) => numbersAt(positions, i, 3));
+      for (let point = 0; point < mesh.pointCount; point += 271) {
+        const around = faces.filter((face) => face.includes(point));
+        const mean = meanNormal(around, places, (corner) => corner === point, way);
+        const bound = tolerances.normals / Math.hypot(...mean);
+        expect(largestDifference(numbersAt(normals, point, 3), unit(mean))).toBeLessThan(bound);
+      }
+    },
+  );
 
   it('is the rest mesh at rest, within what its rows are off by', () => {
     const { skeleton, skin, mesh } = character;

@@ -2,10 +2,11 @@ import { afterEach, describe, expect, it } from 'vitest';
 import { createActor } from '../../src/document/scene.ts';
 import { EvaluationPool } from '../../src/evaluation/evaluation-pool.ts';
 import { Evaluator } from '../../src/evaluation/evaluator.ts';
-import { deformationOf, kernels } from '../../src/skinning/registry.ts';
+import { deformationOf, kernels, normalWays } from '../../src/skinning/registry.ts';
 import { characterOfRig } from '../fixtures/character-of-rig.ts';
 import { rotatedTree } from '../fixtures/rigs.ts';
 import { swingOf } from '../fixtures/swing.ts';
+import { fullPool } from '../support/kernels.ts';
 import { compiledSkinning } from '../support/wasm-skinning.ts';
 
 const arrays = ['Float32Array', 'Float64Array', 'Uint16Array', 'Uint32Array'] as const;
@@ -40,6 +41,15 @@ describe('playing', () => {
   it.each(kernels.map(({ id }) => id))('makes no array on the way to vertices by %s', (id) => {
     const state = { ...playing, ...deformationOf(id) };
     const evaluator = new Evaluator(state);
+    evaluator.evaluate(state, 0).vertices();
+    const count = countArrays();
+    for (let frame = 1; frame <= 10; frame++) evaluator.evaluate(state, frame / 30).vertices();
+    expect(count.made).toBe(0);
+  });
+
+  it.each(normalWays.map(({ id }) => id))('makes none for normals that are %s', (normals) => {
+    const state = { ...playing, normals };
+    const evaluator = new Evaluator(state, fullPool());
     evaluator.evaluate(state, 0).vertices();
     const count = countArrays();
     for (let frame = 1; frame <= 10; frame++) evaluator.evaluate(state, frame / 30).vertices();

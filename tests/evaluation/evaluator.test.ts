@@ -6,7 +6,7 @@ import { type Actor, createActor } from '../../src/document/scene.ts';
 import type { Evaluation } from '../../src/evaluation/evaluation.ts';
 import { EvaluationPool } from '../../src/evaluation/evaluation-pool.ts';
 import { Evaluator } from '../../src/evaluation/evaluator.ts';
-import { deformationOf, kernels } from '../../src/skinning/registry.ts';
+import { deformationOf, kernels, normalWays } from '../../src/skinning/registry.ts';
 import { fullPool, loadedKernels } from '../support/kernels.ts';
 import { skinVertices } from '../support/skin-vertices.ts';
 import { characterOfRig } from '../fixtures/character-of-rig.ts';
@@ -28,6 +28,10 @@ const edits: readonly ((state: Actor, amount: number) => Actor)[] = [
     ...deformationOf(kernels[Math.abs(Math.trunc(amount * 100)) % kernels.length]!.id),
   }),
   (state, amount) => ({ ...state, normalizeWeights: amount > 0 }),
+  (state, amount) => ({
+    ...state,
+    normals: normalWays[Math.abs(Math.trunc(amount * 100)) % normalWays.length]!.id,
+  }),
   (state, amount) => ({ ...state, morphWeights: state.morphWeights.map(() => amount) }),
   (state) => state,
 ];

@@ -2,7 +2,7 @@ import { effect, signal } from '@preact/signals-core';
 import { describe, expect, it } from 'vitest';
 import { createActor } from '../../src/document/scene.ts';
 import { openCharacter } from '../../src/document/open-characters.ts';
-import { setMethod } from '../../src/document/edits.ts';
+import { setMethod, setNormals } from '../../src/document/edits.ts';
 import { Session } from '../../src/document/session.ts';
 import { Store } from '../../src/document/store.ts';
 import { EvaluationPool } from '../../src/evaluation/evaluation-pool.ts';
@@ -77,5 +77,34 @@ describe('a method whose code is still loading', () => {
     store.dispatch(setMethod(store.scene.value.actors[0]!.id, 'rigid'));
     await expect(evaluations.settled()).rejects.toThrow('gone');
     expect(evaluations.all()[0]).toMatchObject({ pending: [], method: { id: 'linear-blend' } });
+  });
+});
+
+describe('normals that are recomputed', () => {
+  it('are named as pending while their code loads, and skinned ones stand in', async () => {
+    const actor = createActor(1, character, 'linear-blend', {
+      q: character.skeleton.qRest.map(() => 0.4),
+      normals: 'angle',
+    });
+    const evaluator = new Evaluator(actor, new EvaluationPool());
+    expect(evaluator.pending).toEqual(['mean of faces by angle']);
+    const { normals } = new Evaluator({ ...actor, normals: 'blended' }).vertices();
+    expect(evaluator.vertices().normals).toEqual(normals);
+    await expect.poll(() => evaluator.pending).toEqual([]);
+    expect(evaluator.vertices()).toEqual(new Evaluator(actor, fullPool()).vertices());
+    expect(evaluator.vertices().normals).not.toEqual(normals);
+  });
+
+  it('change no position, and `settled` waits for them', async () => {
+    const store = new Store();
+    store.dispatch(openCharacter(null, character, 'linear-blend'));
+    const evaluations = new Evaluations(store, new Session());
+    const before = { ...evaluations.all()[0]!.revisions };
+    store.dispatch(setNormals(store.scene.value.actors[0]!.id, 'faces'));
+    await evaluations.settled();
+    const [shown] = evaluations.all();
+    expect(shown!.pending).toEqual([]);
+    expect(shown!.revisions.vertices).toBe(before.vertices);
+    expect(shown!.revisions.normals).not.toBe(before.normals);
   });
 });

@@ -13,7 +13,7 @@ export function loadedKernel(id: KernelId): SkinningMethod {
 }
 
 const allThere = new Kernels();
-await Promise.all(kernels.map(({ id }) => allThere.load(id)));
+await Promise.all([...kernels.map(({ id }) => allThere.load(id)), allThere.recompute.load()]);
 
 /** A pool whose kernels are all loaded. */
 export function fullPool(): EvaluationPool {

@@ -1,24 +1,32 @@
+import { hasComputedNormals } from '../../core/computed-normals.ts';
 import type { Mesh } from '../../core/mesh.ts';
-import { computeVertexNormals } from '../../core/vertex-normals.ts';
 import { encodeLines, writeFloat32 } from '../text/write-number.ts';
 import { materialText } from './material-text.ts';
+
+/** A mesh in another pose. */
+interface PosedMesh {
+  /** (at least pointCount × 3) */
+  readonly positions: Float32Array;
+  /** (vertexCount × 3), or null to write none. */
+  readonly normals: Float32Array | null;
+}
 
 /**
  * Writes a mesh as OBJ with points in file order, its texture coordinates and materials, and its
  * normals if they differ from those that a reader computes from the faces.
  *
- * @param posed (at least pointCount × 3) the points in another pose, for which there are no normals
+ * @param posed the points in another pose, with the normals to write, if any
  * @param library the file with the colors and textures of its materials
  */
-export function writeObj(mesh: Mesh, posed?: Float32Array, library?: string): Uint8Array {
-  const positions = posed ?? mesh.positions;
+export function writeObj(mesh: Mesh, posed?: PosedMesh, library?: string): Uint8Array {
+  const positions = posed?.positions ?? mesh.positions;
+  const normals = posed ? posed.normals : hasComputedNormals(mesh) ? null : mesh.normals;
   const lines = library === undefined ? [] : [`mtllib ${materialText(library)}`];
   for (let point = 0; point < mesh.pointCount; point++) {
     lines.push(`v ${tuple(positions, point, 3)}`);
   }
   const uvOf = mesh.uvs && writeValues('vt', mesh.uvs, 2, lines);
-  const normalOf =
-    posed || hasComputedNormals(mesh) ? null : writeValues('vn', mesh.normals, 3, lines);
+  const normalOf = normals && writeValues('vn', normals, 3, lines);
   for (const [run, { material, firstIndex, indexCount }] of mesh.submeshes.entries()) {
     const name = materialText(material);
     // `usemtl` without a name, for faces without a material after faces with one.
@@ -54,17 +62,6 @@ function writeValues(
       lines.push(`${keyword} ${text}`);
     }
     return number;
-  });
-}
-
-function hasComputedNormals({ pointCount, pointOf, positions, indices, normals }: Mesh): boolean {
-  const points = positions.subarray(0, pointCount * 3);
-  const computed = new Float32Array(points.length);
-  const cornerPoints = indices.map((vertex) => pointOf[vertex]!);
-  computeVertexNormals(points, cornerPoints, computed);
-  return normals.every((value, i) => {
-    const vertex = Math.floor(i / 3);
-    return value === computed[pointOf[vertex]! * 3 + (i % 3)];
   });
 }
 
