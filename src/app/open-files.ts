@@ -52,6 +52,8 @@ export interface OpenOutcome {
   /** True if the same files were opened again; pose and camera stay. */
   readonly reopened: boolean;
   readonly posed: boolean;
+  /** The name of an image that covers the selected character now, if one came. */
+  readonly cover?: string;
   /** Whether the characters were added beside the others. */
   readonly added: boolean;
 }

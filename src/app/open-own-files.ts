@@ -6,17 +6,11 @@ import type { FileEntry } from '../formats/format.ts';
 import { decodePose } from '../formats/pose-json.ts';
 import type { ReadCharacter, ReadProgress } from '../formats/read-characters.ts';
 import { readPoseJson } from '../formats/read-pose-json.ts';
+import { areImages, coverWithImage } from './dropped-image.ts';
 import type { FileOpener, OpenOutcome } from './open-files.ts';
 import { loadBytes } from './read-bytes.ts';
 import { readFiles } from './read-files.ts';
-import {
-  areCompanions,
-  completeFiles,
-  keptState,
-  missingParts,
-  plainPictures,
-  renews,
-} from './renewal.ts';
+import { areCompanions, completeFiles, keptState, missingParts, renews } from './renewal.ts';
 import { readPictureNote, type ReadNote } from './read-picture-note.ts';
 import { withHashes } from './scenes/hash-files.ts';
 import { type JsonText, sortFiles } from './sort-files.ts';
@@ -53,16 +47,19 @@ export async function openOwnFiles(
   const notes = pictures.map(readPictureNote);
   const open = addAll && !areCompanions(parts) ? undefined : opener.openedFiles;
   const completed = completeFiles(parts, open);
-  const unread = plainPictures(completed);
-  const { loaded, diagnostics: unloaded } = await loadBytes(unread ? [] : completed);
+  const images = areImages(completed) ? completed : [];
+  const { loaded, diagnostics: unloaded } = await loadBytes(images.length > 0 ? [] : completed);
   if (isOver()) return undefined;
-  const { characters: read, diagnostics } = unread
-    ? { characters: [], diagnostics: unread }
-    : await readFiles(loaded, signal, onProgress);
+  const { characters: read, diagnostics } =
+    images.length > 0
+      ? { characters: [], diagnostics: [] }
+      : await readFiles(loaded, signal, onProgress);
   const characters = await withHashes(read);
   await opener.prepare(characters);
   if (isOver()) return undefined;
   const problems = [...unreadable, ...unloaded, ...diagnostics];
+  const cover = await coverWithImage(opener, images, signal, problems);
+  if (isOver()) return undefined;
   const [first] = characters;
   const remembered = notes.at(-1)?.bundled;
   if (!first && remembered !== undefined) {
@@ -94,6 +91,7 @@ export async function openOwnFiles(
     opened: first?.character ?? null,
     reopened: renewed !== undefined,
     posed: q !== undefined,
+    ...(cover !== undefined && { cover }),
     added: add && !renewed,
   };
 }

@@ -1,3 +1,4 @@
+import { printable } from '../core/diagnostics.ts';
 import type { FileEntry } from '../formats/format.ts';
 import type { ReadCharacter } from '../formats/read-characters.ts';
 import { askToAdd } from './ask-to-add.ts';
@@ -44,9 +45,14 @@ export async function receiveFiles(
     ...(add === 'ask' && { ask }),
   });
   if (!outcome) return;
-  const { found, opened, reopened, posed, added } = outcome;
+  const { found, opened, reopened, posed, cover, added } = outcome;
   if (!opened) {
-    opening.notice.value = posed ? 'Pose set' : 'Nothing could be opened; see Problems';
+    if (cover !== undefined) {
+      const covered = printable(opener.selected?.name ?? '', 60);
+      opening.notice.value = `${printable(cover, 60)} covers ${covered}; Undo takes it off`;
+    } else {
+      opening.notice.value = posed ? 'Pose set' : 'Nothing could be opened; see Problems';
+    }
     return;
   }
   // If files that were opened before are opened again, the list shows them once.

@@ -83,19 +83,6 @@ export function missingParts({ name, missing }: Character): Diagnostic[] {
   }));
 }
 
-/** Reports pictures that came without a character and belong to none. */
-export function plainPictures(files: readonly FileEntry[]): Diagnostic[] | undefined {
-  if (!files.every(({ path }) => textureExtensions.includes(extensionOf(path)))) return undefined;
-  return files.map(({ path }) => ({
-    severity: 'warning',
-    code: 'file/unknown',
-    file: path,
-    expected: 'a PNG that Sinew saved, or a picture that a material of the open character names',
-    found: 'another picture',
-    effect: 'the file is not used',
-  }));
-}
-
 function nameOf({ path }: FileEntry): string {
   return nameKey(baseName(path));
 }

@@ -64,10 +64,11 @@ function measure({ before, after }: HistoryEntry): number {
   return [...own].reduce((sum, buffer) => sum + buffer.byteLength, 0);
 }
 
-/** All buffers of an actor's character and of the weights that are computed from it. */
+/** All buffers of an actor's character, of its look and of the weights that are computed from it. */
 function buffersOfActor(actor: Actor): ArrayBuffer[] {
-  const { q, morphWeights, character } = actor;
-  return [...buffersOf([q, morphWeights, skinInUse(actor)]), ...buffersOfCharacter(character)];
+  const { q, morphWeights, look, character } = actor;
+  const own = buffersOf([q, morphWeights, look, skinInUse(actor)]);
+  return [...own, ...buffersOfCharacter(character)];
 }
 
 function buffersOfCharacter(character: Character): readonly ArrayBuffer[] {

@@ -1,3 +1,4 @@
+import type { CharacterImage } from '../core/character.ts';
 import type { NormalsId } from '../core/skin.ts';
 import type { ActorLook } from './actor-look.ts';
 import { type Edit, editActor } from './edit.ts';
@@ -20,4 +21,9 @@ export function dress(
     look: { ...actor.look, ...change },
     normals: normals ?? actor.normals,
   }));
+}
+
+/** Covers an actor with an image. */
+export function setImage(id: ActorId, image: CharacterImage): Edit {
+  return setLook(id, { surface: 'image', image }, `Texture ${image.name}`);
 }

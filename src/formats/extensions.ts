@@ -11,6 +11,9 @@ export const formatExtensions = {
 /** Extensions of the images that materials may name. */
 export const textureExtensions: readonly string[] = ['.bmp', '.png', '.jpg', '.jpeg', '.tga'];
 
+/** Extensions of images that can cover a character. */
+export const pictureExtensions: readonly string[] = [...textureExtensions, '.gif', '.webp'];
+
 /** Extensions of images that are not read, so that a message can say which are. */
 export const foreignImageExtensions: readonly string[] = [
   ...['.gif', '.webp', '.avif', '.heic', '.svg', '.tif', '.tiff', '.psd', '.dds', '.ktx2'],

@@ -2,11 +2,16 @@ import { printable } from '../core/diagnostics.ts';
 import { selectActor } from '../document/reconcile.ts';
 import { selectedActor } from '../document/selected-actor.ts';
 import { isUntouched } from '../document/untouched.ts';
+import { pictureExtensions } from '../formats/extensions.ts';
+import { extensionOf } from '../formats/file-entry.ts';
 import { boneAt } from '../view/pick.ts';
 import type { DropTarget } from './drop-zone.ts';
 
 /** In CSS pixels. */
 const tolerance = 8;
+
+/** Extensions of what goes to a character: images and poses. */
+const givenExtensions = [...pictureExtensions, '.json'];
 
 /** A part of the view on which files can be dropped. */
 interface Half {
@@ -55,8 +60,12 @@ export class DropHalves {
   }
 
   /** Selects the character under a drop of what goes to one; elsewhere the selection stays. */
-  selectUnder({ clientX, clientY }: DragEvent): void {
-    if (!this.isShown || !this.isForCharacter) return;
+  selectUnder({ clientX, clientY, dataTransfer }: DragEvent): void {
+    const names = Array.from(dataTransfer?.files ?? [], ({ name }) => extensionOf(name));
+    const isForCharacter =
+      this.isForCharacter ||
+      (names.length > 0 && names.every((name) => givenExtensions.includes(name)));
+    if (!this.isShown || !isForCharacter) return;
     const { left, top, width, height } = this.view.getBoundingClientRect();
     const [x, y] = [((clientX - left) / width) * 2 - 1, 1 - ((clientY - top) / height) * 2];
     if (Math.abs(x) > 1 || Math.abs(y) > 1) return;
@@ -92,9 +101,8 @@ export class DropHalves {
  */
 function halvesFor({ store, session }: DropTarget, isForCharacter: boolean): readonly Half[] {
   const selected = selectedActor(store, session);
-  if (!selected || isUntouched(store) || isForCharacter) {
-    return [{ label: 'Drop to open', add: false }];
-  }
+  if (selected && isForCharacter) return [{ label: 'Drop on a character', add: false }];
+  if (!selected || isUntouched(store)) return [{ label: 'Drop to open', add: false }];
   return [
     { label: `Replace ${printable(selected.name, 60)}`, add: false },
     { label: 'Add', add: true },

@@ -5,10 +5,11 @@ import type { Evaluation } from '../evaluation/evaluation.ts';
 import type { Gpu } from '../gl/gpu.ts';
 import type { Program } from '../gl/program.ts';
 import type { DisplayTransform } from '../evaluation/display-transform.ts';
+import type { ActorDress } from './dress/actor-dress.ts';
 import type { GpuPools } from './gpu-pools.ts';
+import { dressCode, needsDress, type OnImage } from './lazy-dress.ts';
 import type { Programs } from './programs.ts';
 import { type LayoutChoice, SkinnedMesh } from './skinned-mesh.ts';
-import { type OnImage, SurfaceTextures } from './surface-textures.ts';
 import { type Subject, subjectOf } from './subject.ts';
 import { type Surface, surfacesOf } from './surfaces.ts';
 
@@ -17,10 +18,15 @@ export class CharacterView {
   private skin: Skin;
   readonly skinned: SkinnedMesh;
   readonly surfaces: readonly Surface[];
-  readonly textures: SurfaceTextures;
+  /** What covers the surfaces; null while nothing does, or while the code for it loads. */
+  dress: ActorDress | null = null;
   readonly evaluation: Evaluation;
   /** The milliseconds that the last change of pose took on the CPU. */
   poseMilliseconds = 0;
+  private readonly createDress: (Dress: typeof ActorDress) => ActorDress;
+  private readonly onImage: OnImage;
+  private dressing: Promise<void> | null = null;
+  private isDisposed = false;
   private shownDevice: SkinDevice | null = null;
   private shownRest = 0;
   private shownVertices = 0;
@@ -40,7 +46,8 @@ export class CharacterView {
     this.skin = evaluation.skin;
     this.skinned = new SkinnedMesh(gpu, programs, pools, character.mesh, this.skin, layout);
     this.surfaces = surfacesOf(character);
-    this.textures = new SurfaceTextures(gpu, pools, character, onImage);
+    this.createDress = (Dress) => new Dress(gpu, pools, character, onImage);
+    this.onImage = onImage;
   }
 
   get state(): Actor {
@@ -70,6 +77,23 @@ export class CharacterView {
    */
   get revision(): string {
     return `${this.shownVertices}.${this.evaluation.revisions.display}`;
+  }
+
+  /** Settles when the pictures of all surfaces are decoded and, where possible, are in textures. */
+  async dressed(): Promise<void> {
+    await this.dressing;
+    await this.dress?.loaded;
+  }
+
+  /** Follows the actor's look. */
+  wear(): void {
+    const { state } = this;
+    if (!this.dress && needsDress(state)) {
+      const Dress = dressCode.value;
+      if (Dress) this.dress = this.createDress(Dress);
+      else this.dressing ??= this.fetchDress();
+    }
+    this.dress?.wear(state.look);
   }
 
   /**
@@ -108,7 +132,20 @@ export class CharacterView {
   }
 
   dispose(): void {
+    this.isDisposed = true;
     this.skinned.dispose();
-    this.textures.dispose();
+    this.dress?.dispose();
+  }
+
+  private async fetchDress(): Promise<void> {
+    const { name } = this.state.character;
+    try {
+      await dressCode.load();
+      if (this.isDisposed) return;
+      this.wear();
+      this.onImage(name, null);
+    } catch (error) {
+      this.onImage(name, (error as Error).message);
+    }
   }
 }

@@ -7,12 +7,12 @@ import { RenderTarget } from '../gl/render-target.ts';
 import { CharacterView } from './character-view.ts';
 import type { Frame } from './frame.ts';
 import { GpuPools } from './gpu-pools.ts';
+import type { OnImage } from './lazy-dress.ts';
 import { Lighting } from './lighting.ts';
 import type { Pass, PassInstance } from './pass.ts';
 import { firstPrograms } from './passes/first.ts';
 import { Programs } from './programs.ts';
 import type { LayoutChoice } from './skinned-mesh.ts';
-import type { OnImage } from './surface-textures.ts';
 
 /**
  * Everything that lives on one WebGL2 context. After the context is lost, a new renderer replaces
@@ -58,7 +58,10 @@ export class Renderer {
     }
     for (const [evaluation, view] of this.views) if (!views.has(evaluation)) view.dispose();
     this.views = views;
-    for (const view of views.values()) view.update(device);
+    for (const view of views.values()) {
+      view.wear();
+      view.update(device);
+    }
   }
 
   /** Returns the views of the characters that the GPU can draw, as of the last `sync`. */
@@ -68,7 +71,7 @@ export class Renderer {
 
   /** Settles when the pictures of all surfaces are decoded, as of the last `sync`. */
   texturesLoaded(): Promise<unknown> {
-    return Promise.all([...this.views.values()].map(({ textures }) => textures.loaded));
+    return Promise.all([...this.views.values()].map((view) => view.dressed()));
   }
 
   /** The reason why the character can't be drawn, or null. */

@@ -20,7 +20,7 @@ addShaderFiles(
     [
       '../../shaders/lib/*.glsl',
       '../../shaders/skinning/{stage.*,linear-blend}.glsl',
-      '../../shaders/passes/{backdrop,blur,contact-shadow,floor,key-shadow,mesh,mesh-textured}.*.glsl',
+      '../../shaders/passes/{backdrop,blur,contact-shadow,floor,key-shadow,mesh}.*.glsl',
     ],
     { query: '?raw', import: 'default', eager: true },
   ),

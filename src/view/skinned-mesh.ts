@@ -214,6 +214,8 @@ export class SkinnedMesh {
       const attributes = {
         restPosition: { buffer: rest.positions, size: 3 },
         restNormal: { buffer: rest.normals, size: 3 },
+        bindPosition: { buffer: own.positions, size: 3 },
+        bindNormal: { buffer: own.normals, size: 3 },
         posedPosition: { buffer: this.posedPositions, size: 3 },
         posedNormal: { buffer: this.posedNormals, size: 3 },
         ...(uvs ? { uv: { buffer: uvs, size: 2 } as const } : {}),

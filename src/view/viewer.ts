@@ -235,10 +235,10 @@ export class Viewer {
   private keepRenderer(gl: WebGL2RenderingContext, layout: LayoutChoice): void {
     const begin = (): void => {
       this.hadContext = true;
-      this.renderer = new Renderer(gl, layout, (image, fault) => {
+      this.renderer = new Renderer(gl, layout, (name, fault) => {
         if (fault !== null) {
           const { problems } = this.session;
-          problems.value = [...problems.value, imageProblem(image.name, fault)];
+          problems.value = [...problems.value, imageProblem(name, fault)];
         }
         this.requestFrame();
       });

@@ -103,6 +103,16 @@ function actorOf(character: Character): fc.Arbitrary<Omit<Actor, 'id'>> {
       roughness: fc.double({ min: 0, max: 1, noNaN: true }),
       shading: fc.constantFrom('smooth', 'faceted'),
       dragging: fc.constantFrom('follow', 'course'),
+      surface: fc.constantFrom('file', 'clay', 'image', 'checker', 'uv'),
+      projection: fc.constantFrom('uv', 'box', 'cylinder'),
+      repeats: fc.double({ min: 0.01, max: 1000, noNaN: true }),
+      image: fc.option(
+        fc.record({
+          name: fc.string(),
+          textures: fc.constant([]),
+          bytes: fc.uint8Array({ maxLength: 20 }),
+        }),
+      ),
     }),
   });
 }

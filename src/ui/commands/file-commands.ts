@@ -1,3 +1,5 @@
+import { selectedActor } from '../../document/selected-actor.ts';
+import { pictureExtensions } from '../../formats/extensions.ts';
 import { chooseFiles } from '../choose-files.ts';
 import type { Editor } from '../editor.ts';
 import { type Command, toggleDialog } from './command.ts';
@@ -82,6 +84,13 @@ export const fileCommands = [
     label: 'Open a pose',
     short: 'Open pose…',
     run: (editor) => chooseFiles(editor, ['.json']),
+  },
+  {
+    id: 'choose-image',
+    label: 'Cover the selected character with an image',
+    short: 'Choose an image…',
+    isEnabled: ({ store, session }) => selectedActor(store, session) !== undefined,
+    run: (editor) => chooseFiles(editor, pictureExtensions),
   },
   {
     id: 'save-pose',

@@ -1,42 +1,68 @@
 import type { GUI } from 'lil-gui';
-import { type ActorLook, clayCount, plainLook, type Shading } from '../../document/actor-look.ts';
+import {
+  type ActorLook,
+  clayCount,
+  plainLook,
+  type Shading,
+  type SurfaceKind,
+} from '../../document/actor-look.ts';
 import { setLook } from '../../document/look-edits.ts';
 import { selectedActor } from '../../document/selected-actor.ts';
-import type { Looking } from '../editor.ts';
+import { runCommand } from '../commands/command.ts';
+import { commandOf } from '../commands/registry.ts';
+import type { Editor } from '../editor.ts';
 import { watch } from '../watch.ts';
+import { addCommandRow } from './command-row.ts';
+import { addCoverRows } from './cover-rows.ts';
+import { field } from './signal-field.ts';
 import { addValueRow } from './value-row.ts';
 
 /** In the order of the studio's clays. */
 const clayNames = ['Sand', 'Stone', 'Terracotta', 'Sage', 'Slate', 'Mauve', 'Umber', 'Graphite'];
 
-/** Adds controls for how the selected character is drawn, apart from its materials. */
-export function addLookFolder(gui: GUI, { store, session }: Looking): void {
+const surfaces: Readonly<Record<string, SurfaceKind>> = {
+  'As in the file': 'file',
+  Clay: 'clay',
+  Image: 'image',
+  Checker: 'checker',
+  'UV colors': 'uv',
+};
+
+/** Adds controls for how the selected character is drawn. */
+export function addLookFolder(gui: GUI, editor: Editor): void {
+  const { store, session } = editor;
   const folder = gui.addFolder('Surface');
   const look = (): ActorLook => selectedActor(store, session)?.look ?? plainLook;
   const change = (part: Partial<ActorLook>, label: string): void => {
     const actor = selectedActor(store, session);
     if (actor) store.dispatch(setLook(actor.id, part, label));
   };
-  const bound = {
-    get shading(): Shading {
-      return look().shading;
+  const shading = field<Shading>(
+    () => look().shading,
+    (shading) => change({ shading }, shading === 'smooth' ? 'Shade smoothly' : 'Shade in facets'),
+  );
+  const surface = field<SurfaceKind>(
+    () => look().surface,
+    (surface) => {
+      // An image has to be chosen before it can cover anything.
+      if (surface === 'image' && !look().image) runCommand(commandOf('choose-image'), editor);
+      else change({ surface }, `Surface: ${nameOf(surface)}`);
+      surfaceRow.updateDisplay();
     },
-    set shading(shading: Shading) {
-      change({ shading }, shading === 'smooth' ? 'Shade smoothly' : 'Shade in facets');
-    },
-    get clay(): number {
-      return look().clay;
-    },
-    set clay(clay: number) {
-      change({ clay }, `${clayNames[clay]!} clay`);
-    },
-  };
+  );
+  const clay = field<number>(
+    () => look().clay,
+    (clay) => change({ clay }, `${clayNames[clay]!} clay`),
+  );
   const clays = Object.fromEntries(
     Array.from({ length: clayCount }, (_, clay) => [clayNames[clay]!, clay]),
   );
+  const shadings = { Smooth: 'smooth', Faceted: 'faceted' };
+  const surfaceRow = folder.add(surface, 'value', { ...surfaces }).name('Surface');
   const choices = [
-    folder.add(bound, 'shading', { Smooth: 'smooth', Faceted: 'faceted' }).name('Shading'),
-    folder.add(bound, 'clay', clays).name('Clay'),
+    folder.add(shading, 'value', shadings).name('Shading'),
+    surfaceRow,
+    folder.add(clay, 'value', clays).name('Clay'),
   ];
   const label = 'Roughness';
   const write = (roughness: number) =>
@@ -54,9 +80,17 @@ export function addLookFolder(gui: GUI, { store, session }: Looking): void {
     preview: (gesture, value) => gesture.preview(write(value)),
     reset: () => store.dispatch(write(plainLook.roughness)),
   });
+  addCoverRows(folder, editor);
+  addCommandRow(folder, editor, 'choose-image');
   watch([store.scene, session.selectedActorId], () => {
     folder.show(selectedActor(store, session) !== undefined);
     for (const row of choices) row.updateDisplay();
     roughness.refresh();
   });
+}
+
+function nameOf(surface: SurfaceKind): string {
+  return Object.keys(surfaces)
+    .find((name) => surfaces[name] === surface)!
+    .toLowerCase();
 }

@@ -6,6 +6,7 @@ import type { Defines } from '../../gl/shader-library.ts';
 import type { CharacterView } from '../character-view.ts';
 import type { Frame } from '../frame.ts';
 import type { Pass } from '../pass.ts';
+import { polishOf } from '../polish.ts';
 import { palette } from '../theme.ts';
 
 /** The opacity of a translucent skin over what is behind it. */
@@ -51,11 +52,15 @@ export const meshPass: Pass = {
     }
 
     function drawSurfaces(frame: Frame, view: CharacterView, opacity: number): void {
-      const { surfaces, textures } = view;
+      const { surfaces } = view;
       const { look } = view.state;
+      const { dress } = view;
       const defines = definesOf(look);
-      const isDressed = surfaces.some(({ albedo, texture }) => albedo ?? textures.find(texture));
-      if (!frame.options.showTextures || !isDressed) {
+      const isDressed =
+        frame.options.showTextures &&
+        look.surface !== 'clay' &&
+        surfaces.some(({ albedo, texture }) => albedo ?? dress?.coverOf(texture, look));
+      if (!isDressed) {
         const program = programs.pass('mesh', defines);
         useProgram(program, frame, view);
         program.set({ albedo: palette.clays[look.clay]!, ...polishOf(look), opacity });
@@ -63,15 +68,16 @@ export const meshPass: Pass = {
         return;
       }
       let used: Program | undefined;
-      for (const { submesh, albedo, alpha, twoSided, texture: name, ...gloss } of surfaces) {
+      for (const { submesh, albedo, alpha, twoSided, texture, ...gloss } of surfaces) {
         if (alpha * opacity < leastOpacity) continue;
-        const texture = textures.find(name);
-        const program = programs.pass(texture ? 'mesh-textured' : 'mesh', defines);
+        const cover = dress?.coverOf(texture, look);
+        const program = programs.pass(cover?.program ?? 'mesh', defines);
         if (program !== used) useProgram((used = program), frame, view);
-        texture?.bind(textureUnit);
+        cover?.bind(textureUnit);
         program.set({
-          albedo: albedo ?? (texture ? white : palette.clays[look.clay]!),
+          albedo: albedo ?? (cover ? white : palette.clays[look.clay]!),
           ...gloss,
+          ...cover?.uniforms,
           opacity: alpha * opacity,
         });
         if (alpha < 1) {
@@ -79,7 +85,7 @@ export const meshPass: Pass = {
           drawSide(view, program, submesh, gl.FRONT);
           drawSide(view, program, submesh, gl.BACK);
         } else if (!twoSided) drawSide(view, program, submesh, gl.BACK);
-        else if (texture)
+        else if (cover)
           view.skinned.draw(program, submesh); // it may have holes
         else drawOpaque(frame, view, program, submesh);
       }
@@ -115,15 +121,6 @@ export const meshPass: Pass = {
 /** The variant of a program. */
 function definesOf({ shading }: ActorLook): Defines {
   return shading === 'faceted' ? { FACETED: 1 } : {};
-}
-
-/** The highlight of clay: matte has none, and what is smoother has a smaller and brighter one. */
-function polishOf({ roughness }: ActorLook): { specular: number[]; shininess: number } {
-  const polish = 1 - roughness;
-  return {
-    specular: [0, 0, 0].fill(0.35 * polish),
-    shininess: polish === 0 ? 0 : 2 ** (2 + 6 * polish),
-  };
 }
 
 function useProgram(program: Program, frame: Frame, view: CharacterView): void {

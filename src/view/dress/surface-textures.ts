@@ -1,16 +1,14 @@
-import type { Character, CharacterImage } from '../core/character.ts';
-import { type Gpu, GpuLimitError } from '../gl/gpu.ts';
-import { ImageTexture } from '../gl/image-texture.ts';
-import type { Lease } from '../gl/pool.ts';
-import type { GpuPools } from './gpu-pools.ts';
+import type { CharacterImage } from '../../core/character.ts';
+import { type Gpu, GpuLimitError } from '../../gl/gpu.ts';
+import { ImageTexture } from '../../gl/image-texture.ts';
+import type { Lease } from '../../gl/pool.ts';
+import type { GpuPools } from '../gpu-pools.ts';
 import { decodedImages } from './decode-image.ts';
+import type { OnImage } from '../lazy-dress.ts';
 import type { Picture } from './decoded-images.ts';
 
-/** Reports that a picture is loaded, or why it can't be shown. */
-export type OnImage = (image: CharacterImage, fault: string | null) => void;
-
 /**
- * The textures of a character's materials, which it shares with its copies. Each is available when
+ * The textures of images, which actors with the same ones share. Each is available when
  * its picture is decoded, or immediately if a copy shows it already or the decoded picture is kept.
  */
 export class SurfaceTextures {
@@ -22,7 +20,12 @@ export class SurfaceTextures {
   readonly loaded: Promise<unknown>;
   private disposed = false;
 
-  constructor(gpu: Gpu, { images: pool }: GpuPools, { images }: Character, onImage: OnImage) {
+  constructor(
+    gpu: Gpu,
+    { images: pool }: GpuPools,
+    images: readonly CharacterImage[],
+    onImage: OnImage,
+  ) {
     this.gpu = gpu;
     this.pool = pool;
     this.onImage = onImage;
@@ -52,8 +55,8 @@ export class SurfaceTextures {
   private async load(image: CharacterImage): Promise<void> {
     const picture = await decodedImages.load(image);
     if (this.disposed) return;
-    if (typeof picture === 'string') this.onImage(image, picture);
-    else if (this.create(image, picture)) this.onImage(image, null);
+    if (typeof picture === 'string') this.onImage(image.name, picture);
+    else if (this.create(image, picture)) this.onImage(image.name, null);
   }
 
   /** Returns whether the GPU accepts the texture. */
@@ -63,7 +66,7 @@ export class SurfaceTextures {
       return true;
     } catch (error) {
       if (!(error instanceof GpuLimitError)) throw error;
-      this.onImage(image, error.message);
+      this.onImage(image.name, error.message);
       return false;
     }
   }

@@ -1,4 +1,4 @@
-import type { CharacterImage } from '../core/character.ts';
+import type { CharacterImage } from '../../core/character.ts';
 
 /** An image in the form that the GPU takes, with its first row at the bottom. */
 export type Picture = ImageBitmap | ImageData;

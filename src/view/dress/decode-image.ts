@@ -1,12 +1,12 @@
-import type { CharacterImage } from '../core/character.ts';
-import { Failure, loadPart } from '../core/failure.ts';
-import { extensionOf } from '../formats/file-entry.ts';
+import type { CharacterImage } from '../../core/character.ts';
+import { Failure, loadPart } from '../../core/failure.ts';
+import { extensionOf } from '../../formats/file-entry.ts';
 import { DecodedImages, type Picture } from './decoded-images.ts';
 
 async function decode({ name, bytes }: CharacterImage): Promise<Picture | string> {
   try {
     if (extensionOf(name) === '.tga') {
-      const { decodeTga } = await loadPart(import('../formats/image/tga.ts'));
+      const { decodeTga } = await loadPart(import('../../formats/image/tga.ts'));
       const image = decodeTga(bytes);
       return typeof image === 'string' ? image : new ImageData(image.pixels, image.width);
     }

@@ -1,6 +1,6 @@
 import { expect, it } from 'vitest';
-import type { CharacterImage } from '../../src/core/character.ts';
-import { DecodedImages, type Picture } from '../../src/view/decoded-images.ts';
+import type { CharacterImage } from '../../../src/core/character.ts';
+import { DecodedImages, type Picture } from '../../../src/view/dress/decoded-images.ts';
 
 const imageOf = (name: string): CharacterImage => ({
   name,
