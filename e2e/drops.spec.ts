@@ -97,7 +97,7 @@ test('a pose and a picture have no choice: they belong to the selected character
   const pose = write('some.pose.json', '{"joints":{"#1":[0.5,0,0]}}');
   const drag = await startDrag([pose]);
   await drag('dragEnter', 0.8);
-  await expect(halves()).toHaveText(['Drop to open']);
+  await expect(halves()).toHaveText(['Drop on a character']);
   await drag('drop', 0.8);
   await expect(page().locator('output.notice')).toHaveText('Pose set');
   expect(await names()).toHaveLength(3);

@@ -37,13 +37,6 @@ test('a PNG of your own files remembers only their name, and poses them again', 
   await page().evaluate(() => window.sinew.open('tube'));
 });
 
-test('any other picture is reported, and nothing changes', async () => {
-  const content = PNG.sync.write(new PNG({ width: 2, height: 2 }));
-  await drop(page(), [{ name: 'holiday.png', content }]);
-  await expect(page().locator('.problems')).toContainText('a PNG that Sinew saved');
-  await expect(page().locator('.status')).toContainText('tube');
-});
-
 test('a damaged note is reported by line and column, and nothing changes', async () => {
   const picture = new Uint8Array(PNG.sync.write(new PNG({ width: 2, height: 2 })));
   const note = '{"bundled":"hand","name":"Hand","pose":[]}';

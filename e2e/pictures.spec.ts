@@ -2,6 +2,7 @@ import type { PoseJson } from '../src/formats/pose-json.ts';
 import { kernelById, menuName } from '../src/skinning/registry.ts';
 import { capture, choose, openView, setPose, startOver } from './support/app.ts';
 import { expectPicture } from './support/pictures.ts';
+import { hardPose } from './support/poses.ts';
 import { sharedPage, test } from './support/test.ts';
 
 // There are few pictures. Each shows something that no other does, and a person looked at it before
@@ -27,23 +28,6 @@ interface Scene {
   /** The keys to press, in order. */
   readonly keys?: readonly string[];
 }
-
-/** Limbs bend as far as they can and farther, where the artifacts of linear blending show. */
-const hardPose: PoseJson = {
-  joints: {
-    Spine: [0.5, 0.5, 0],
-    Head: [-0.3, -0.6, 0],
-    'Left upper arm': [0, -0.3, 0.9],
-    'Left forearm': [0.4, -2.1, 0],
-    'Right upper arm': [1.2, 0, -0.4],
-    'Right forearm': [1.6, 0.6, 0],
-    'Right hand': [0, 0, 1.2],
-    'Left upper leg': [-1.4, 0, 0.2],
-    'Left lower leg': [2, 0, 0],
-    'Right upper leg': [-1.2, 0, -0.3],
-    'Right lower leg': [2.2, 0, 0],
-  },
-};
 
 const scenes: Readonly<Record<string, Scene>> = {
   'human-smooth': {},
