@@ -11,6 +11,7 @@ import { PhoneBar } from '../ui/panels/phone-bar.tsx';
 import { Sections } from '../ui/panels/sections.tsx';
 import { TopBar } from '../ui/panels/top-bar.tsx';
 import { ViewOverlay } from '../ui/panels/view-overlay.tsx';
+import { listenToPaste } from '../ui/paste.ts';
 import { listenToPointer } from '../ui/pointer.ts';
 import { followShots } from '../ui/shots.ts';
 import { addSheetHandle } from '../ui/sheet-handle.ts';
@@ -50,6 +51,7 @@ export function startInterface(
   addSplitter(layout, 'right');
   addSheetHandle(layout.root, editor);
   listenToKeys(editor);
+  listenToPaste(opening);
   followLinks(opening.parts);
   runClock(editor.session, editor.transport);
   listenToPointer(layout.canvas, editor);

@@ -7,7 +7,6 @@ import { Evaluations } from '../evaluation/evaluations.ts';
 import { Kernels } from '../evaluation/kernels.ts';
 import { failureText } from '../ui/attempt.ts';
 import { listenToDrops } from '../ui/drop-zone.ts';
-import { listenToPaste } from '../ui/paste.ts';
 import { loadSkinningShader } from '../view/skinning-shaders.ts';
 import { Viewer } from '../view/viewer.ts';
 import {
@@ -60,7 +59,6 @@ export async function start(root: HTMLElement): Promise<void> {
   layout.follow(viewer, isTest ? 1 : undefined);
   followTheme(opening.theme, viewer);
   listenToDrops(opening, layout.canvas);
-  listenToPaste(opening);
 
   // An empty picture would only keep the first character waiting.
   viewer.waiting.value = true;
