@@ -51,7 +51,7 @@ export function drawGeometry({ gpu, programs }: Renderer, frame: Frame): Geometr
 function drawCorners(
   gpu: Gpu,
   program: Program,
-  { evaluation, surfaces, textures }: CharacterView,
+  { evaluation, surfaces, dress, state: { look } }: CharacterView,
   showTextures: boolean,
 ): void {
   const { gl } = gpu;
@@ -67,9 +67,10 @@ function drawCorners(
     owner.own(array);
     array.bind();
     for (const { submesh, alpha, twoSided, texture: name } of surfaces) {
-      const texture = showTextures ? textures.find(name) : undefined;
-      texture?.bind(textureUnit);
-      const textured = texture !== undefined;
+      const cover = showTextures ? dress?.coverOf(name, look) : undefined;
+      // What is projected has no holes here.
+      const textured = cover?.program === 'mesh-textured';
+      if (textured) cover?.bind(textureUnit);
       program.set({ opacity: alpha, textured, colorTexture: textureUnit });
       if (!twoSided) gl.enable(gl.CULL_FACE);
       gl.drawArrays(gl.TRIANGLES, submesh.firstIndex, submesh.indexCount);
