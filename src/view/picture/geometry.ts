@@ -70,7 +70,7 @@ function drawCorners(
       const cover = showTextures ? dress?.coverOf(name, look) : undefined;
       // What is projected has no holes here.
       const textured = cover?.program === 'mesh-textured';
-      if (textured) cover?.bind(textureUnit);
+      if (textured) cover.bind(textureUnit);
       program.set({ opacity: alpha, textured, colorTexture: textureUnit });
       if (!twoSided) gl.enable(gl.CULL_FACE);
       gl.drawArrays(gl.TRIANGLES, submesh.firstIndex, submesh.indexCount);
