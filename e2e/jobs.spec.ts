@@ -1,4 +1,4 @@
-import { expect, type Page } from '@playwright/test';
+import { type Browser, expect, type Page } from '@playwright/test';
 import { capture, getPose } from './support/app.ts';
 import { catalogue } from './support/catalogue.ts';
 import { countedUser } from './support/counted-user.ts';
@@ -39,6 +39,19 @@ async function expectCollected(page: Page, kept = 0): Promise<void> {
   await page.evaluate(() => window.sinew.settled());
   expect(new Set((await names(page)).slice(kept)).size).toBe(3);
   expect(await page.evaluate(() => window.sinew.problems)).toEqual([]);
+}
+
+/** Opens the link that was copied in another browser, and compares the pictures by the byte. */
+async function expectShared(page: Page, browser: Browser): Promise<void> {
+  await expect(page.locator('.status')).toContainText('Link copied');
+  const link = await page.evaluate(() => navigator.clipboard.readText());
+  const shared = await capture(page);
+  const other = await (await browser.newContext({ viewport: page.viewportSize() })).newPage();
+  await other.goto(link);
+  await other.evaluate(() => window.sinew.ready);
+  await other.evaluate(() => window.sinew.settled());
+  expect((await capture(other)).equals(shared), 'the same picture').toBe(true);
+  await other.context().close();
 }
 
 /** The part of the view where the first visit shows the arm that gives its hand to the dog. */
@@ -97,12 +110,35 @@ test('a collector opens three characters beside one another from the gallery: 6 
   expect(user.presses).toBeLessThanOrEqual(6);
 });
 
+test('a sharer sends a link, and another sees the same picture: 2 presses', async ({
+  page,
+  browser,
+}) => {
+  await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
+  await visit(page);
+  await page.keyboard.press('ArrowLeft');
+  const user = countedUser(page);
+  await user.click(page.getByRole('button', { name: 'File', exact: true }));
+  await user.click(page.getByRole('menuitem', { name: 'Copy link' }));
+  await expectShared(page, browser);
+  expect(user.presses).toBeLessThanOrEqual(2);
+});
+
 test.describe('by touch', () => {
   test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
 
-  test('a student, a newcomer and a collector reach their aims on a phone', async ({ page }) => {
+  test('a student, a newcomer, a collector and a sharer reach their aims on a phone', async ({
+    page,
+  }) => {
+    await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
     await visit(page);
     const panels = page.getByRole('navigation', { name: 'Panels' });
+
+    await test.step('the sharer', async () => {
+      await page.getByRole('button', { name: 'File', exact: true }).tap();
+      await page.getByRole('menuitem', { name: 'Copy link' }).tap();
+      await expect(page.locator('.status')).toContainText('Link copied');
+    });
 
     await test.step('the newcomer', async () => {
       const client = await page.context().newCDPSession(page);
@@ -159,9 +195,11 @@ test.describe('by touch', () => {
   });
 });
 
-test('by keyboard alone, a student, a newcomer and a collector reach their aims', async ({
+test('by keyboard alone, a student, a newcomer, a collector and a sharer reach their aims', async ({
   page,
+  browser,
 }) => {
+  await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
   await visit(page);
   const { keyboard } = page;
   const command = async (words: string): Promise<void> => {
@@ -177,6 +215,11 @@ test('by keyboard alone, a student, a newcomer and a collector reach their aims'
       await keyboard.press('Tab');
     }
   };
+
+  await test.step('the sharer', async () => {
+    await command('Copy a link of the scene');
+    await expectShared(page, browser);
+  });
 
   await test.step('the newcomer', async () => {
     const [pose, first] = [await getPose(page), await capture(page)];
