@@ -81,4 +81,42 @@ describe('playing', () => {
     new Float32Array(1);
     expect(count.made).toBe(1);
   });
+
+  it('makes none for a hundred copies, each from a pose of its own', () => {
+    const pool = new EvaluationPool();
+    const copies = Array.from({ length: 100 }, (_, i) => ({
+      ...playing,
+      id: i + 1,
+      q: playing.q.map((value, at) => value + 0.01 * i * Math.sin(at)),
+    }));
+    const evaluators = copies.map((copy) => new Evaluator(copy, pool));
+    const show = (time: number) =>
+      copies.forEach((copy, i) => evaluators[i]!.evaluate(copy, time).vertices());
+    show(0);
+    const count = countArrays();
+    for (let frame = 1; frame <= 3; frame++) show(frame / 30);
+    expect(count.made).toBe(0);
+  });
+
+  it('shares skeleton, mesh and weights among copies; each adds what is posed alone', () => {
+    const pool = new EvaluationPool();
+    const copies = Array.from({ length: 100 }, (_, i) => {
+      const q = character.skeleton.qRest.map((value) => value + 0.01 * i);
+      return new Evaluator({ ...createActor(i + 1, character, 'linear-blend'), q }, pool);
+    });
+    const [first] = copies;
+    for (const copy of copies) {
+      expect(copy.rest).toBe(first!.rest);
+      expect(copy.skin).toBe(first!.skin);
+    }
+    const posed = copies.flatMap((copy) => {
+      const { positions, normals } = copy.vertices();
+      return [positions, normals, copy.palette, copy.characterFromJoint];
+    });
+    expect(new Set(posed.map(({ buffer }) => buffer)).size).toBe(4 * copies.length);
+    const bytes = posed.slice(0, 4).reduce((sum, { byteLength }) => sum + byteLength, 0);
+    const { vertexCount } = character.mesh;
+    const { jointCount } = character.skeleton;
+    expect(bytes).toBe(vertexCount * 24 + jointCount * (48 + 128));
+  });
 });
