@@ -84,8 +84,10 @@ export function lightLines(
     const rays = index === 0 ? rayCount : 0;
     return [
       line([view.camera.target, place], palette.selected, lineWidth, beamOpacity),
-      // A circle whose line is as wide as its radius is a disc.
-      line(circle(discRadius / 2), linear(environment.lights[index]!.color), discRadius + 1),
+      {
+        ...{ id, points: circle(discRadius), opacity: 1, isFilled: true },
+        color: linear(environment.lights[index]!.color),
+      },
       line(circle(discRadius), id === hovered ? palette.selected : rimColor),
       ...Array.from({ length: rays }, (_, i) =>
         line([around(i / rays, rayStart), around(i / rays, rayEnd)], palette.selected, 2.5),
