@@ -4,6 +4,7 @@ import { unmoved } from '../../src/document/scene.ts';
 import { Session } from '../../src/document/session.ts';
 import { Store } from '../../src/document/store.ts';
 import { Evaluations } from '../../src/evaluation/evaluations.ts';
+import { drawApart, holdMoment } from '../../src/view/picture/held-moment.ts';
 import { captureFrame } from '../../src/view/picture/make-picture.ts';
 import { Viewer } from '../../src/view/viewer.ts';
 import { characterOf } from '../data/character.ts';
@@ -56,9 +57,9 @@ offerFrames(({ vertexCount, jointCount, actorCount, unskinned }) => {
     },
     silhouette() {
       const size = { width: pictureWidth, height: pictureHeight };
-      const held = viewer.hold();
+      const held = holdMoment(viewer);
       const view = { ...viewer.contents[0]!, viewport: { x: 0, y: 0, ...size } };
-      const pixels = viewer.drawApart(view, held.shown, { showSurroundings: false }, captureFrame);
+      const pixels = drawApart(viewer, view, held.shown, { showSurroundings: false }, captureFrame);
       held.release();
       return Uint8Array.from({ length: pixels.length / 4 }, (_, i) => pixels[i * 4 + 3]! >> 7);
     },

@@ -5,8 +5,8 @@ import type { Actor } from '../document/scene.ts';
 import { selectedActor } from '../document/selected-actor.ts';
 import type { Detail, Session, SkinDevice } from '../document/session.ts';
 import type { Store } from '../document/store.ts';
-import type { Evaluation, StillEvaluation } from '../evaluation/evaluation.ts';
-import type { Evaluations, Overrides } from '../evaluation/evaluations.ts';
+import type { Evaluation } from '../evaluation/evaluation.ts';
+import type { Evaluations } from '../evaluation/evaluations.ts';
 import type { VertexStreams } from '../skinning/method.ts';
 import { deformationOf } from '../skinning/registry.ts';
 import type { Camera } from '../document/camera.ts';
@@ -27,12 +27,6 @@ import { type ViewOptions, viewOptionsOf } from './view-options.ts';
 export interface CaptureSize {
   readonly width: number;
   readonly height: number;
-}
-
-/** What was shown at one moment. */
-export interface HeldMoment {
-  readonly shown: readonly StillEvaluation[];
-  release(): void;
 }
 
 /**
@@ -79,7 +73,7 @@ export class Viewer {
   );
   private readonly canvas: HTMLCanvasElement;
   private readonly store: Store;
-  private readonly evaluations: Evaluations;
+  readonly evaluations: Evaluations;
   private readonly session: Session;
   private readonly onFrame: () => void;
   /** The detail that the effect below saw last. */
@@ -87,7 +81,7 @@ export class Viewer {
   private renderer: Renderer | null = null;
   /** The evaluations of the page's last picture, and those of pictures in work. */
   private onPage: readonly Evaluation[] = [];
-  private readonly held = new Set<Evaluation>();
+  readonly held = new Set<Evaluation>();
   private frameRequest = 0;
   /** The camera that was fitted to a box, to fit it again when the view's size changes. */
   private framed: { readonly camera: Camera; readonly box: Bounds } | null = null;
@@ -156,41 +150,6 @@ export class Viewer {
   /** Changes the camera's distance and target so that all characters are in the picture. */
   frameAll(): void {
     this.frame(sceneBounds(this.evaluations.visible()));
-  }
-
-  /**
-   * Returns what is shown at this moment, for a picture that takes longer. Until it is released, it
-   * keeps its objects on the GPU.
-   */
-  hold(overrides?: Overrides): HeldMoment {
-    const shown = this.evaluations.visible(overrides).map((evaluation) => evaluation.still());
-    for (const still of shown) this.held.add(still);
-    // Skinning them empties the canvas, as drawing of any kind does before it is shown.
-    this.requestFrame();
-    const release = (): void => {
-      for (const still of shown) {
-        this.held.delete(still);
-        still.dispose();
-      }
-      this.requestFrame();
-    };
-    return { shown, release };
-  }
-
-  /**
-   * Draws a view beside the page, without its overlay. The caller must first check that the view is
-   * `available`.
-   *
-   * @param shown evaluations that are held
-   */
-  drawApart<Result>(
-    view: RenderView,
-    shown: readonly Evaluation[],
-    changed: Partial<ViewOptions>,
-    draw: (renderer: Renderer, frame: Frame) => Result,
-  ): Result {
-    const [frame] = this.createFrames([view], { showOverlay: false, ...changed }, 'full', shown);
-    return draw(this.present(), frame!);
   }
 
   /** The reason why an actor can't be drawn, or null; it is known after the first attempt. */
@@ -264,12 +223,14 @@ export class Viewer {
     return view.skinned.readBack();
   }
 
-  private present(): Renderer {
+  /** The renderer; the caller must first check that the view is `available`. */
+  present(): Renderer {
     assert(this.renderer !== null && this.available.value, 'a WebGL context that is not lost');
     return this.renderer;
   }
 
-  private requestFrame(): void {
+  /** Draws the page's picture again with the next animation frame. */
+  requestFrame(): void {
     if (this.frameRequest !== 0) return;
     this.frameRequest = requestAnimationFrame(() => this.show());
   }
@@ -294,7 +255,8 @@ export class Viewer {
     this.onFrame();
   }
 
-  private createFrames(
+  /** @param held evaluations that a picture beside the page shows, in place of those of the page */
+  createFrames(
     views: readonly RenderView[],
     changed: Partial<ViewOptions>,
     detail: Detail,

@@ -6,6 +6,7 @@ import { type PngPixels, writePng } from '../../formats/png/write-png.ts';
 import { axesOf, nearOf } from '../camera.ts';
 import type { Viewer } from '../viewer.ts';
 import { drawGeometry } from './geometry.ts';
+import { drawApart } from './held-moment.ts';
 import { eachTile, type PictureRequest, type PictureWork, windowOf } from './make-picture.ts';
 import { checkPictureSize } from './picture-tiles.ts';
 import { type SeenPoint, SurfaceReader } from './surface-reader.ts';
@@ -48,7 +49,7 @@ export async function makePasses(
       viewport: { x: 0, y: 0, width: tile.width, height: tile.height },
       window: windowOf(view, tile, 1),
     };
-    const { geometry, shown } = viewer.drawApart(drawn, held.shown, {}, (renderer, frame) => ({
+    const { geometry, shown } = drawApart(viewer, drawn, held.shown, {}, (renderer, frame) => ({
       geometry: drawGeometry(renderer, frame),
       shown: frame.characters.map(({ evaluation }) => evaluation),
     }));

@@ -3,9 +3,10 @@ import { RenderTarget } from '../../gl/render-target.ts';
 import type { Frame } from '../frame.ts';
 import { type PictureWindow, sideBySide, type ViewContent } from '../render-view.ts';
 import type { Renderer } from '../renderer.ts';
-import type { CaptureSize, HeldMoment, Viewer } from '../viewer.ts';
+import type { CaptureSize, Viewer } from '../viewer.ts';
 import { averageSamples } from './average-samples.ts';
 import type { Picture } from './encode-picture.ts';
+import { drawApart, type HeldMoment, holdMoment } from './held-moment.ts';
 import { checkPictureSize, type Tile, tilesOf } from './picture-tiles.ts';
 
 /** What a picture shows, and how finely. */
@@ -63,7 +64,7 @@ export async function makePicture(
       window: windowOf(view, tile, samples),
       lineScale,
     };
-    const pixels = viewer.drawApart(drawn, held.shown, { showSurroundings }, captureFrame);
+    const pixels = drawApart(viewer, drawn, held.shown, { showSurroundings }, captureFrame);
     const drawnPixels = { ...drawn.viewport, pixels };
     averageSamples(drawnPixels, samples, picture, view.x + tile.x, tile.y);
   });
@@ -90,7 +91,7 @@ export async function eachTile(
   const moments: HeldMoment[] = [];
   try {
     const parts = sideBySide(contents, width, height).flatMap((content): TileOfView[] => {
-      const held = viewer.hold(content.overrides);
+      const held = holdMoment(viewer, content.overrides);
       moments.push(held);
       const view = content.viewport;
       return tilesOf(view, samples, tileLimit).map((tile) => ({ content, held, view, tile }));
