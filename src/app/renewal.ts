@@ -54,7 +54,8 @@ export function renews(
 
 /** The state that an actor passes on to its successor when its files are read again. */
 export function keptState(before: Actor, character: Character): KeptState {
-  const { q, name, morphWeights, normalizeWeights, clip, transform, fitted, look } = before;
+  const { q, name, morphWeights, normalizeWeights, influences, clip, transform, fitted, look } =
+    before;
   const { clips } = before;
   const { morphs } = before.character;
   const weights = new Map(morphs.map(({ name }, index) => [name, morphWeights[index]!]));
@@ -67,6 +68,7 @@ export function keptState(before: Actor, character: Character): KeptState {
     morphWeights: Float64Array.from(character.morphs, ({ name }) => weights.get(name) ?? 0),
     clip: bound === -1 ? null : bound,
     normalizeWeights,
+    influences,
     look,
   };
 }

@@ -2,6 +2,7 @@ import type { Character } from '../core/character.ts';
 import { type Clip, clipFor } from '../core/clip.ts';
 import type { ClipParts } from '../core/character-parts.ts';
 import { normalizeSkin, type Skin } from '../core/skin.ts';
+import { keepInfluences } from '../core/strongest-influences.ts';
 import { sameValue } from '../core/same-value.ts';
 import type { NormalsId } from '../core/skin.ts';
 import type { MethodId } from '../skinning/method.ts';
@@ -84,6 +85,8 @@ export interface Actor {
    * unchanged.
    */
   readonly normalizeWeights: boolean;
+  /** How many influences each point keeps, the strongest ones; null keeps all. */
+  readonly influences: number | null;
   readonly look: ActorLook;
 }
 
@@ -101,6 +104,7 @@ export type KeptState = Partial<
     | 'clip'
     | 'normals'
     | 'normalizeWeights'
+    | 'influences'
     | 'look'
   >
 >;
@@ -132,6 +136,7 @@ export function createActor(
     method,
     normals: kept.normals ?? defaultDeformation(character).normals,
     normalizeWeights: kept.normalizeWeights ?? false,
+    influences: kept.influences ?? null,
     look: kept.look ?? plainLook,
   };
 }
@@ -169,13 +174,23 @@ function sameActor(a: Actor, b: Actor): boolean {
   return character === otherCharacter && clips === otherClips && sameValue(others, rest);
 }
 
-/** The weights that are used: the file's, or those divided by their sums. */
-export function skinInUse({ character, normalizeWeights }: Actor): Skin {
-  if (!normalizeWeights) return character.skin;
-  let normalized = normalizedSkins.get(character.skin);
-  if (!normalized)
-    normalizedSkins.set(character.skin, (normalized = normalizeSkin(character.skin)));
-  return normalized;
+/**
+ * The weights that are used: the file's, of these the strongest of each point if only some are
+ * kept, and each row divided by its sum if they are normalized.
+ */
+export function skinInUse({ character: { skin }, normalizeWeights, influences }: Actor): Skin {
+  const kept =
+    influences === null ? skin : derived(skin, influences, () => keepInfluences(skin, influences));
+  return normalizeWeights ? derived(kept, 0, () => normalizeSkin(kept)) : kept;
 }
 
-const normalizedSkins = new WeakMap<Skin, Skin>();
+/** @param way the number of influences that are kept, or 0 for normalized weights */
+function derived(skin: Skin, way: number, derive: () => Skin): Skin {
+  let ways = derivedSkins.get(skin);
+  if (!ways) derivedSkins.set(skin, (ways = new Map<number, Skin>()));
+  let found = ways.get(way);
+  if (!found) ways.set(way, (found = derive()));
+  return found;
+}
+
+const derivedSkins = new WeakMap<Skin, Map<number, Skin>>();

@@ -2,7 +2,7 @@ import type { Character } from '../core/character.ts';
 import type { Diagnostic } from '../core/diagnostics.ts';
 import type { FormatShape } from './format.ts';
 import { lost } from './lost.ts';
-import { influencesLost } from './strongest-influences.ts';
+import { influencesLost } from './influences-lost.ts';
 import { writtenNames } from './written-names.ts';
 
 /**

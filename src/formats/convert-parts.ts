@@ -9,6 +9,7 @@ import type { Character } from '../core/character.ts';
 import type { Morph } from '../core/morph.ts';
 import { noParent } from '../core/skeleton.ts';
 import { noJoint } from '../core/skin.ts';
+import { type Influence, influencesOf, strongestInfluences } from '../core/strongest-influences.ts';
 import { quaternionOf } from './ball-values.ts';
 import { ballDof, ballHinges, rootSlides } from './cse169/joint-dofs.ts';
 import { uniqueNames } from './unique-names.ts';
@@ -16,7 +17,6 @@ import { bindMatrix } from './cse169/write-skin.ts';
 import { jointNames } from './mit/joint-names.ts';
 import type { FormatShape } from './format.ts';
 import type { Target } from './solve-pose.ts';
-import { type Influence, influencesOf, strongestInfluences } from './strongest-influences.ts';
 import { writtenNames } from './written-names.ts';
 
 /**

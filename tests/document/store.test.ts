@@ -10,6 +10,7 @@ import {
   resetPose,
   setMethod,
   setMorphWeight,
+  setInfluences,
   setNormalizeWeights,
   setPose,
   setValue,
@@ -67,7 +68,7 @@ function turn(store: Store, index: number, value: number, label = 'turn'): Edit 
 /** Everything in a scene, to the bit: floats as hexadecimal bytes. */
 function bits({ actors }: Scene): string {
   const parts = actors.map(
-    ({ id, character, transform, q, morphWeights, clip, method, normalizeWeights }) => [
+    ({ id, character, transform, q, morphWeights, clip, method, normalizeWeights, influences }) => [
       id,
       characters.indexOf(character),
       ...[q, morphWeights, placeOf(transform)].map(({ buffer }) =>
@@ -76,6 +77,7 @@ function bits({ actors }: Scene): string {
       clip,
       method,
       normalizeWeights,
+      influences,
     ],
   );
   return JSON.stringify(parts);
@@ -102,6 +104,7 @@ function commandOf(store: Store, kind: number, amount: number): Edit {
     () => resetJoint(selected(store), q, joint),
     () => setMethod(id, methods[index % methods.length]!.id),
     () => setNormalizeWeights(id, amount > 0),
+    () => setInfluences(id, amount > 0 ? 1 + Math.trunc(amount) : null),
     () => openCharacter(id, characters[index % characters.length]!, 'rigid'),
     () => openCharacter(null, characters[index % characters.length]!, 'linear-blend'),
     () => setTransform(id, { ...unmoved, position: [amount, 0, 0] }, 'move'),

@@ -32,6 +32,7 @@ const edits: readonly ((state: Actor, amount: number) => Actor)[] = [
     ...state,
     normals: normalWays[Math.abs(Math.trunc(amount * 100)) % normalWays.length]!.id,
   }),
+  (state, amount) => ({ ...state, influences: amount > 1 ? null : amount > 0 ? 2 : 1 }),
   (state, amount) => ({ ...state, morphWeights: state.morphWeights.map(() => amount) }),
   (state) => state,
 ];

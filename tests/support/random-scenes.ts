@@ -97,6 +97,7 @@ function actorOf(character: Character): fc.Arbitrary<Omit<Actor, 'id'>> {
     method: fc.constantFrom(...methods.map(({ id }) => id)),
     normals: fc.constantFrom(...normalWays.map(({ id }) => id)),
     normalizeWeights: fc.boolean(),
+    influences: fc.option(fc.integer({ min: 1, max: 20 })),
     look: fc.record({
       visible: fc.boolean(),
       clay: fc.nat(7),

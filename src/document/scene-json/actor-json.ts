@@ -3,7 +3,7 @@ import type { JsonValue } from '../../formats/json/decoder.ts';
 import { decodePose } from '../../formats/pose-json.ts';
 import { defaultDeformation, methods, normalWays } from '../../skinning/registry.ts';
 import { type Actor, type ActorId, createActor, type Source } from '../scene.ts';
-import { flag, index, oneOf, text } from './codec.ts';
+import { countFrom1, flag, index, oneOf, orNull, text } from './codec.ts';
 import { type Codecs, readFields, writeFields } from './fields.ts';
 import { readJointValues, writeJointValues } from './joint-values.ts';
 import { indexOfKey, keyAt } from './keys.ts';
@@ -24,6 +24,7 @@ const plainFields: Codecs<PlainFields> = {
   method: oneOf(methods.map(({ id }) => id)),
   normals: oneOf(normalWays.map(({ id }) => id)),
   normalizeWeights: flag,
+  influences: orNull(countFrom1),
   look: lookJson,
 };
 

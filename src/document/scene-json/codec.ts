@@ -37,6 +37,12 @@ export const index = plain<number>(
   'a whole number from 0',
 );
 
+/** How many there are of something. */
+export const countFrom1 = plain<number>(
+  (value) => Number.isSafeInteger(value) && (value as number) >= 1,
+  'a whole number from 1',
+);
+
 /** In UTF-16 units; longer than the name of any file. */
 const longestText = 4096;
 

@@ -1,0 +1,67 @@
+import { diagonal } from '../core/bounds.ts';
+import { skinInUse } from '../document/scene.ts';
+import type { Evaluation } from './evaluation.ts';
+
+/** A smaller move, as a part of the character's size, is rounding. */
+const leastMove = 1e-6;
+
+/** How far points are, in the pose that is shown, from where all of their influences put them. */
+export interface Truncation {
+  /** (pointCount) distances in model units; what only rounding moved has 0. */
+  readonly errors: Float32Array;
+  readonly movedCount: number;
+  readonly largest: number;
+  /** Over all points. */
+  readonly mean: number;
+  /** The point that is farthest off. */
+  readonly worst: number;
+  /** The character's height at rest, or its size if it is flat; model units. */
+  readonly height: number;
+}
+
+/**
+ * Returns the effect of keeping only some influences, or null if all are kept. It is computed on the
+ * CPU, from float32 positions, once for each pose; its arrays are overwritten for the next.
+ */
+export function truncationOf(evaluation: Evaluation): Truncation | null {
+  const { state, revisions, rest, method, palette } = evaluation;
+  const { mesh, bounds } = state.character;
+  if (state.influences === null || mesh.pointCount === 0) return null;
+  let held = truncations.get(evaluation);
+  if (held?.revision === revisions.vertices) return held.truncation;
+  const full = held?.full ?? new Float32Array(rest.vertexCount * 3);
+  const fullSkin = skinInUse({ ...state, influences: null });
+  method.deform(rest, fullSkin, palette, { positions: full, normals: null });
+  const kept = evaluation.vertices().positions;
+  const errors = held?.truncation.errors ?? new Float32Array(mesh.pointCount);
+  const size = diagonal(bounds);
+  let [movedCount, largest, sum, worst] = [0, 0, 0, 0];
+  for (let point = 0; point < mesh.pointCount; point++) {
+    let squared = 0;
+    for (let i = point * 3; i < point * 3 + 3; i++) squared += (kept[i]! - full[i]!) ** 2;
+    const distance = Math.sqrt(squared);
+    const error = distance > leastMove * size ? distance : 0;
+    errors[point] = error;
+    sum += error;
+    if (error > 0) movedCount++;
+    if (error > largest) [largest, worst] = [error, point];
+  }
+  const height = bounds.max[1]! - bounds.min[1]! || size;
+  const mean = sum / mesh.pointCount;
+  held = {
+    revision: revisions.vertices,
+    full,
+    truncation: { errors, movedCount, largest, mean, worst, height },
+  };
+  truncations.set(evaluation, held);
+  return held.truncation;
+}
+
+interface Held {
+  readonly revision: number;
+  /** (vertexCount × 3) where all influences put the vertices. */
+  readonly full: Float32Array;
+  readonly truncation: Truncation;
+}
+
+const truncations = new WeakMap<Evaluation, Held>();
