@@ -1,7 +1,7 @@
 import { expect, type Page } from '@playwright/test';
 import { PNG } from 'pngjs';
 import type { CaptureOptions } from '../src/app/scripting.ts';
-import { colorDifference, type Lab, labOf } from '../tests/support/color-difference.ts';
+import { colorDifference, type Lab, labOf } from '../src/core/color-difference.ts';
 import { bytesOf } from './support/app.ts';
 import { test } from './support/test.ts';
 

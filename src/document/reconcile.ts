@@ -38,6 +38,8 @@ function fitActor(session: Session, old?: Actor, now?: Actor): void {
   if (old?.id !== now?.id || old?.character !== now?.character) {
     session.verification.value = null;
     session.hoveredLimb.value = null;
+    session.hoveredPoint.value = null;
+    session.markedPoint.value = null;
   }
   if (!haveSameJoints(old?.character, now?.character)) dropJoints(session);
   const { clipIndex } = session;

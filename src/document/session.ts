@@ -5,6 +5,7 @@ import type { ActorId } from './scene.ts';
 import type { KernelId } from '../skinning/method.ts';
 import type { PlayMode } from '../posing/playhead.ts';
 import type { ShotId } from './shots.ts';
+import type { WeightViewId } from '../skinning/weights/views.ts';
 import type { Verification } from './verification.ts';
 
 /** The processor that skins the vertices. */
@@ -118,6 +119,14 @@ export class Session {
   readonly playForward = signal(true);
   /** Whether materials show their textures. */
   readonly showTextures = signal(true);
+  /** Whether the selected actor shows its weights in color, and how. */
+  readonly showWeights = signal(false);
+  readonly weightView = signal<WeightViewId>('joints');
+  /** Whether these colors are shown without light, as they are in the legend. */
+  readonly unlitWeights = signal(false);
+  /** The points of the selected actor's mesh under the pointer, and marked by a click, or null. */
+  readonly hoveredPoint = signal<number | null>(null);
+  readonly markedPoint = signal<number | null>(null);
   /** The result of verifying the selected actor. */
   readonly verification = signal<Verification | null>(null);
   /** The problems of the last files. */

@@ -6,7 +6,8 @@ export interface Attribute {
   readonly buffer: Buffer;
   /** The number of components per vertex, 1 to 4. */
   readonly size: 1 | 2 | 3 | 4;
-  readonly type?: 'float' | 'uint16' | 'uint32';
+  /** 'unorm8' are bytes that the shader reads as 0 to 1. */
+  readonly type?: 'float' | 'unorm8' | 'uint16' | 'uint32';
   /**
    * `stride` is the number of bytes from one vertex to the next and `offset` the number before the
    * first. Attributes are packed if both are absent.
@@ -60,6 +61,8 @@ export class VertexArray {
     gl.enableVertexAttribArray(location);
     if (type === 'float') {
       gl.vertexAttribPointer(location, size, gl.FLOAT, false, stride, offset);
+    } else if (type === 'unorm8') {
+      gl.vertexAttribPointer(location, size, gl.UNSIGNED_BYTE, true, stride, offset);
     } else {
       const integer = type === 'uint16' ? gl.UNSIGNED_SHORT : gl.UNSIGNED_INT;
       gl.vertexAttribIPointer(location, size, integer, stride, offset);

@@ -1,6 +1,7 @@
 import type { HandleId } from '../document/session.ts';
 import { boneAt, type BoneTarget } from '../view/pick.ts';
 import { bodyHandleAt, handleAt } from '../view/pick-gizmo.ts';
+import { pointAt } from '../view/pick-point.ts';
 import type { Looking } from './editor.ts';
 import type { ToolPlace } from './tool.ts';
 
@@ -22,8 +23,26 @@ export function hoverAt(editor: Looking, place: ToolPlace | null): void {
   }
   const canPick = place !== null && !editor.session.playing.value && canLight(editor);
   const body = canPick ? bodyHandleAt(editor, place) : null;
-  if (body) showHoveredHandle(editor, body.id);
-  else showHover(editor, place, canPick ? boneAt(editor, place) : null);
+  if (body) {
+    showHoveredHandle(editor, body.id);
+    return;
+  }
+  const target = canPick ? boneAt(editor, place) : null;
+  showHover(editor, place, target);
+  if (place && target) editor.session.hoveredPoint.value = weightPointAt(editor, place, target);
+}
+
+/**
+ * The point at a place, where weights are shown and nothing of another character is in front of it.
+ */
+export function weightPointAt(
+  editor: Looking,
+  place: ToolPlace,
+  target: BoneTarget | null,
+): number | null {
+  const { showWeights, selectedActorId } = editor.session;
+  const isOther = target !== null && target.actorId !== selectedActorId.value;
+  return showWeights.value && !isOther ? pointAt(editor, place) : null;
 }
 
 function canLight({ store, session }: Looking): boolean {
@@ -38,6 +57,7 @@ export function showHover(
   target: BoneTarget | null,
 ): void {
   session.hoveredHandle.value = null;
+  if (!target) session.hoveredPoint.value = null;
   const { actorId, joint, bone } = session.hoveredLimb.value ?? {};
   const isSame = target?.actorId === actorId && target?.joint === joint && target?.bone === bone;
   if (!isSame) session.hoveredLimb.value = target;

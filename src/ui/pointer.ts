@@ -3,7 +3,7 @@ import { selectActor } from '../document/reconcile.ts';
 import { boneAt } from '../view/pick.ts';
 import { handleAt } from '../view/pick-gizmo.ts';
 import type { Looking } from './editor.ts';
-import { hoverAt, showHover } from './hover.ts';
+import { hoverAt, showHover, weightPointAt } from './hover.ts';
 import { onceAFrame } from './once-a-frame.ts';
 import {
   distanceBetween,
@@ -116,6 +116,7 @@ export function listenToPointer(canvas: HTMLCanvasElement, editor: Looking): voi
     activeDof.value = null;
     // A tool for whole characters stays with them.
     selectedJoint.value = placeTool.value === null ? (target?.joint ?? null) : null;
+    session.markedPoint.value = weightPointAt(editor, place, target);
   }
 }
 

@@ -81,6 +81,13 @@ export const sections: readonly Section[] = [
       guiSection((await loadPart(import('./controls/skin-folder.ts'))).addSkinFolder),
   },
   {
+    id: 'weights',
+    place: 'right',
+    tabs: ['deform'],
+    load: async () =>
+      guiSection((await loadPart(import('./controls/weights-folder.ts'))).addWeightsFolder),
+  },
+  {
     id: 'drag',
     place: 'right',
     tabs: ['pose'],

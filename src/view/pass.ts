@@ -11,6 +11,7 @@ export type PassId =
   | 'reflection'
   | 'skeleton'
   | 'mesh'
+  | 'weights'
   | 'lit-limb'
   | 'hidden-skeleton'
   | 'bone-lines'

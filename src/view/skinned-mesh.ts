@@ -41,6 +41,8 @@ export class SkinnedMesh {
   private readonly feedback: Feedback;
   private readonly arrays = new Map<Program, VertexArray>();
   private readonly layout: LayoutChoice;
+  /** A color of each vertex, once there are any. */
+  private colors: Buffer | null = null;
   /** The vertices at rest if they differ from the mesh's own; null while they do not. */
   private shaped: RestBuffers | null = null;
   private skin: Skin;
@@ -117,7 +119,7 @@ export class SkinnedMesh {
     program.use();
     paletteBuffer.bind(program);
     this.bindInfluences(program);
-    this.arrayFor(program).bind();
+    this.bind(program);
     this.feedback.run(this.mesh.vertexCount);
   }
 
@@ -143,6 +145,20 @@ export class SkinnedMesh {
     this.posedNormals.write(normals);
   }
 
+  /** Gives each vertex a color of four bytes, which shaders read as 0 to 1. */
+  writeColors(bytes: Uint8Array): void {
+    if (this.colors) this.colors.write(bytes);
+    else {
+      this.colors = this.owner.own(new Buffer(this.gpu, 'vertex', bytes));
+      this.forgetArrays();
+    }
+  }
+
+  /** Connects the vertices with a program that is in use, for a draw call of the caller's own. */
+  bind(program: Program): void {
+    this.arrayFor(program).bind();
+  }
+
   /** Reads back the same buffers that are drawn. */
   readBack(): VertexStreams {
     const positions = new Float32Array(this.mesh.vertexCount * 3);
@@ -154,7 +170,7 @@ export class SkinnedMesh {
 
   /** Draws the triangles of one material with a program that is in use. */
   draw(program: Program, { firstIndex, indexCount }: Submesh): void {
-    this.arrayFor(program).bind();
+    this.bind(program);
     this.drawRun(firstIndex, indexCount);
   }
 
@@ -163,7 +179,7 @@ export class SkinnedMesh {
     const { gl } = this.gpu;
     const { firstIndex, indexCount } = submesh;
     const closed = this.shared.value.closedCounts.get(submesh) ?? 0;
-    this.arrayFor(program).bind();
+    this.bind(program);
     gl.enable(gl.CULL_FACE);
     this.drawRun(firstIndex, closed);
     gl.disable(gl.CULL_FACE);
@@ -220,6 +236,9 @@ export class SkinnedMesh {
         posedNormal: { buffer: this.posedNormals, size: 3 },
         ...(uvs ? { uv: { buffer: uvs, size: 2 } as const } : {}),
         ...this.influences.value.attributes,
+        ...(this.colors && {
+          weightColor: { buffer: this.colors, size: 4, type: 'unorm8' } as const,
+        }),
       } as const;
       array = new VertexArray(this.gpu, program, attributes, indices);
       this.arrays.set(program, array);

@@ -2,10 +2,11 @@ import { mat4 } from 'gl-matrix';
 import { tangentAxes } from '../core/bone-frames.ts';
 import { type Bone, bonesOf } from '../core/bones.ts';
 import type { CharacterView } from './character-view.ts';
-import type { ViewOptions } from './view-options.ts';
+import { jointColorsOf } from '../skinning/weights/joint-colors.ts';
+import { showsWeights, type ViewOptions } from './view-options.ts';
 import { instanceSize } from './instanced-solid.ts';
 import { boneRadius, boneReach, jointRadius } from './solid-sizes.ts';
-import { palette } from './theme.ts';
+import { linearChannel, palette } from './theme.ts';
 
 /** Lengths are in scene units. */
 const originAxisLength = 0.3;
@@ -18,6 +19,8 @@ type Color = readonly number[];
 export interface JointMarks {
   readonly selected: number | null;
   readonly hovered: number | null;
+  /** (jointCount × 3) the bytes of the joints' own colors where weights are shown, or null. */
+  readonly colors: Uint8Array | null;
 }
 
 /** Returns the marks of a view. */
@@ -26,6 +29,7 @@ export function marksOf({ state }: CharacterView, options: ViewOptions): JointMa
   return {
     selected: state.id === selectedActorId ? selectedJoint : null,
     hovered: state.id === hoveredLimb?.actorId ? hoveredLimb.joint : null,
+    colors: showsWeights(state.id, options) ? jointColorsOf(state.character.skeleton).bytes : null,
   };
 }
 
@@ -36,15 +40,23 @@ export function marksOf({ state }: CharacterView, options: ViewOptions): JointMa
 export function keyOf(views: readonly CharacterView[], options?: ViewOptions): string {
   const keys = views.map((view) => {
     const { pose, display } = view.evaluation.revisions;
-    const { selected, hovered } = options ? marksOf(view, options) : noMarks;
-    return `${pose} ${display} ${selected} ${hovered}`;
+    const { selected, hovered, colors } = options ? marksOf(view, options) : noMarks;
+    return `${pose} ${display} ${selected} ${hovered} ${colors !== null}`;
   });
   return keys.join();
 }
 
-const noMarks: JointMarks = { selected: null, hovered: null };
+/** The gray to which colors are dimmed, in linear light. */
+const dimmedLight = 0.2;
 
-function colorOf(joint: number, { selected, hovered }: JointMarks, plain: Color): Color {
+const noMarks: JointMarks = { selected: null, hovered: null, colors: null };
+
+function colorOf(joint: number, { selected, hovered, colors }: JointMarks, plain: Color): Color {
+  if (colors) {
+    const own = [0, 1, 2].map((i) => linearChannel(colors[joint * 3 + i]! / 255));
+    const isDimmed = hovered !== null && hovered !== joint;
+    return isDimmed ? own.map((channel) => 0.15 * channel + 0.85 * dimmedLight) : own;
+  }
   if (joint === selected) return palette.selected;
   return joint === hovered ? palette.hovered : plain;
 }

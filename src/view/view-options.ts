@@ -1,3 +1,4 @@
+import type { WeightViewId } from '../skinning/weights/views.ts';
 import type { Environment } from '../document/environment.ts';
 import type { ActorId, Scene } from '../document/scene.ts';
 import type {
@@ -11,6 +12,14 @@ import type {
   SkeletonStyle,
 } from '../document/session.ts';
 
+/** How the weights of the selected actor are shown in color. */
+export interface WeightOptions {
+  readonly view: WeightViewId;
+  readonly unlit: boolean;
+  /** The marked point of its mesh, or null. */
+  readonly marked: number | null;
+}
+
 /** How the session views a scene. */
 export interface SessionOptions {
   readonly showSkin: boolean;
@@ -18,6 +27,7 @@ export interface SessionOptions {
   readonly skeletonStyle: SkeletonStyle;
   readonly showTextures: boolean;
   readonly showAxes: boolean;
+  readonly weights: WeightOptions | null;
   readonly translucent: boolean;
   readonly selectedActorId: ActorId | null;
   /** The selected joint of the selected actor, or null. */
@@ -57,6 +67,13 @@ export function sessionOptionsOf(session: Session): SessionOptions {
     skeletonStyle: session.skeletonStyle.value,
     showTextures: session.showTextures.value,
     showAxes: session.showAxes.value,
+    weights: session.showWeights.value
+      ? {
+          view: session.weightView.value,
+          unlit: session.unlitWeights.value,
+          marked: session.markedPoint.value,
+        }
+      : null,
     translucent: session.translucent.value,
     selectedActorId: session.selectedActorId.value,
     selectedJoint: session.selectedJoint.value,
@@ -71,4 +88,9 @@ export function sessionOptionsOf(session: Session): SessionOptions {
     playing: session.playing.value,
     byTouch: session.byTouch.value,
   };
+}
+
+/** Whether an actor shows its weights in color instead of its materials. */
+export function showsWeights(id: ActorId, { weights, selectedActorId }: ViewOptions): boolean {
+  return weights !== null && id === selectedActorId;
 }

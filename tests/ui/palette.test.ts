@@ -1,7 +1,7 @@
 import { signal } from '@preact/signals-core';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { bindClip } from '../../src/document/edits.ts';
+import { bindClip, setInfluences } from '../../src/document/edits.ts';
 import { openCharacter } from '../../src/document/open-characters.ts';
 import { reconcile } from '../../src/document/reconcile.ts';
 import { Session } from '../../src/document/session.ts';
@@ -95,6 +95,9 @@ describe('the palette', () => {
     expect(listed()).not.toContain('release-clip');
     store.amend(bindClip(session.selectedActorId.value!, 0));
     expect(listed()).toContain('release-clip');
+    expect(listed()).not.toContain('worst-vertex');
+    store.amend(setInfluences(session.selectedActorId.value!, 2));
+    expect(listed()).toContain('worst-vertex');
     expect(listed()).not.toContain('walk-ahead');
     session.firstPerson.value = true;
     expect(listed()).toContain('walk-ahead');

@@ -1,5 +1,6 @@
 import { defaultLimits } from '../../core/limits.ts';
 import { kernels } from '../../skinning/registry.ts';
+import { weightViews } from '../../skinning/weights/views.ts';
 import { plainView, type SavedSignals, type ViewState } from '../view-state.ts';
 import { cameraJson } from './camera-json.ts';
 import { type Codec, flag, index, numberWithin, oneOf, orNull, text } from './codec.ts';
@@ -16,6 +17,9 @@ const signals: Codecs<SavedSignals> = {
   showAxes: flag,
   translucent: flag,
   showTextures: flag,
+  showWeights: flag,
+  weightView: oneOf(weightViews.map(({ id }) => id)),
+  unlitWeights: flag,
   comparedKernel: orNull(oneOf(kernels.map(({ id }) => id))),
   shownShot: orNull(index),
   showThirds: flag,

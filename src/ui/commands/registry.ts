@@ -8,6 +8,7 @@ import { jointCommands } from './joint-commands.ts';
 import { shotCommands } from './shot-commands.ts';
 import { placeCommands } from './place-commands.ts';
 import { viewCommands } from './view-commands.ts';
+import { weightCommands } from './weight-commands.ts';
 
 /** Every command by the file it stands in, in the order of the help sheet. */
 const groups = [
@@ -17,6 +18,7 @@ const groups = [
   { label: 'Character', commands: placeCommands },
   { label: 'Joints', commands: jointCommands },
   { label: 'Clip', commands: clipCommands },
+  { label: 'Weights', commands: weightCommands },
   { label: 'Camera', commands: [...cameraCommands, ...axisCommands] },
   { label: 'Shots', commands: shotCommands },
 ] as const;

@@ -1,7 +1,10 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import type { Skeleton } from '../../core/skeleton.ts';
+import { jointColorsOf } from '../../skinning/weights/joint-colors.ts';
 import { selectedActor } from '../../document/selected-actor.ts';
+import { cssColor } from '../css-color.ts';
 import type { Actions, Looking } from '../editor.ts';
+import { hoveredOf } from '../hovered-limb.ts';
 import { ancestorsOf, type TreeRow, visibleRows } from '../joint-rows.ts';
 
 /** The joints as a tree that can be searched, folded and selected from, by pointer or keys. */
@@ -31,10 +34,18 @@ function Tree({ editor, skeleton }: TreeProperties) {
   const [folded, setFolded] = useState<ReadonlySet<number>>(() => foldedAtFirst(skeleton));
   const [current, setCurrent] = useState(0);
   const list = useRef<HTMLUListElement>(null);
-  const { selectedJoint } = editor.session;
+  const { selectedJoint, showWeights, hoveredLimb, selectedActorId } = editor.session;
   const rows = visibleRows(skeleton, folded, search);
   const focused = rows.some(({ joint }) => joint === current) ? current : rows[0]?.joint;
   const selected = selectedJoint.value;
+  // The list is the legend of the weights: what is under the pointer in one of them, lights in all.
+  const swatches = showWeights.value ? jointColorsOf(skeleton).bytes : null;
+  const lit = swatches ? (hoveredOf(editor.session)?.joint ?? null) : null;
+  const light = (joint: number | null): void => {
+    const actorId = selectedActorId.value;
+    if (!swatches || actorId === null) return;
+    hoveredLimb.value = joint === null ? null : { actorId, joint, bone: null };
+  };
 
   // A joint that was selected elsewhere is scrolled into view.
   useEffect(() => {
@@ -97,18 +108,25 @@ function Tree({ editor, skeleton }: TreeProperties) {
         value={search}
         onInput={({ currentTarget }) => setSearch(currentTarget.value)}
       />
-      <ul role="tree" aria-label="Joints" ref={list}>
+      <ul role="tree" aria-label="Joints" ref={list} class={lit === null ? '' : 'some-lit'}>
         {rows.map((row) => (
           <li
             key={row.joint}
             role="treeitem"
             data-joint={row.joint}
+            class={row.joint === lit ? 'lit' : ''}
             tabIndex={row.joint === focused ? 0 : -1}
             aria-level={row.level}
             aria-selected={row.joint === selected}
             {...(row.hasChildren ? { 'aria-expanded': !row.isFolded } : {})}
             style={{ paddingInlineStart: `${(row.level - 1) * 9 + 4}px` }}
-            onFocus={() => setCurrent(row.joint)}
+            onFocus={() => {
+              setCurrent(row.joint);
+              light(row.joint);
+            }}
+            onBlur={() => light(null)}
+            onPointerEnter={() => light(row.joint)}
+            onPointerLeave={() => light(null)}
             onClick={() => (selectedJoint.value = row.joint)}
             onDblClick={() => editor.editJoint(row.joint)}
             onKeyDown={(event) => onKey(event, row)}
@@ -124,6 +142,13 @@ function Tree({ editor, skeleton }: TreeProperties) {
             >
               {row.hasChildren ? (row.isFolded ? '▸' : '▾') : ''}
             </span>
+            {swatches && (
+              <span
+                class="swatch"
+                aria-hidden="true"
+                style={{ background: cssColor(swatches.subarray(row.joint * 3)) }}
+              />
+            )}
             {skeleton.names[row.joint]}
             {skeleton.englishNames?.[row.joint] && (
               <span class="english">{skeleton.englishNames[row.joint]}</span>

@@ -21,6 +21,7 @@ export function ViewControls({ editor }: { readonly editor: Editor }) {
         <CommandButton editor={editor} command="skeleton" icon="skeleton" />
         <CommandButton editor={editor} command="translucent" icon="translucent" />
         <CommandButton editor={editor} command="axes" icon="axes" />
+        <CommandButton editor={editor} command="weights" icon="weights" />
         <CommandButton editor={editor} command="compare" icon="compare" />
       </div>
       <div class="view-camera" role="group" aria-label="Camera">

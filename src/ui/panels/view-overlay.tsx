@@ -1,4 +1,5 @@
 import { printable } from '../../core/diagnostics.ts';
+import { loadPart } from '../../core/failure.ts';
 import { actorById } from '../../document/scene.ts';
 import { selectedActor } from '../../document/selected-actor.ts';
 import type { ActiveDof } from '../../document/session.ts';
@@ -9,8 +10,10 @@ import { ancestorsOf } from '../joint-rows.ts';
 import { formatDegrees } from '../angle-text.ts';
 import type { Editor, Looking, Posing } from '../editor.ts';
 import { hintAt } from '../hints.ts';
+import type { SectionComponent } from '../sections.ts';
 import { CommandButton } from './command-button.tsx';
 import { ShotOverlay } from './shot-overlay.tsx';
+import { Loaded } from './loaded.tsx';
 import { ViewControls } from './view-controls.tsx';
 
 /** The number of ancestors that are named, the nearest ones. */
@@ -33,8 +36,13 @@ export function ViewOverlay({ editor }: { readonly editor: Editor }) {
       <ActiveDofText editor={editor} />
       <LightText editor={editor} />
       <LitBoneLabel editor={editor} />
+      {editor.session.showWeights.value && <Loaded editor={editor} load={loadWeights} />}
     </>
   );
+}
+
+async function loadWeights(): Promise<SectionComponent> {
+  return (await loadPart(import('./weights-overlay.tsx'))).WeightsOverlay;
 }
 
 /** What a newcomer may try next in the view; it goes once that was done. */
@@ -118,6 +126,8 @@ function LitBoneLabel({ editor: { store, session } }: { readonly editor: Looking
   const place = session.hoverPlace.value;
   const limb = session.hoveredLimb.value;
   const skeleton = actorById(store.scene.value, limb?.actorId ?? null)?.character.skeleton;
+  // A vertex under the pointer has a table of its own, which names its joints.
+  if (session.showWeights.value && session.hoveredPoint.value !== null) return null;
   if (!place || !limb || !skeleton || limb.joint >= skeleton.jointCount) return null;
   const { joint } = limb;
   const end = limb.bone?.child ?? -1;

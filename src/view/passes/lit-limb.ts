@@ -3,7 +3,7 @@ import type { Frame } from '../frame.ts';
 import { gizmoOf } from '../gizmo.ts';
 import type { Pass } from '../pass.ts';
 import { palette } from '../theme.ts';
-import type { ViewOptions } from '../view-options.ts';
+import { showsWeights, type ViewOptions } from '../view-options.ts';
 
 /** A light on the skin of one joint: its strength on the face of the skin and at its outline. */
 interface LimbLight {
@@ -62,11 +62,12 @@ function lightsOf(options: ViewOptions): LimbLight[] {
   const { hoveredLimb, selectedActorId } = options;
   const gizmo = gizmoOf(options);
   const lights: LimbLight[] = [];
-  if (gizmo && selectedActorId !== null) {
+  // Light would change the colors that stand for weights; their pass dims the other limbs instead.
+  if (gizmo && selectedActorId !== null && !showsWeights(selectedActorId, options)) {
     const limb = { actorId: selectedActorId, joint: gizmo.joint };
     lights.push({ ...limb, lightColor: palette.selected, faceLight: 0.1, rimLight: 0.6 });
   }
-  if (hoveredLimb) {
+  if (hoveredLimb && !showsWeights(hoveredLimb.actorId, options)) {
     const { actorId, joint } = hoveredLimb;
     lights.push({ actorId, joint, lightColor: palette.hovered, faceLight: 0.22, rimLight: 0.4 });
   }

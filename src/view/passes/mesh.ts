@@ -1,16 +1,14 @@
-import { vec3 } from 'gl-matrix';
 import type { Submesh } from '../../core/mesh.ts';
 import type { ActorLook } from '../../document/actor-look.ts';
 import type { Program } from '../../gl/program.ts';
 import type { Defines } from '../../gl/shader-library.ts';
 import type { CharacterView } from '../character-view.ts';
+import { blendSkins, drawOpaque } from '../draw-skin.ts';
 import type { Frame } from '../frame.ts';
 import type { Pass } from '../pass.ts';
 import { polishOf } from '../polish.ts';
 import { palette } from '../theme.ts';
-
-/** The opacity of a translucent skin over what is behind it. */
-const translucentOpacity = 0.42;
+import { showsWeights } from '../view-options.ts';
 
 const textureUnit = 4;
 const white = [1, 1, 1];
@@ -20,8 +18,7 @@ const leastOpacity = 0.002;
 /**
  * Draws the posed skin, smooth or faceted, with the colors and textures of its materials, or as
  * clay. Surfaces are blended in the order of the file; of two at the same depth, the later one
- * wins. A translucent skin is drawn to depth first, so that only the nearest of its layers is
- * blended over what is behind it.
+ * wins. What shows its weights is left to another pass.
  */
 export const meshPass: Pass = {
   id: 'mesh',
@@ -30,26 +27,14 @@ export const meshPass: Pass = {
   create({ gl }, programs) {
     return {
       draw(frame) {
-        const { translucent } = frame.options;
-        gl.depthFunc(gl.LEQUAL);
-        if (translucent) {
-          gl.colorMask(false, false, false, false);
-          drawSkins(frame, 1);
-          gl.colorMask(true, true, true, true);
-          gl.depthFunc(gl.EQUAL);
-        }
-        gl.enable(gl.BLEND);
-        gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
-        drawSkins(frame, translucent ? translucentOpacity : 1);
-        gl.disable(gl.BLEND);
-        gl.depthFunc(gl.LESS);
+        blendSkins(gl, frame, (opacity) => {
+          for (const view of frame.characters) {
+            if (!showsWeights(view.state.id, frame.options)) drawSurfaces(frame, view, opacity);
+          }
+        });
       },
       dispose: () => undefined,
     };
-
-    function drawSkins(frame: Frame, opacity: number): void {
-      for (const view of frame.characters) drawSurfaces(frame, view, opacity);
-    }
 
     function drawSurfaces(frame: Frame, view: CharacterView, opacity: number): void {
       const { surfaces } = view;
@@ -89,18 +74,6 @@ export const meshPass: Pass = {
           view.skinned.draw(program, submesh); // it may have holes
         else drawOpaque(frame, view, program, submesh);
       }
-    }
-
-    /** From inside a closed surface, its inner side is all that is visible. */
-    function drawOpaque(
-      { eye, near }: Frame,
-      { skinned, subject }: CharacterView,
-      program: Program,
-      submesh: Submesh,
-    ): void {
-      const isOutside = vec3.distance(eye, subject.center) > subject.radius + near;
-      if (isOutside) skinned.drawSolid(program, submesh);
-      else skinned.draw(program, submesh);
     }
 
     function drawSide(

@@ -11,6 +11,7 @@ import { overlayPass } from './overlay.ts';
 import { planarShadowPass } from './planar-shadow.ts';
 import { reflectionPass } from './reflection.ts';
 import { hiddenSkeletonPass, skeletonPass } from './skeleton.ts';
+import { weightsPass } from './weights.ts';
 
 /** All passes, in the order of drawing. */
 export const passes: readonly Pass[] = [
@@ -20,6 +21,7 @@ export const passes: readonly Pass[] = [
   backdropPass,
   skeletonPass,
   meshPass,
+  weightsPass,
   checkerboardPass,
   litLimbPass,
   hiddenSkeletonPass,

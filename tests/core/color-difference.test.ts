@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { colorDifference, labOf, type Lab } from '../support/color-difference.ts';
+import { colorDifference, labOf, type Lab } from '../../src/core/color-difference.ts';
 
 // The measure by which the first picture is judged must itself be right.
 test('pairs that the authors of the formula publish have their differences', () => {
