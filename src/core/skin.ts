@@ -81,28 +81,60 @@ export function skinWithRows(skin: Skin, points: ArrayLike<number>, rows: Influe
   };
 }
 
+/** A palette entry, and how much it influences a point. */
+export interface Influence {
+  readonly entry: number;
+  readonly weight: number;
+}
+
+/** The influences of a point, in the file's order. */
+export function influencesOf({ start, entries, weights }: Skin, point: number): Influence[] {
+  const row: Influence[] = [];
+  for (let i = start[point]!; i < start[point + 1]!; i++) {
+    row.push({ entry: entries[i]!, weight: weights[i]! });
+  }
+  return row;
+}
+
+export function sumOf(row: readonly Influence[]): number {
+  return row.reduce((sum, { weight }) => sum + weight, 0);
+}
+
+/** @param change returns another row for a point, or the same one */
+export function mapRows(
+  skin: Skin,
+  change: (row: readonly Influence[]) => readonly Influence[],
+): Skin {
+  const points: number[] = [];
+  const start = [0];
+  const changed: Influence[] = [];
+  for (let point = 0; point + 1 < skin.start.length; point++) {
+    const row = influencesOf(skin, point);
+    const next = change(row);
+    if (next === row) continue;
+    points.push(point);
+    changed.push(...next);
+    start.push(changed.length);
+  }
+  const entries = changed.map(({ entry }) => entry);
+  return skinWithRows(skin, points, {
+    start,
+    entries,
+    weights: changed.map((each) => each.weight),
+  });
+}
+
 /**
  * Returns the same skin with each row divided by its sum. Rows whose sum is nearly zero, relative
  * to the magnitudes of their weights, do not change.
  */
 export function normalizeSkin(skin: Skin): Skin {
-  const points: number[] = [];
-  const start = [0];
-  const entries: number[] = [];
-  const weights: number[] = [];
-  for (let point = 0; point + 1 < skin.start.length; point++) {
-    const row = skin.weights.subarray(skin.start[point], skin.start[point + 1]);
-    const sum = row.reduce((total, weight) => total + weight, 0);
-    const size = row.reduce((total, weight) => total + Math.abs(weight), 0);
-    if (sum === 1 || !(Math.abs(sum) > size * 1e-3)) continue;
-    points.push(point);
-    for (let i = skin.start[point]!; i < skin.start[point + 1]!; i++) {
-      entries.push(skin.entries[i]!);
-      weights.push(skin.weights[i]! / sum);
-    }
-    start.push(weights.length);
-  }
-  return skinWithRows(skin, points, { start, entries, weights });
+  return mapRows(skin, (row) => {
+    const sum = sumOf(row);
+    const size = row.reduce((total, { weight }) => total + Math.abs(weight), 0);
+    if (sum === 1 || !(Math.abs(sum) > size * 1e-3)) return row;
+    return row.map(({ entry, weight }) => ({ entry, weight: weight / sum }));
+  });
 }
 
 function rowLength({ start }: { readonly start: ArrayLike<number> }, row: number): number {

@@ -90,13 +90,6 @@ export function renameActor({ id, name: old }: Actor, name: string): Edit {
   return editActor(id, `Rename ${old}`, (actor) => ({ ...actor, name }));
 }
 
-/** Keeps the strongest influences of each point, or all of them (null). */
-export function setInfluences(id: ActorId, influences: number | null): Edit {
-  assert(influences === null || influences >= 1, 'at least one influence');
-  const label = influences === null ? 'Keep all influences' : `Keep ${influences} influences`;
-  return editActor(id, label, (actor) => ({ ...actor, influences }));
-}
-
 /** Removes an actor from the scene. */
 export function removeActor({ id, name }: Actor): Edit {
   return {

@@ -8,8 +8,8 @@ import type {
 import type { Character } from '../core/character.ts';
 import type { Morph } from '../core/morph.ts';
 import { noParent } from '../core/skeleton.ts';
-import { noJoint } from '../core/skin.ts';
-import { type Influence, influencesOf, strongestInfluences } from '../core/strongest-influences.ts';
+import { type Influence, influencesOf, noJoint } from '../core/skin.ts';
+import { strongestInfluences } from '../core/strongest-influences.ts';
 import { quaternionOf } from './ball-values.ts';
 import { ballDof, ballHinges, rootSlides } from './cse169/joint-dofs.ts';
 import { uniqueNames } from './unique-names.ts';

@@ -1,5 +1,5 @@
-import type { Skin } from '../core/skin.ts';
-import { byStrength, influencesOf } from '../core/strongest-influences.ts';
+import { influencesOf, type Skin } from '../core/skin.ts';
+import { byStrength } from '../core/strongest-influences.ts';
 
 /** What is lost of a skin if each point keeps only its `most` strongest weights. */
 export interface InfluencesLost {

@@ -1,6 +1,6 @@
 import { vec3 } from 'gl-matrix';
 import { batch } from '@preact/signals-core';
-import { setInfluences } from '../document/edits.ts';
+import { setInfluences } from '../document/weight-edits.ts';
 import { selectedActor } from '../document/selected-actor.ts';
 import { type Truncation, truncationOf } from '../evaluation/truncation.ts';
 import type { Looking, Telling } from './editor.ts';

@@ -1,11 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import type { Skin } from '../../src/core/skin.ts';
-import {
-  influencesOf,
-  keepInfluences,
-  strongestInfluences,
-} from '../../src/core/strongest-influences.ts';
+import { influencesOf, type Skin } from '../../src/core/skin.ts';
+import { keepInfluences, strongestInfluences } from '../../src/core/strongest-influences.ts';
 import { influencesLost } from '../../src/formats/influences-lost.ts';
 
 const rowOf = (...weights: readonly number[]) =>

@@ -1,6 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { buildCharacter } from '../../src/core/build-character.ts';
+import { setInfluences } from '../../src/document/weight-edits.ts';
 import type { Character } from '../../src/core/character.ts';
 import { axisDofs } from '../../src/core/pose.ts';
 import { DofKind } from '../../src/core/skeleton.ts';
@@ -10,7 +11,6 @@ import {
   resetPose,
   setMethod,
   setMorphWeight,
-  setInfluences,
   setNormalizeWeights,
   setPose,
   setValue,

@@ -1,7 +1,8 @@
 import { signal } from '@preact/signals-core';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { bindClip, setInfluences } from '../../src/document/edits.ts';
+import { setInfluences } from '../../src/document/weight-edits.ts';
+import { bindClip } from '../../src/document/edits.ts';
 import { openCharacter } from '../../src/document/open-characters.ts';
 import { reconcile } from '../../src/document/reconcile.ts';
 import { Session } from '../../src/document/session.ts';

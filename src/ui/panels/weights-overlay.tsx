@@ -1,7 +1,7 @@
 import '../styles/weights.css';
 import { printable } from '../../core/diagnostics.ts';
-import { noJoint } from '../../core/skin.ts';
-import { byStrength, influencesOf } from '../../core/strongest-influences.ts';
+import { influencesOf, noJoint } from '../../core/skin.ts';
+import { byStrength } from '../../core/strongest-influences.ts';
 import type { Evaluation } from '../../evaluation/evaluation.ts';
 import { truncationOf } from '../../evaluation/truncation.ts';
 import { jointColorsOf } from '../../skinning/weights/joint-colors.ts';
