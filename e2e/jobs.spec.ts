@@ -1,4 +1,6 @@
+import { readFileSync } from 'node:fs';
 import { type Browser, expect, type Page } from '@playwright/test';
+import { PNG } from 'pngjs';
 import { capture, getPose } from './support/app.ts';
 import { catalogue } from './support/catalogue.ts';
 import { countedUser } from './support/counted-user.ts';
@@ -122,6 +124,51 @@ test('a sharer sends a link, and another sees the same picture: 2 presses', asyn
   await user.click(page.getByRole('menuitem', { name: 'Copy link' }));
   await expectShared(page, browser);
   expect(user.presses).toBeLessThanOrEqual(2);
+});
+
+test('an artist poses two people side by side, lights them and saves a framed picture: 25 presses', async ({
+  page,
+}) => {
+  await visit(page);
+  const user = countedUser(page);
+  await user.click(page.getByRole('button', { name: 'Add…' }));
+  await user.click(page.getByRole('dialog').getByRole('button', { name: 'Human', exact: true }));
+  await expect.poll(() => names(page)).toEqual(['human']);
+  await user.click(page.getByRole('button', { name: 'Duplicate the character' }));
+  await user.click(page.getByRole('button', { name: 'Frame the character' }));
+  await page.evaluate(() => window.sinew.settled());
+  const { x, y, width, height } = (await page.locator('canvas').boundingBox())!;
+  const poses = () =>
+    page.evaluate(() => window.sinew.characters.map(({ id }) => window.sinew.pose(undefined, id)));
+  const [before] = await poses();
+  for (const [right, down] of [
+    [0.157, 0.43],
+    [0.528, 0.45],
+  ] as const) {
+    const at = { x: x + right * width, y: y + down * height };
+    const [from, to] = [
+      { x: at.x - 12, y: at.y - 24 },
+      { x: at.x + 12, y: at.y + 24 },
+    ];
+    const place = await find(page, from, to, 4, { limb: arm });
+    await user.click(place);
+    await expect(selected(page)).toHaveText(new RegExp(arm));
+    await user.drag(place, 4, -30);
+  }
+  const [one, other] = await poses();
+  for (const pose of [one, other]) expect(pose!.joints![arm]).not.toEqual(before!.joints![arm]);
+
+  const plain = await capture(page);
+  await user.click(page.locator('.lil-title').filter({ hasText: 'Light and floor' }));
+  await user.choose(page.locator('select[aria-label="Preset of light and floor"]'), 'Low sun');
+  expect((await capture(page)).equals(plain), 'they are lit').toBe(false);
+  await user.click(page.getByRole('button', { name: 'Keep this view as a shot' }).first());
+  await user.choose(page.locator('.shot-bar select'), '4:5');
+  const download = page.waitForEvent('download');
+  await user.click(page.getByRole('button', { name: 'Save a picture' }));
+  const picture = PNG.sync.read(readFileSync(await (await download).path()));
+  expect(picture.width / picture.height).toBeCloseTo(4 / 5, 2);
+  expect(user.presses).toBeLessThanOrEqual(25);
 });
 
 test.describe('by touch', () => {

@@ -9,6 +9,8 @@ interface CountedUser {
   readonly presses: number;
   click(target: Locator | Place): Promise<void>;
   drag(from: Place, right: number, down: number): Promise<void>;
+  /** Opens a menu and chooses from it: two presses. */
+  choose(menu: Locator, option: string): Promise<void>;
   /** Replaces the value of a field. */
   type(field: Locator, value: string): Promise<void>;
   /** Drops files from the disk, as from a window of the system. */
@@ -38,6 +40,10 @@ export function countedUser(page: Page): CountedUser {
       await mouse.move(x + right / 2, y + down / 2);
       await mouse.move(x + right, y + down);
       await mouse.up();
+    },
+    async choose(menu, option) {
+      presses += 2;
+      await menu.selectOption({ label: option });
     },
     async type(field, value) {
       presses++;
