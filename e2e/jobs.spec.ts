@@ -171,6 +171,33 @@ test('an artist poses two people side by side, lights them and saves a framed pi
   expect(user.presses).toBeLessThanOrEqual(25);
 });
 
+test('a rigger finds the joint that owns a vertex, keeps four influences and reads the error: 8 presses', async ({
+  page,
+}) => {
+  await visit(page);
+  const user = countedUser(page);
+  await user.click(page.getByRole('button', { name: 'Add…' }));
+  await user.click(page.getByRole('dialog').getByRole('button', { name: 'Dog', exact: true }));
+  await expect.poll(() => names(page)).toEqual(['dog']);
+  await user.click(page.getByRole('button', { name: 'Show the weights in color' }));
+  await user.click(page.getByRole('tab', { name: 'Deform' }));
+  await user.type(page.getByRole('spinbutton', { name: 'Vertex number' }), '4453');
+  await expect(page.getByRole('region', { name: 'Marked vertex' })).toContainText(
+    /#4453.*0\.\d{4}.*influences/,
+  );
+  // Choosing from a menu is two presses.
+  const keep = page.locator('.lil-controller:has(.lil-name:text-is("Keep influences")) select');
+  await user.click(keep);
+  await keep.selectOption({ label: '4' });
+  await expect(page.locator('[data-section="weights"]')).toContainText(
+    /at most .* % of the height/,
+  );
+  await expect(page.getByRole('region', { name: 'Legend of the weights' })).toContainText(
+    'unmoved',
+  );
+  expect(user.presses + 1).toBeLessThanOrEqual(8);
+});
+
 test.describe('by touch', () => {
   test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
 
