@@ -100,3 +100,19 @@ test('without texture coordinates a checker lies on a box, and an image around a
   await page().keyboard.press('Home');
   expectPicture('human-image', await capture(page()));
 });
+
+test('normals are drawn as lines, of the faces where the skin is faceted', async () => {
+  await choose(page(), 'Surface', 'Clay');
+  await choose(page(), 'Normals', 'mean of faces by angle');
+  await page().evaluate(() => {
+    const rows = [...document.querySelectorAll('.lil-controller')];
+    rows
+      .find((row) => row.textContent === 'Normals as lines')!
+      .querySelector('input')!
+      .click();
+  });
+  expectPicture('human-normals', await capture(page()));
+  const smooth = await capture(page());
+  await choose(page(), 'Shading', 'Faceted');
+  expect(Buffer.compare(await capture(page()), smooth)).not.toBe(0);
+});

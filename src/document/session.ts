@@ -127,6 +127,8 @@ export class Session {
   /** The points of the selected actor's mesh under the pointer, and marked by a click, or null. */
   readonly hoveredPoint = signal<number | null>(null);
   readonly markedPoint = signal<number | null>(null);
+  /** Whether normals are drawn as lines. */
+  readonly showNormals = signal(false);
   /** The result of verifying the selected actor. */
   readonly verification = signal<Verification | null>(null);
   /** The problems of the last files. */

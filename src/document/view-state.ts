@@ -20,6 +20,7 @@ const savedSignals = [
   'showWeights',
   'weightView',
   'unlitWeights',
+  'showNormals',
   'comparedKernel',
   'shownShot',
   'showThirds',

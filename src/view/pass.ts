@@ -13,6 +13,7 @@ export type PassId =
   | 'mesh'
   | 'weights'
   | 'lit-limb'
+  | 'normal-lines'
   | 'hidden-skeleton'
   | 'bone-lines'
   | 'overlay'

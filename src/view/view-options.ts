@@ -26,6 +26,7 @@ export interface SessionOptions {
   readonly showSkeleton: boolean;
   readonly skeletonStyle: SkeletonStyle;
   readonly showTextures: boolean;
+  readonly showNormals: boolean;
   readonly showAxes: boolean;
   readonly weights: WeightOptions | null;
   readonly translucent: boolean;
@@ -66,6 +67,7 @@ export function sessionOptionsOf(session: Session): SessionOptions {
     showSkeleton: session.showSkeleton.value,
     skeletonStyle: session.skeletonStyle.value,
     showTextures: session.showTextures.value,
+    showNormals: session.showNormals.value,
     showAxes: session.showAxes.value,
     weights: session.showWeights.value
       ? {

@@ -20,6 +20,7 @@ const signals: Codecs<SavedSignals> = {
   showWeights: flag,
   weightView: oneOf(weightViews.map(({ id }) => id)),
   unlitWeights: flag,
+  showNormals: flag,
   comparedKernel: orNull(oneOf(kernels.map(({ id }) => id))),
   shownShot: orNull(index),
   showThirds: flag,

@@ -42,6 +42,13 @@ export const viewCommands = [
     run: ({ session }) => toggle(session.translucent),
   },
   {
+    id: 'normal-lines',
+    label: 'Show or hide the normals as lines',
+    short: 'Normals as lines',
+    isOn: ({ session }) => session.showNormals.value,
+    run: ({ session }) => toggle(session.showNormals),
+  },
+  {
     id: 'compare',
     label: 'Compare two methods side by side, or stop',
     keys: [{ key: 'x' }],

@@ -28,11 +28,12 @@ export function addViewFolder(gui: GUI, editor: Editor): void {
     folder.add(signalField(session.skeletonStyle), 'value', styles).name('Skeleton as'),
     folder.add(signalField(session.showAxes), 'value').name('Axes'),
     folder.add(signalField(session.showTextures), 'value').name('Textures'),
+    folder.add(signalField(session.showNormals), 'value').name('Normals as lines'),
     folder.add(signalField(theme), 'value', themes).name('Colors'),
   ];
   const { showSkin, showSkeleton, skeletonStyle, showAxes, showTextures, translucent } = session;
   const flags = [showSkin, showSkeleton, skeletonStyle, showAxes, showTextures, translucent];
-  watch([...flags, theme, workspaceId], () => {
+  watch([...flags, session.showNormals, theme, workspaceId], () => {
     for (const row of rows) row.updateDisplay();
   });
 }

@@ -7,6 +7,7 @@ import { checkerboardPass } from './checkerboard.ts';
 import { floorPass } from './floor.ts';
 import { litLimbPass } from './lit-limb.ts';
 import { meshPass } from './mesh.ts';
+import { normalLinesPass } from './normal-lines.ts';
 import { overlayPass } from './overlay.ts';
 import { planarShadowPass } from './planar-shadow.ts';
 import { reflectionPass } from './reflection.ts';
@@ -24,6 +25,7 @@ export const passes: readonly Pass[] = [
   weightsPass,
   checkerboardPass,
   litLimbPass,
+  normalLinesPass,
   hiddenSkeletonPass,
   boneLinesPass,
   overlayPass,
