@@ -53,17 +53,19 @@ for (const method of await Promise.all(kernels.map(({ load }) => load()))) {
   });
 }
 
-test('the light on a limb links in every layout of influences', async () => {
-  const lights = influencePairs.map((pairs) => {
-    const defines = { INFLUENCE_PAIRS: pairs };
-    return {
-      name: `${pairs} pairs`,
-      vertex: resolveShader(files, 'passes/lit-limb.vert.glsl', defines),
-      fragment: resolveShader(files, 'passes/lit-limb.frag.glsl', defines),
-    };
+for (const pass of ['lit-limb', 'weights']) {
+  test(`${pass}, which reads weights, links in every layout of influences`, async () => {
+    const lights = influencePairs.map((pairs) => {
+      const defines = { INFLUENCE_PAIRS: pairs };
+      return {
+        name: `${pairs} pairs`,
+        vertex: resolveShader(files, `passes/${pass}.vert.glsl`, defines),
+        fragment: resolveShader(files, `passes/${pass}.frag.glsl`, defines),
+      };
+    });
+    expect(await problemsOf(page(), lights)).toEqual([]);
   });
-  expect(await problemsOf(page(), lights)).toEqual([]);
-});
+}
 
 test('shaders that do not compile or link are reported', async () => {
   const [sound] = passes;
