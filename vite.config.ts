@@ -16,7 +16,7 @@ const firstScripts = [
     test: modules(
       'preload-helper',
       'dist/signals-core.module',
-      'esm/(common|mat4|vec4|quat)',
+      'esm/(common|mat4)',
       'core/(assert|bounds|coordinate-hinges|diagnostics|display-boxes|failure|float32)',
       'core/(forward-kinematics|joint-transforms|limits|mesh|morph|pose|skeleton|skin)',
       'core/vertex-normals',

@@ -3,6 +3,7 @@ import '@preact/signals';
 import { effect } from '@preact/signals-core';
 import { render } from 'preact';
 import { followCursor } from '../ui/cursor.ts';
+import { listenToDrops } from '../ui/drop-zone.ts';
 import { listenToKeys } from '../ui/keys.ts';
 import { nameView } from '../ui/name-view.ts';
 import { keepOneTool } from '../ui/one-tool.ts';
@@ -51,6 +52,7 @@ export function startInterface(
   addSplitter(layout, 'right');
   addSheetHandle(layout.root, editor);
   listenToKeys(editor);
+  listenToDrops(opening, layout.canvas);
   listenToPaste(opening);
   followLinks(opening.parts);
   runClock(editor.session, editor.transport);

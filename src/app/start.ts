@@ -6,7 +6,7 @@ import { Store } from '../document/store.ts';
 import { Evaluations } from '../evaluation/evaluations.ts';
 import { Kernels } from '../evaluation/kernels.ts';
 import { failureText } from '../ui/attempt.ts';
-import { listenToDrops } from '../ui/drop-zone.ts';
+import { guardDrops } from '../ui/guard-drops.ts';
 import { loadSkinningShader } from '../view/skinning-shaders.ts';
 import { Viewer } from '../view/viewer.ts';
 import {
@@ -58,7 +58,7 @@ export async function start(root: HTMLElement): Promise<void> {
   const opening = createOpening(store, session, evaluations, viewer, catalogue);
   layout.follow(viewer, isTest ? 1 : undefined);
   followTheme(opening.theme, viewer);
-  listenToDrops(opening, layout.canvas);
+  guardDrops();
 
   // An empty picture would only keep the first character waiting.
   viewer.waiting.value = true;
@@ -84,8 +84,8 @@ export async function start(root: HTMLElement): Promise<void> {
 }
 
 /**
- * Opens what the page's address names; without names, the scene that was kept, or else the first one. An unknown name gives a
- * message, and the first entry is opened.
+ * Opens what the page's address names; without names, the scene that was kept, or else the first
+ * one. An unknown name gives a message, and the first entry is opened.
  */
 async function openNamed(
   opening: OpeningOfScenes,

@@ -64,7 +64,7 @@ export function boneFrames(skeleton: Skeleton): BoneFrame[] {
       destination,
       parent,
       length,
-      translation: mat4.fromTranslation(identity(), above ? [above.length, 0, 0] : from),
+      translation: mat4.translate(identity(), identity(), above ? [above.length, 0, 0] : from),
       rotation: above ? between(above.axes, axes) : axes,
       axes,
       sourceAxes: between(turnOf(world, source), axes),

@@ -6,8 +6,11 @@ import { type AngleConvention, ShownAngles } from './shown-angles.ts';
 
 /** R = Rx · Ry · Rz. */
 const ballConvention: AngleConvention = {
-  anglesOf: (quaternion, near) =>
-    extractEuler(mat4.fromQuat(new Float64Array(16), Array.from(quaternion)), 'xyz', near),
+  anglesOf(quaternion, near) {
+    const rotation = new Float64Array(16);
+    mat4.fromRotationTranslation(rotation, Array.from(quaternion), [0, 0, 0]);
+    return extractEuler(rotation, 'xyz', near);
+  },
   quaternionOf: (angles) => quaternionOf([...angles]),
 };
 

@@ -1,5 +1,3 @@
-import type { Edit } from './edit.ts';
-
 /** A distant light; the first one casts shadows. */
 export interface Light {
   readonly name: string;
@@ -70,24 +68,3 @@ export const studio: Environment = {
   floor: { kind: 'checks', reflection: 0 },
   background: { kind: 'theme', color: '#c9d3dd', topColor: '#8fa3b8' },
 };
-
-/** Changes some of what surrounds the actors. */
-export function setEnvironment(change: Partial<Environment>, label: string): Edit {
-  return {
-    label,
-    apply: (scene) => ({ ...scene, environment: { ...scene.environment, ...change } }),
-  };
-}
-
-/** Changes some of one light. */
-export function setLight(index: number, change: Partial<Light>, label: string): Edit {
-  return {
-    label,
-    apply(scene) {
-      const lights = scene.environment.lights.map((light, i) =>
-        i === index ? { ...light, ...change } : light,
-      );
-      return { ...scene, environment: { ...scene.environment, lights } };
-    },
-  };
-}

@@ -1,4 +1,4 @@
-import { mat4 } from 'gl-matrix';
+import { mat4, type ReadonlyVec3 } from 'gl-matrix';
 import { tangentAxes } from '../core/bone-frames.ts';
 import { type Bone, bonesOf } from '../core/bones.ts';
 import type { CharacterView } from './character-view.ts';
@@ -66,7 +66,7 @@ export function jointInstances(view: CharacterView, marks: JointMarks): Float32A
   const { jointCount } = view.state.character.skeleton;
   const instances = new Float32Array(jointCount * instanceSize);
   const radius = jointRadius / view.display.scale;
-  const jointFromSphere = mat4.fromScaling(new Float64Array(16), [radius, radius, radius]);
+  const jointFromSphere = placedSolid([0, 0, 0], [radius, radius, radius]);
   for (let joint = 0; joint < jointCount; joint++) {
     writeInstance(
       view,
@@ -138,8 +138,7 @@ export function boxInstances(view: CharacterView, marks: JointMarks): Float32Arr
     const box = displayBoxes.subarray(joint * 6, joint * 6 + 6);
     const middle = [0, 1, 2].map((i) => (box[i]! + box[i + 3]!) / 2) as [number, number, number];
     const half = [0, 1, 2].map((i) => (box[i + 3]! - box[i]!) / 2) as [number, number, number];
-    const jointFromCube = mat4.fromTranslation(new Float64Array(16), middle);
-    mat4.scale(jointFromCube, jointFromCube, half);
+    const jointFromCube = placedSolid(middle, half);
     writeInstance(
       view,
       joint,
@@ -206,3 +205,10 @@ function writeInstance(
 }
 
 const sceneFromSolid: mat4 = new Float64Array(16);
+
+/** Returns the matrix that moves the unit solid to a place and gives it half its size on each axis. */
+function placedSolid(middle: ReadonlyVec3, half: ReadonlyVec3): mat4 {
+  const matrix: mat4 = new Float64Array(16);
+  mat4.fromRotationTranslation(matrix, [0, 0, 0, 1], middle);
+  return mat4.scale(matrix, matrix, half);
+}

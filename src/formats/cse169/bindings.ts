@@ -1,4 +1,4 @@
-import { mat4 } from 'gl-matrix';
+import { mat3, mat4 } from 'gl-matrix';
 import type { Scanner } from './scanner.ts';
 import { closeRows, endsEarly } from './sections.ts';
 
@@ -78,7 +78,7 @@ function readMatrix(scanner: Scanner, bind: Float64Array): void {
 }
 
 function invert(scanner: Scanner, joint: number, bind: Float64Array, inverse: Float64Array): void {
-  const determinant = mat4.determinant(bind);
+  const determinant = mat3.determinant(mat3.fromMat4(new Float64Array(9), bind));
   const found = `determinant ${Number(determinant.toPrecision(3))}`;
   const inverted = Math.abs(determinant) >= smallestDeterminant && mat4.invert(inverse, bind);
   const fits =

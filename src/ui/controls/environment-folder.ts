@@ -1,10 +1,10 @@
 import type { GUI } from 'lil-gui';
-import {
-  type BackgroundKind,
-  type Environment,
-  type FloorKind,
-  setEnvironment,
-  type ShadowKind,
+import { setEnvironment } from '../../document/environment-edits.ts';
+import type {
+  BackgroundKind,
+  Environment,
+  FloorKind,
+  ShadowKind,
 } from '../../document/environment.ts';
 import { lightPresets, presetOf } from '../../document/light-presets.ts';
 import type { Editor } from '../editor.ts';

@@ -1,5 +1,5 @@
 import type { GUI } from 'lil-gui';
-import { setEnvironment, setLight } from '../../document/environment.ts';
+import { setEnvironment, setLight } from '../../document/environment-edits.ts';
 import type { Looking } from '../editor.ts';
 import {
   addColorRow,

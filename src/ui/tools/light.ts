@@ -1,4 +1,4 @@
-import { setLight } from '../../document/environment.ts';
+import { setLight } from '../../document/environment-edits.ts';
 import { isInFront, type LightAngles, lightAnglesAt } from '../../view/light-drag.ts';
 import type { LightHandle } from '../../view/light-handles.ts';
 import { pixelsIn } from '../../view/overlay.ts';

@@ -6,6 +6,8 @@ import type { Pass } from '../pass.ts';
 import { floorDefines, floorPlane, floorUniforms, hasFloor } from './floor.ts';
 
 const mirrorUnit = 5;
+/** Turns a picture upside down, in clip space. */
+const upsideDown = Float64Array.of(1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1);
 
 /**
  * Draws what the floor mirrors over it, more the flatter one looks at it. The mirrored scene is a
@@ -56,8 +58,7 @@ export const reflectionPass: Pass = {
  */
 function mirrored(frame: Frame): Frame {
   const mirror = planarMirror(floorPlane);
-  const flipped = mat4.fromScaling(new Float64Array(16), [1, -1, 1]);
-  mat4.multiply(flipped, flipped, frame.clipFromScene);
+  const flipped = mat4.multiply(new Float64Array(16), upsideDown, frame.clipFromScene);
   const clipFromScene = clippedBehind(mat4.multiply(flipped, flipped, mirror), floorPlane);
   const eye = vec3.transformMat4(new Float64Array(3), frame.eye, mirror);
   const uniforms = { ...frame.uniforms, clipFromScene: Float32Array.from(clipFromScene), eye };
