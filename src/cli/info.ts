@@ -6,9 +6,10 @@ import { printable } from '../core/diagnostics.ts';
 import { jointMatrices } from '../core/forward-kinematics.ts';
 import { axisDofs } from '../core/pose.ts';
 import { DofKind, noParent, type Skeleton } from '../core/skeleton.ts';
-import { largestInfluenceCount } from '../core/skin.ts';
+import { largestInfluenceCount, type Skin } from '../core/skin.ts';
 import { readCharacters } from '../formats/read-characters.ts';
 import { writeFloat32 } from '../formats/text/write-number.ts';
+import { rowCount } from '../skinning/weights/views.ts';
 import type { Command } from './command.ts';
 import { printDiagnostics, readFiles } from './files.ts';
 import { parseWords } from './parse-words.ts';
@@ -57,6 +58,7 @@ function describe(character: Character) {
     vertices: mesh.pointCount,
     triangles: mesh.indices.length / 3,
     largestInfluenceCount: largestInfluenceCount(skin),
+    verticesOverFourInfluences: countOver(skin, 4),
     materials: character.materials,
     morphs: character.morphs.map((morph) => {
       return { name: morph.name, vertices: morph.parts.points.length };
@@ -78,6 +80,15 @@ function describe(character: Character) {
       };
     }),
   };
+}
+
+/** How many points have more influences than that. */
+function countOver(skin: Skin, most: number): number {
+  let count = 0;
+  for (let point = 0; point + 1 < skin.start.length; point++) {
+    if (rowCount(skin, point) > most) count++;
+  }
+  return count;
 }
 
 /**
@@ -129,10 +140,12 @@ function describeDofs(skeleton: Skeleton, joint: number) {
 
 function summary(character: Description): string {
   const { name, joints, vertices, triangles, largestInfluenceCount: influences } = character;
+  const over = character.verticesOverFourInfluences;
+  const some = over > 0 ? `, more than 4 at ${over} of the vertices` : '';
   const missing = character.missing.length > 0 ? `, without ${character.missing.join(', ')}` : '';
   return [
     `${printable(name, longestName)}: ${joints.length} joints, ${vertices} vertices, ${triangles} triangles, ` +
-      `at most ${influences} influences${missing}`,
+      `at most ${influences} influences${some}${missing}`,
     ...joints.map(
       ({ index, name: own, parent }) =>
         `  #${index} ${printable(own, longestName)} (parent ${parent})`,

@@ -6,7 +6,9 @@ import type { Mesh } from '../core/mesh.ts';
 import type { Pose } from '../core/pose.ts';
 import { createActor } from '../document/scene.ts';
 import { EvaluationPool } from '../evaluation/evaluation-pool.ts';
+import type { Evaluation } from '../evaluation/evaluation.ts';
 import { Evaluator } from '../evaluation/evaluator.ts';
+import { truncationLines, truncationOf } from '../evaluation/truncation.ts';
 import { extensionOf } from '../formats/file-entry.ts';
 import { writeObj } from '../formats/obj/write-obj.ts';
 import { readCharacters } from '../formats/read-characters.ts';
@@ -31,15 +33,16 @@ const normalsIds = normalWays.map(({ id }) => id).join('|');
 /**
  * `pose FILES --pose POSE.json --out OUT` writes posed vertices in the file's order and units, in
  * Sinew's right-handed space or, with `--keep-file-space`, in the space of the file. An OBJ gets
- * normals if `--normals` says which.
+ * normals if `--normals` says which. With `--influences`, it prints how far the vertices are from where
+ * all of their influences put them.
  */
 export const pose: Command = {
   name: 'pose',
   usage:
-    `pose FILES --pose POSE.json [--method ${methodIds}] [--normals ${normalsIds}] [--normalize] [--keep-file-space]` +
+    `pose FILES --pose POSE.json [--method ${methodIds}] [--normals ${normalsIds}] [--influences K] [--normalize] [--keep-file-space]` +
     ' --out OUT.obj|OUT.f32',
   summary:
-    'Writes the posed vertices of one character, in the order and the units of its file, as an OBJ mesh or as raw floats. An OBJ has normals if --normals says which.',
+    'Writes the posed vertices of one character, in the order and the units of its file, as an OBJ mesh or as raw floats. An OBJ has normals if --normals says which. With --influences only the K strongest weights of each vertex are kept, and the error that this makes is printed.',
   async run(words) {
     const options = parseOptions(words);
     const { files, diagnostics: missing } = readFiles(options.files);
@@ -54,8 +57,11 @@ export const pose: Command = {
       if (character?.mesh.pointCount === 0) console.error('error: there is no mesh to pose');
       return 1;
     }
-    const bytes = await poseMesh(character, parsed.value, options);
-    return writeOut(options.out, bytes) ? 0 : 1;
+    const evaluation = await evaluate(character, parsed.value, options);
+    if (!writeOut(options.out, bytesOf(evaluation, options))) return 1;
+    const truncation = truncationOf(evaluation);
+    if (truncation) console.log(truncationLines(truncation).join('\n'));
+    return 0;
   },
 };
 
@@ -69,6 +75,7 @@ function parseOptions(words: readonly string[]) {
         pose: { type: 'string' },
         method: { type: 'string' },
         normals: { type: 'string' },
+        influences: { type: 'string' },
         normalize: { type: 'boolean', default: false },
         'keep-file-space': { type: 'boolean', default: false },
         out: { type: 'string' },
@@ -86,12 +93,17 @@ function parseOptions(words: readonly string[]) {
   const way = normalWays.find(({ id }) => id === normals)?.id;
   if (normals !== undefined && !way)
     throw new UsageError(`expected ${normalsIds}, found "${normals}"`);
+  const influences = values.influences === undefined ? null : Number(values.influences);
+  if (influences !== null && !(Number.isInteger(influences) && influences >= 1)) {
+    throw new UsageError(`expected --influences 1 or more, found "${values.influences}"`);
+  }
   const extension = extensionOf(out ?? '');
   if (out === undefined || (extension !== '.obj' && extension !== '.f32')) {
     throw new UsageError('expected --out with a name that ends in .obj or .f32');
   }
   const keepFileSpace = values['keep-file-space'];
-  return { files, pose: posePath, method: kernel?.id, normals: way, normalize, keepFileSpace, out };
+  const deformation = { method: kernel?.id, normals: way, normalize, influences };
+  return { files, pose: posePath, ...deformation, keepFileSpace, out };
 }
 
 function readPose(
@@ -109,7 +121,7 @@ function readPose(
   }
 }
 
-async function poseMesh(character: Character, posed: Pose, options: Options): Promise<Uint8Array> {
+async function evaluate(character: Character, posed: Pose, options: Options): Promise<Evaluation> {
   const deformation = options.method
     ? deformationOf(options.method)
     : defaultDeformation(character);
@@ -117,12 +129,18 @@ async function poseMesh(character: Character, posed: Pose, options: Options): Pr
     ...deformation,
     ...(options.normals && { normals: options.normals }),
   };
-  const kept = { ...posed, normals, normalizeWeights: options.normalize };
+  const { normalize: normalizeWeights, influences } = options;
+  const kept = { ...posed, normals, normalizeWeights, influences };
   const actor = createActor(1, character, method, kept);
   const pool = new EvaluationPool();
   await pool.kernels.loadFor(actor);
   pool.kernels.wasm = await wasmKernel();
-  const skinned = new Evaluator(actor, pool).vertices();
+  return new Evaluator(actor, pool);
+}
+
+function bytesOf(evaluation: Evaluation, options: Options): Uint8Array {
+  const { character } = evaluation.state;
+  const skinned = evaluation.vertices();
   const isMirrored = options.keepFileSpace && character.meta.fileSpace === 'left-handed';
   const mesh = isMirrored ? flipped(character.mesh) : character.mesh;
   const positions = isMirrored ? mirrored(skinned.positions) : skinned.positions;

@@ -57,6 +57,25 @@ export function truncationOf(evaluation: Evaluation): Truncation | null {
   return held.truncation;
 }
 
+/** Says what keeping few influences does to the pose; lengths are in model units. */
+export function truncationLines(truncation: Truncation): string[] {
+  const { errors, movedCount, largest, mean, worst, height } = truncation;
+  const count = (number: number): string => number.toLocaleString('en');
+  if (movedCount === 0) return ['It moves no vertex in this pose'];
+  const length = (distance: number): string =>
+    `${rounded(distance, 3)} (${rounded((100 * distance) / height, 2)} % of the height)`;
+  return [
+    `${count(movedCount)} of ${count(errors.length)} vertices move`,
+    `at most ${length(largest)}, vertex #${worst}`,
+    `${length(mean)} in the mean of all`,
+  ];
+}
+
+/** Has these leading digits, and no power of ten up to 10²¹. */
+function rounded(value: number, digits: number): string {
+  return String(Number(value.toPrecision(digits)));
+}
+
 interface Held {
   readonly revision: number;
   /** (vertexCount × 3) where all influences put the vertices. */

@@ -2,7 +2,7 @@ import { vec3 } from 'gl-matrix';
 import { batch } from '@preact/signals-core';
 import { setInfluences } from '../document/weight-edits.ts';
 import { selectedActor } from '../document/selected-actor.ts';
-import { type Truncation, truncationOf } from '../evaluation/truncation.ts';
+import { truncationLines, truncationOf } from '../evaluation/truncation.ts';
 import type { Looking, Telling } from './editor.ts';
 
 /** Shows the weights of the selected character in color, as last time, or its materials. */
@@ -30,20 +30,6 @@ export function keepStrongest(editor: Looking & Telling, count: number | null): 
   const shown = evaluations.selected();
   const found = shown && truncationOf(shown);
   notice.value = found ? truncationLines(found).join(', ') : 'All influences are kept';
-}
-
-/** What keeping few influences does to the pose that is shown. */
-export function truncationLines(truncation: Truncation): string[] {
-  const { errors, movedCount, largest, mean, worst, height } = truncation;
-  const count = (number: number): string => number.toLocaleString('en');
-  if (movedCount === 0) return ['It moves no vertex in this pose'];
-  const length = (distance: number): string =>
-    `${distance.toPrecision(3)} (${((100 * distance) / height).toPrecision(2)} % of the height)`;
-  return [
-    `${count(movedCount)} of ${count(errors.length)} vertices move`,
-    `at most ${length(largest)}, vertex #${worst}`,
-    `${length(mean)} in the mean of all`,
-  ];
 }
 
 /** Marks a point and turns the camera to it, so that it is seen from outside. */

@@ -93,6 +93,31 @@ describe('pose', () => {
     expect(await faces('--normals', 'angle')).toContain('vn 0 0 -1');
   });
 
+  it('keeps the strongest weights with --influences, and says what that moves', async () => {
+    const pose = { 'p.json': '{"joints": {"#2": [0, 0, 3.141592653589793]}}' };
+    const words = [...names, '--pose', 'p.json', '--out', 'o.obj', '--influences'];
+    const positions = async (count: string): Promise<string[]> => {
+      out = [];
+      const { folder, code } = run('pose', { ...files, ...pose }, ...words, count);
+      expect(await code).toBe(0);
+      return readFileSync(join(folder, 'o.obj'), 'utf8').match(/^v .*$/gm)!;
+    };
+    // Joint 2 turns points half around (0, 1). The second point is the sum of 0.5 (0, 2) and
+    // 0.25 (0, 0), or 0.75 (0, 2) alone; the third 0.4 (1, 2) + 0.6 (-1, 0), or (-1, 0) alone. With its
+    // joints, the character is 2 high.
+    const y = (lines: readonly string[]) => lines.map((line) => Number(line.split(' ')[2]));
+    const alone = y(await positions('1'));
+    [1, 1.5, 0].forEach((wanted, point) => expect(alone[point]).toBeCloseTo(wanted, 6));
+    expect(out).toEqual([
+      '2 of 3 vertices move\n' +
+        'at most 1.13 (57 % of the height), vertex #2\n' +
+        '0.544 (27 % of the height) in the mean of all',
+    ]);
+    const both = y(await positions('2'));
+    [1, 1, 0.8].forEach((wanted, point) => expect(both[point]).toBeCloseTo(wanted, 6));
+    expect(out).toEqual(['It moves no vertex in this pose']);
+  });
+
   it('with --method rigid follows the heaviest joint alone', async () => {
     const pose = { 'p.json': '{"joints": {"#2": [0, 0, 3.141592653589793]}}' };
     const words = [...names, '--pose', 'p.json', '--method', 'rigid', '--out', 'o.obj'];
@@ -163,6 +188,8 @@ describe('pose', () => {
     [[...names, '--pose', 'p.json'], 'expected --out'],
     [[...names, '--pose', 'p.json', '--out', 'o.txt'], 'ends in .obj or .f32'],
     [[...names, '--pose', 'p.json', '--method', 'x', '--out', 'o.obj'], 'found "x"'],
+    [[...names, '--pose', 'p.json', '--influences', '0', '--out', 'o.obj'], 'found "0"'],
+    [[...names, '--pose', 'p.json', '--influences', '1.5', '--out', 'o.obj'], 'found "1.5"'],
     [[...names, '--pose', 'p.json', '--bend', '--out', 'o.obj'], '--bend'],
     [[...names, 'p.json', '--out'], '--out'],
   ])('is used wrongly as %j', async (words, message) => {
@@ -222,6 +249,17 @@ describe('info', () => {
       'a: 3 joints, 3 vertices, 1 triangles, at most 2 influences\n' +
         '  #0 joint 00 (parent -1)\n  #1 joint 01 (parent 0)\n  #2 joint 02 (parent 1)',
     ]);
+  });
+
+  it('counts the vertices with more than four weights that are not zero', async () => {
+    const joints = Array.from({ length: 6 }, (_, joint) => `0 1 0 ${joint - 1}\n`);
+    const contents = {
+      'a.skel': joints.join(''),
+      'a.obj': files['a.obj'],
+      'a.attach': '1 0 0 0 0\n0.2 0.2 0.2 0.2 0.2\n0.25 0.25 0.25 0 0.25\n',
+    };
+    expect(await run('info', contents, ...names).code).toBe(0);
+    expect(out[0]).toContain('at most 5 influences, more than 4 at 1 of the vertices\n');
   });
 
   it('exits with 0 if there is a character, and lists what is missing', async () => {

@@ -59,6 +59,7 @@ describe.concurrent('sinew, as a process', () => {
         vertices: 9,
         triangles: 5,
         largestInfluenceCount: 2,
+        verticesOverFourInfluences: 0,
         joints: [
           { index: 0, name: 'joint 00', parent: 2, offset: [0, 1, 0] },
           { index: 1, parent: 0 },

@@ -1,13 +1,13 @@
 import { effect } from '@preact/signals-core';
 import type { GUI } from 'lil-gui';
 import { selectedActor } from '../../document/selected-actor.ts';
-import { truncationOf } from '../../evaluation/truncation.ts';
+import { truncationLines, truncationOf } from '../../evaluation/truncation.ts';
 import { type WeightViewId, weightViews } from '../../skinning/weights/views.ts';
 import { runCommand } from '../commands/command.ts';
 import { commandOf } from '../commands/registry.ts';
 import type { Editor } from '../editor.ts';
 import { onceAFrame } from '../once-a-frame.ts';
-import { keepStrongest, toggleWeights, truncationLines } from '../weights.ts';
+import { keepStrongest, toggleWeights } from '../weights.ts';
 import { addNote } from './note.ts';
 import { field, signalField } from './signal-field.ts';
 
