@@ -21,8 +21,12 @@ export async function allowFaults(page: Page): Promise<void> {
     prototype.shaderSource = function (shader, source) {
       let faulty = source;
       for (const [text, replacement] of window.faults) {
-        if (faulty.includes(text)) window.planted.add(text);
-        faulty = faulty.replaceAll(text, () => replacement);
+        // The built shaders have few spaces.
+        const loose = text.replace(/[.*+?^${}()|[\]\\]/g, '\\$&').replace(/\s+/g, '\\s*');
+        faulty = faulty.replaceAll(new RegExp(loose, 'g'), () => {
+          window.planted.add(text);
+          return replacement;
+        });
       }
       shaderSource.value!.call(this, shader, faulty);
     };

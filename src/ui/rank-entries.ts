@@ -10,6 +10,7 @@ export interface Findable {
 const fits: readonly ((label: string, query: string) => boolean)[] = [
   (label, query) => label.startsWith(query),
   (label, query) => wordStarts(label).some((start) => label.startsWith(query, start)),
+  (label, query) => label[0] === query[0] && startsWords(label, query.replaceAll(' ', '')),
   (label, query) => startsWords(label, query.replaceAll(' ', '')),
   (label, query) => label.includes(query),
   (label, query) => hasInOrder(label, query.replaceAll(' ', '')),
@@ -18,8 +19,9 @@ const fits: readonly ((label: string, query: string) => boolean)[] = [
 /**
  * Returns the entries that fit what was typed, the best first. Labels that start with it come first,
  * then those with a word that does, then those whose words start with its parts ("le el" or "leel":
- * left elbow), then those that contain it, then those with its letters in order. Among equals,
- * commands come first, then what was used lately, then short labels.
+ * left elbow), those of the first word before others, then those that contain it, then those with
+ * its letters in order. Among equals, commands come first, then what was used lately, then short
+ * labels.
  *
  * @param recent ids, the last used first
  */
@@ -39,7 +41,7 @@ export function rankEntries<Entry extends Findable>(
 /** Whether a label fits what was typed at all. */
 export function fitsQuery(label: string, typed: string): boolean {
   const query = typed.trim().toLowerCase();
-  return fits.slice(0, 4).some((fit) => fit(label.toLowerCase(), query));
+  return fits.slice(0, -1).some((fit) => fit(label.toLowerCase(), query));
 }
 
 /** What entries are ordered by; the first number is -1 if the entry does not fit. */

@@ -25,7 +25,7 @@ export async function encodePicture(picture: Picture, format: PictureFormat): Pr
   const blob = await new Promise<Blob | null>((resolve) => {
     canvas.toBlob(resolve, `image/${format}`, lossyQuality);
   });
-  if (!blob) throw new Failure(noRoom);
+  if (!blob) throw new Failure('The browser could not make a file of the picture');
   // A browser that does not write a format gives a PNG in its place.
   if (blob.type !== `image/${format}`) {
     throw new Failure(`This browser writes no ${format.toUpperCase()} of this size; PNG it does`);
