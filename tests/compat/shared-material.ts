@@ -25,6 +25,10 @@ export function describeWithShared(
   }
 }
 
+export function sharedPath(path: string): string {
+  return resolve(shared, path);
+}
+
 export function sharedBytes(path: string): Uint8Array {
   return new Uint8Array(readFileSync(resolve(shared, path)));
 }
