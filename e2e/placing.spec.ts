@@ -254,7 +254,7 @@ test('a hundred posed copies share mesh, weights and textures; each adds three b
       (bufferData as (...all: unknown[]) => void).apply(this, parameters);
     };
   });
-  await own.goto('./?test&model=human');
+  await own.goto('./?test&model=tube');
   await own.evaluate(() => window.sinew.ready);
   const held = () =>
     own.evaluate(async () => {
@@ -265,12 +265,12 @@ test('a hundred posed copies share mesh, weights and textures; each adds three b
   const pose = () =>
     own.evaluate(() => {
       for (const { id } of window.sinew.characters) {
-        window.sinew.pose({ joints: { Head: [0.01 * id, 0.2, 0] } }, id);
+        window.sinew.pose({ joints: { 'joint 01': [0.01 * id, 0.2, 0] } }, id);
       }
     });
   const one = await held();
   await own.evaluate(async () => {
-    for (let count = 1; count < 100; count++) await window.sinew.add('human');
+    for (let count = 1; count < 100; count++) await window.sinew.add('tube');
   });
   await pose();
   const all = await held();
