@@ -1,6 +1,6 @@
 import type { PoseJson } from '../src/formats/pose-json.ts';
 import { kernelById, menuName } from '../src/skinning/registry.ts';
-import { capture, choose, openView, setPose, startOver } from './support/app.ts';
+import { capture, choose, openView, type PictureSize, setPose, startOver } from './support/app.ts';
 import { expectPicture } from './support/pictures.ts';
 import { hardPose } from './support/poses.ts';
 import { sharedPage, test } from './support/test.ts';
@@ -21,13 +21,19 @@ interface Scene {
   readonly morphs?: Readonly<Record<string, number>>;
   /** The time of the character's clip, in seconds. */
   readonly time?: number;
-  /** Labels of menus of the light and the floor, and what to choose there, in order. */
-  readonly surroundings?: Readonly<Record<string, string>>;
-  /** The label of the skeleton's style in the controls. */
-  readonly skeletonAs?: string;
+  /** Labels of menus in the controls, and what to choose there, in order. */
+  readonly menus?: Readonly<Record<string, string>>;
+  /** The name of the joint to select. */
+  readonly joint?: string;
+  /** The size of the picture, if it is not that of the view, in pixels. */
+  readonly size?: PictureSize;
   /** The keys to press, in order. */
   readonly keys?: readonly string[];
 }
+
+/** The weights of a limb show at half the size. */
+const half = { width: 240, height: 320 };
+const weights = { pose: hardPose, size: half, keys: ['Home'] };
 
 const scenes: Readonly<Record<string, Scene>> = {
   'human-smooth': {},
@@ -42,17 +48,26 @@ const scenes: Readonly<Record<string, Scene>> = {
   'human-translucent': { keys: ['s', 's', 't'] },
   'two-methods': { pose: hardPose, keys: ['Home', 'x'] },
   'three-actors': { added: ['dog', 'insect'], time: 0.8, keys: ['s', 's', ']'] },
-  'planar-shadow': { added: ['dog'], surroundings: { Preset: 'Noon' }, keys: ['Home'] },
+  'planar-shadow': { added: ['dog'], menus: { Preset: 'Noon' }, keys: ['Home'] },
+  'weights-joints': { ...weights, menus: { 'Colors (v)': 'All joints' } },
+  'weights-joint': { ...weights, menus: { 'Colors (v)': 'One joint' }, joint: 'Left upper arm' },
+  'weights-count': { ...weights, menus: { 'Colors (v)': 'Number of influences' } },
+  'weights-error': { ...weights, menus: { 'Keep influences': '2' } },
   'hand-both': { model: 'hand', keys: ['s', 's'] },
   dog: { model: 'dog' },
-  'dog-low-sun': { model: 'dog', surroundings: { Preset: 'Low sun' } },
-  'dog-mirrored': { model: 'dog', surroundings: { Preset: 'Back light' }, keys: ['s', 's'] },
+  'dog-low-sun': { model: 'dog', menus: { Preset: 'Low sun' } },
+  'dog-mirrored': { model: 'dog', menus: { Preset: 'Back light' }, keys: ['s', 's'] },
   'tube-twisted': { model: 'tube' },
   'insect-boxes': { model: 'insect', workspace: 'cse169' },
   'insect-boxes-skin': { model: 'insect', workspace: 'cse169', keys: ['s'] },
   'insect-textured': { model: 'insect' },
   'insect-morph': { model: 'insect', morphs: { insect_alert: 1, insect_breathe: 1 } },
-  'insect-walk-1': { model: 'insect', time: 0.35, skeletonAs: 'Both', keys: ['s', 's', 't'] },
+  'insect-walk-1': {
+    model: 'insect',
+    time: 0.35,
+    menus: { 'Skeleton as': 'Both' },
+    keys: ['s', 's', 't'],
+  },
   'insect-walk-2': { model: 'insect', time: 0.8 },
   'insect-walk-3': { model: 'insect', time: 1.25 },
 };
@@ -66,7 +81,7 @@ let loaded = '';
 
 for (const [name, scene] of Object.entries(scenes)) {
   const { model = 'human', workspace = 'studio', dark = false, added = [], keys = [] } = scene;
-  const { pose, method, morphs, time, skeletonAs, surroundings = {} } = scene;
+  const { pose, method, morphs, time, menus = {}, joint, size } = scene;
   test(name, async () => {
     await page().emulateMedia({ colorScheme: dark ? 'dark' : 'light' });
     if (loaded !== model) await openView(page(), `model=${model}`);
@@ -75,7 +90,7 @@ for (const [name, scene] of Object.entries(scenes)) {
     for (const id of added) await page().evaluate((id) => window.sinew.add(id), id);
     if (pose) await setPose(page(), pose);
     if (method !== undefined) await choose(page(), 'Method', method);
-    if (skeletonAs !== undefined) await choose(page(), 'Skeleton as', skeletonAs);
+    for (const [row, option] of Object.entries(menus)) await choose(page(), row, option);
     await page().evaluate(
       ({ morphs, time }) => {
         if (morphs) window.sinew.morphs(morphs);
@@ -83,8 +98,10 @@ for (const [name, scene] of Object.entries(scenes)) {
       },
       { morphs, time },
     );
-    for (const [row, option] of Object.entries(surroundings)) await choose(page(), row, option);
+    if (joint !== undefined) {
+      await page().locator('[role=treeitem]', { hasText: joint }).dispatchEvent('click');
+    }
     for (const key of keys) await page().keyboard.press(key);
-    expectPicture(name, await capture(page()));
+    expectPicture(name, await capture(page(), 'png', size));
   });
 }

@@ -157,9 +157,20 @@ export async function verify(page: Page): Promise<Verification> {
   return verification;
 }
 
-/** Captures the view and returns the file. */
-export async function capture(page: Page, format: PictureFormat = 'png'): Promise<Buffer> {
-  return bytesOf(await page.evaluateHandle((format) => window.sinew.capture({ format }), format));
+/** In pixels. */
+export interface PictureSize {
+  readonly width: number;
+  readonly height: number;
+}
+
+/** Captures the view, in its own size if none is given, and returns the file. */
+export async function capture(
+  page: Page,
+  format: PictureFormat = 'png',
+  size?: PictureSize,
+): Promise<Buffer> {
+  const options = { format, ...size };
+  return bytesOf(await page.evaluateHandle((options) => window.sinew.capture(options), options));
 }
 
 /** Reads a blob of the page through base64, which is many times faster than an array of numbers. */

@@ -71,8 +71,8 @@ export function truncationLines(truncation: Truncation): string[] {
   ];
 }
 
-/** Has these leading digits, and no power of ten up to 10²¹. */
-function rounded(value: number, digits: number): string {
+/** With so many leading digits, and without a power of ten up to 10²¹. */
+export function rounded(value: number, digits: number): string {
   return String(Number(value.toPrecision(digits)));
 }
 

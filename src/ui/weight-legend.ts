@@ -1,4 +1,4 @@
-import type { Truncation } from '../evaluation/truncation.ts';
+import { rounded, type Truncation } from '../evaluation/truncation.ts';
 import {
   belowColor,
   type Bytes,
@@ -83,7 +83,7 @@ export const weightLegends: Readonly<Record<WeightViewId, Describe>> = {
     return {
       note: 'Distance to where all influences put a vertex',
       swatches: [swatch(zeroColor, 'unmoved')],
-      scale: { gradient: gradientOf(errorRamp), texts: ['0', truncation.largest.toPrecision(3)] },
+      scale: { gradient: gradientOf(errorRamp), texts: ['0', rounded(truncation.largest, 3)] },
     };
   },
 };
