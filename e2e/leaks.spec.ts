@@ -1,5 +1,6 @@
+import { readFileSync } from 'node:fs';
 import { expect } from '@playwright/test';
-import { drop, openSmallView } from './support/app.ts';
+import { choose, drop, openSmallView } from './support/app.ts';
 import { countHoldings, type Holdings, holdingsOf } from './support/holdings.ts';
 import { madeCharacter } from './support/made-character.ts';
 import { sharedPage, test } from './support/test.ts';
@@ -38,6 +39,30 @@ test('switching between a textured character with a playing clip and another lea
       await window.sinew.capture({ width: 64, height: 48 });
     });
     return holdingsOf(page());
+  };
+  const before = await round();
+  let after = before;
+  for (let i = 0; i < 2; i++) after = await round();
+  expect(after).toEqual(before);
+});
+
+test('an image on a character, and weights in color, leave nothing behind', async () => {
+  const image = readFileSync('public/data/insect/insect.png');
+  const drawn = async (): Promise<Holdings> => {
+    await page().evaluate(() => window.sinew.capture({ width: 64, height: 48 }));
+    return holdingsOf(page());
+  };
+  const round = async (): Promise<Holdings> => {
+    await page().evaluate(() => window.sinew.open('tube'));
+    const bare = await drawn();
+    await drop(page(), [{ name: 'cover.png', content: image }]);
+    const covered = await drawn();
+    expect(covered.objects['texture']).toBeGreaterThan(bare.objects['texture'] ?? 0);
+    for (const view of ['All joints', 'Error of the sum', 'Off']) {
+      await choose(page(), 'Colors (v)', view);
+    }
+    await page().evaluate(() => window.sinew.open('hand'));
+    return drawn();
   };
   const before = await round();
   let after = before;

@@ -1,6 +1,6 @@
 import { expect } from '@playwright/test';
-import { kernels } from '../src/skinning/registry.ts';
-import { chooseKernel, drop, openSmallView, setPose, verify } from './support/app.ts';
+import { kernels, normalWays, recomputedNormals } from '../src/skinning/registry.ts';
+import { choose, chooseKernel, drop, openSmallView, setPose, verify } from './support/app.ts';
 import { catalogue } from './support/catalogue.ts';
 import { madeCharacter } from './support/made-character.ts';
 import { wildPose } from './support/poses.ts';
@@ -44,6 +44,19 @@ for (const { id, files } of catalogue) {
     }
   });
 }
+
+test('normals that are recomputed from the posed faces reach the GPU', async () => {
+  await page().evaluate(() => window.sinew.open('tube'));
+  const shown: string[] = [];
+  for (const [index, { id, label }] of normalWays.entries()) {
+    if (recomputedNormals(id) === null) continue;
+    await choose(page(), 'Normals', label);
+    await setPose(page(), wildPose(3, 1 + index));
+    expect(await verify(page()), label).toMatchObject(same);
+    shown.push(id);
+  }
+  expect(shown).toEqual(['faces', 'area', 'angle']);
+});
 
 // A palette or influences that do not fit are stored in larger blocks, then in textures. These
 // agree too, and show that the check above can tell the layouts apart.
