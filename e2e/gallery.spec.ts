@@ -3,10 +3,19 @@ import { drop, type NamedFile, openApp } from './support/app.ts';
 import { violations } from './support/axe.ts';
 import { catalogue, scenes } from './support/catalogue.ts';
 import { madeCharacter } from './support/made-character.ts';
-import { test } from './support/test.ts';
+import { sharedPage, test } from './support/test.ts';
 
 // The gallery adds characters beside one another, or in place of a scene that nobody touched.
-test.use({ viewport: { width: 1000, height: 760 } });
+const size = { width: 1000, height: 600 };
+test.use({ viewport: size });
+/** The pictures that the page asked for. */
+const requested: string[] = [];
+const page = sharedPage(async (page) => {
+  page.on('request', (request) => {
+    if (request.url().includes('/pictures/')) requested.push(request.url());
+  });
+  await openApp(page, 'model=tube');
+});
 
 const gallery = (page: Page) => page.getByRole('dialog', { name: 'Add a character' });
 const shelf = (page: Page, name: string) => gallery(page).getByRole('region', { name });
@@ -19,90 +28,97 @@ async function openGallery(page: Page): Promise<void> {
   await expect(card(page, 'Human')).toBeVisible();
 }
 
-test('three characters of three courses stand beside one another after six presses', async ({
-  page,
-}) => {
-  await openApp(page, 'model=tube');
-  const presses = [
-    ['MIT 6.837', 'Human'],
-    ['UCSD CSE169', 'Insect'],
-    ['UT CS354', 'Mannequin'],
-  ] as const;
-  for (const [course, name] of presses) {
-    await openGallery(page);
-    await shelf(page, course).getByRole('button', { name }).click();
-    await expect(gallery(page)).toHaveCount(0);
-  }
-  // The first one took the place of the tube, which nobody had touched.
-  await expect.poll(async () => (await names(page)).length).toBe(3);
-  expect((await names(page)).slice(0, 2)).toEqual(['human', 'insect']);
-  await page.evaluate(() => window.sinew.settled());
-
-  for (let step = 0; step < 3; step++) await page.keyboard.press('Control+z');
-  expect(await names(page)).toEqual(['tube']);
-});
-
-test('presses with Shift keep the gallery open, and each waits for the one before', async ({
-  page,
-}) => {
-  await openApp(page, 'model=tube');
-  await openGallery(page);
-  for (const name of ['Hand', 'Dog', 'Human']) {
-    await card(page, name).click({ modifiers: ['Shift'] });
-  }
-  await expect(gallery(page)).toBeVisible();
-  await expect.poll(() => names(page)).toEqual(['hand', 'dog', 'human']);
-});
-
-test('pictures are requested when the gallery opens, and the search filters cards', async ({
-  page,
-}) => {
+test('pictures are requested when the gallery opens, and the search filters cards', async () => {
   const cards = [...catalogue, ...scenes];
-  const requested: string[] = [];
-  page.on('request', (request) => {
-    if (request.url().includes('/pictures/')) requested.push(request.url());
-  });
-  await openApp(page, 'model=tube');
   expect(requested).toEqual([]);
-  await openGallery(page);
+  await openGallery(page());
   await expect.poll(() => requested.length).toBe(cards.length);
-  const shown = await gallery(page)
+  const shown = await gallery(page())
     .locator('img')
     .evaluateAll((images: HTMLImageElement[]) =>
       Promise.all(images.map((image) => image.decode().then(() => image.naturalWidth))),
     );
   expect(shown).toEqual(cards.map(() => 288));
 
-  const search = gallery(page).getByRole('searchbox', { name: 'Search characters' });
+  const search = gallery(page()).getByRole('searchbox', { name: 'Search characters' });
   await search.fill('cse');
-  await expect(gallery(page).locator('.cards button')).toHaveText(['Panda', 'Insect']);
+  await expect(gallery(page()).locator('.cards button')).toHaveText(['Panda', 'Insect']);
   await search.fill('do');
-  await expect(gallery(page).locator('.cards button')).toHaveText(['Dog', 'A person and a dog']);
+  await expect(gallery(page()).locator('.cards button')).toHaveText(['Dog', 'A person and a dog']);
   // By keyboard: from the field past the two buttons to the card.
-  for (let step = 0; step < 3; step++) await page.keyboard.press('Tab');
-  await expect(card(page, 'Dog')).toBeFocused();
-  await page.keyboard.press('Enter');
-  await expect.poll(() => names(page)).toEqual(['dog']);
+  for (let step = 0; step < 3; step++) await page().keyboard.press('Tab');
+  await expect(card(page(), 'Dog')).toBeFocused();
+  await page().keyboard.press('Enter');
+  await expect.poll(() => names(page())).toEqual(['dog']); // in place of the tube, which nobody touched
 });
 
-test('the gallery has no violations in light and dark colors, and fits a phone', async ({
-  page,
-}) => {
-  await openApp(page, 'model=tube');
-  await openGallery(page);
-  expect(await violations(page)).toEqual([]);
-  await page.emulateMedia({ colorScheme: 'dark' });
-  await expect(gallery(page).locator('img').first()).toHaveAttribute('src', /-dark\.jpg$/);
-  expect(await violations(page)).toEqual([]);
-  await page.setViewportSize({ width: 390, height: 700 });
-  const box = (await gallery(page).boundingBox())!;
+test('the gallery has no violations in light and dark colors, and fits a phone', async () => {
+  await openGallery(page());
+  expect(await violations(page())).toEqual([]);
+  await page().emulateMedia({ colorScheme: 'dark' });
+  await expect(gallery(page()).locator('img').first()).toHaveAttribute('src', /-dark\.jpg$/);
+  expect(await violations(page())).toEqual([]);
+  await page().setViewportSize({ width: 390, height: 700 });
+  const box = (await gallery(page()).boundingBox())!;
   expect(box.x).toBeGreaterThanOrEqual(0);
   expect(box.x + box.width).toBeLessThanOrEqual(390);
-  for (const each of await gallery(page).getByRole('button').all()) {
+  for (const each of await gallery(page()).getByRole('button').all()) {
     await each.scrollIntoViewIfNeeded();
     const { x, width } = (await each.boundingBox())!;
     expect(x + width).toBeLessThanOrEqual(box.x + box.width);
   }
+  await page().keyboard.press('Escape');
+  await page().emulateMedia({ colorScheme: 'light' });
+  await page().setViewportSize(size);
+});
+
+test('three characters of three courses stand beside one another after six presses', async () => {
+  const presses = [
+    ['MIT 6.837', 'Human'],
+    ['UCSD CSE169', 'Insect'],
+    ['UT CS354', 'Mannequin'],
+  ] as const;
+  for (const [course, name] of presses) {
+    await openGallery(page());
+    await shelf(page(), course).getByRole('button', { name }).click();
+    await expect(gallery(page())).toHaveCount(0);
+  }
+  await expect.poll(async () => (await names(page())).length).toBe(4);
+  expect((await names(page())).slice(0, 3)).toEqual(['dog', 'human', 'insect']);
+  await page().evaluate(() => window.sinew.settled());
+
+  for (let step = 0; step < 3; step++) await page().keyboard.press('Control+z');
+  expect(await names(page())).toEqual(['dog']);
+});
+
+test('presses with Shift keep the gallery open, and each waits for the one before', async () => {
+  await openGallery(page());
+  for (const name of ['Hand', 'Insect', 'Human']) {
+    await card(page(), name).click({ modifiers: ['Shift'] });
+  }
+  await expect(gallery(page())).toBeVisible();
+  await expect.poll(() => names(page())).toEqual(['dog', 'hand', 'insect', 'human']);
+  await page().keyboard.press('Escape');
+});
+
+test('a scene opens in place of all characters, as one step of undo', async () => {
+  const poses = () =>
+    page().evaluate(() =>
+      window.sinew.characters.map(({ id }) => window.sinew.pose(undefined, id)),
+    );
+  const before = await names(page());
+  await page().evaluate(() => window.sinew.pose({ joints: { '#1': [0.5, 0, 0] } }));
+  const posed = await poses();
+  await openGallery(page());
+  await shelf(page(), 'Scenes').getByRole('button').first().click();
+  await expect.poll(() => names(page())).toEqual(['human', 'dog']);
+  await page().evaluate(() => window.sinew.settled());
+  await expect(page().locator('.notice')).toHaveText('A person and a dog');
+  await page().keyboard.press('Control+z');
+  expect(await names(page())).toEqual(before);
+  expect(await poses()).toEqual(posed);
+  await page().keyboard.press('Control+Shift+z');
+  expect(await names(page())).toEqual(['human', 'dog']);
 });
 
 declare global {
@@ -132,22 +148,6 @@ async function giveHandles(page: Page, files: readonly NamedFile[]): Promise<voi
     });
   }, contents);
 }
-
-test('a scene opens in place of all characters, as one step of undo', async ({ page }) => {
-  await openApp(page, 'model=tube');
-  await page.evaluate(() => window.sinew.pose({ joints: { 'joint 01': [0.5, 0, 0] } }));
-  const posed = await page.evaluate(() => window.sinew.pose());
-  await openGallery(page);
-  await shelf(page, 'Scenes').getByRole('button').first().click();
-  await expect.poll(() => names(page)).toEqual(['human', 'dog']);
-  await page.evaluate(() => window.sinew.settled());
-  await expect(page.locator('.notice')).toHaveText('A person and a dog');
-  await page.keyboard.press('Control+z');
-  expect(await names(page)).toEqual(['tube']);
-  expect(await page.evaluate(() => window.sinew.pose())).toEqual(posed);
-  await page.keyboard.press('Control+Shift+z');
-  expect(await names(page)).toEqual(['human', 'dog']);
-});
 
 test('files of an earlier visit are offered again, by handle or by name', async ({ page }) => {
   const recent = shelf(page, 'Recent').getByRole('button');
