@@ -48,7 +48,8 @@ async function loadWeights(): Promise<SectionComponent> {
 /** What a newcomer may try next in the view; it goes once that was done. */
 function ViewHint({ editor: { hints, store, session } }: { readonly editor: Editor }) {
   const hint = hintAt(hints.value, 'view');
-  const isBusy = session.activeDof.value !== null || session.shownShot.value !== null;
+  const { activeDof, shownShot, showWeights } = session;
+  const isBusy = activeDof.value !== null || shownShot.value !== null || showWeights.value;
   const isQuiet = !isBusy && store.scene.value.actors.length > 0;
   return hint && isQuiet ? <p class="view-hint">{hint.text}</p> : null;
 }

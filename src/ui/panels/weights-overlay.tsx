@@ -108,7 +108,7 @@ function Legend({ editor: { session }, shown }: LegendProperties) {
   const { swatches, scale, note } = legendOf(session, shown);
   return (
     <section class="weights-legend" aria-label="Legend of the weights">
-      <h3>{weightViews.find(({ id }) => id === view)!.label}</h3>
+      <h2>{weightViews.find(({ id }) => id === view)!.label}</h2>
       <p>{note}</p>
       {scale && (
         <>
