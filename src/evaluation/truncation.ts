@@ -65,8 +65,8 @@ export function truncationLines(truncation: Truncation): string[] {
   const length = (distance: number): string =>
     `${rounded(distance, 3)} (${rounded((100 * distance) / height, 2)} % of the height)`;
   return [
+    `At most ${length(largest)}, vertex #${worst}`,
     `${count(movedCount)} of ${count(errors.length)} vertices move`,
-    `at most ${length(largest)}, vertex #${worst}`,
     `${length(mean)} in the mean of all`,
   ];
 }

@@ -1,15 +1,20 @@
 import { printable } from '../core/diagnostics.ts';
 import { setMethod } from '../document/edits.ts';
+import { setEnvironment } from '../document/environment-edits.ts';
+import { lightPresets } from '../document/light-presets.ts';
 import { selectedActor } from '../document/selected-actor.ts';
+import { aspects } from '../document/shots.ts';
 import { methods } from '../skinning/registry.ts';
 import { attempt } from './attempt.ts';
 import { type Command, keyName, runCommand } from './commands/command.ts';
 import { contexts } from './commands/contexts.ts';
 import { commandGroups } from './commands/registry.ts';
 import type { Editor } from './editor.ts';
+import { numberedNames } from './numbered-names.ts';
 import type { Findable } from './rank-entries.ts';
-import { goToShot } from './shots.ts';
+import { goToShot, setAspect, shownShot } from './shots.ts';
 import { tabs } from './tabs.ts';
+import { influenceCounts, keepStrongest } from './weights.ts';
 
 /** A row of the command palette. */
 export interface PaletteEntry extends Findable {
@@ -32,8 +37,11 @@ export function paletteEntries(editor: Editor): readonly PaletteEntry[] {
     ...workspaceEntries(editor),
     ...methodEntries(editor),
     ...characterEntries(editor),
+    ...actorEntries(editor),
     ...sceneEntries(editor),
+    ...lightEntries(editor),
     ...shotEntries(editor),
+    ...weightEntries(editor),
     ...jointEntries(editor),
   ];
 }
@@ -94,6 +102,18 @@ function characterEntries(editor: Editor): PaletteEntry[] {
   ]);
 }
 
+/** What selects each character of a scene that has several. */
+function actorEntries(editor: Editor): PaletteEntry[] {
+  const { actors } = editor.store.scene.value;
+  if (actors.length < 2) return [];
+  const names = numberedNames(actors.map(({ name }) => name));
+  return actors.map(({ id }, index) =>
+    dataEntry('Characters', `actor ${id}`, `Select the character ${names[index]!}`, () =>
+      editor.select(id),
+    ),
+  );
+}
+
 function sceneEntries(editor: Editor): PaletteEntry[] {
   return editor.scenes.map(({ id, label }) =>
     dataEntry('Scenes', `scene ${id}`, `Open ${label}`, () =>
@@ -102,11 +122,34 @@ function sceneEntries(editor: Editor): PaletteEntry[] {
   );
 }
 
+function lightEntries({ store }: Editor): PaletteEntry[] {
+  return lightPresets.map(({ id, label, environment }) =>
+    dataEntry('Light', `light ${id}`, `Light: ${label}`, () =>
+      store.dispatch(setEnvironment(environment, `Light: ${label}`)),
+    ),
+  );
+}
+
 function shotEntries(editor: Editor): PaletteEntry[] {
-  return editor.store.scene.value.shots.map((shot) =>
+  const goes = editor.store.scene.value.shots.map((shot) =>
     dataEntry('Shots', `shot ${shot.id}`, `Go to ${printable(shot.name, 80)}`, () => {
       goToShot(editor, shot);
     }),
+  );
+  if (!shownShot(editor)) return goes;
+  const forms = aspects.map(({ id, label }) =>
+    dataEntry('Shots', `aspect ${id}`, `Aspect of the shot: ${label}`, () => setAspect(editor, id)),
+  );
+  return [...goes, ...forms];
+}
+
+function weightEntries(editor: Editor): PaletteEntry[] {
+  const actor = selectedActor(editor.store, editor.session);
+  if (!actor || actor.character.mesh.pointCount === 0) return [];
+  return Object.entries(influenceCounts).map(([label, count]) =>
+    dataEntry('Weights', `influences ${label}`, `Keep influences: ${label}`, () =>
+      keepStrongest(editor, count),
+    ),
   );
 }
 

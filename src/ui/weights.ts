@@ -15,6 +15,11 @@ export function toggleWeights({ session }: Looking): void {
   });
 }
 
+/** How many influences can be kept, by the names of the choices; null keeps all. */
+export const influenceCounts: Readonly<Record<string, number | null>> = {
+  ...{ All: null, '8': 8, '4': 4, '2': 2, '1': 1 },
+};
+
 /** Keeps the strongest influences of each point, or all (null), and shows what that moves. */
 export function keepStrongest(editor: Looking & Telling, count: number | null): void {
   const { store, session, evaluations, notice } = editor;

@@ -109,8 +109,8 @@ describe('pose', () => {
     const alone = y(await positions('1'));
     [1, 1.5, 0].forEach((wanted, point) => expect(alone[point]).toBeCloseTo(wanted, 6));
     expect(out).toEqual([
-      '2 of 3 vertices move\n' +
-        'at most 1.13 (57 % of the height), vertex #2\n' +
+      'At most 1.13 (57 % of the height), vertex #2\n' +
+        '2 of 3 vertices move\n' +
         '0.544 (27 % of the height) in the mean of all',
     ]);
     const both = y(await positions('2'));

@@ -1,6 +1,7 @@
 import { truncationOf } from '../../evaluation/truncation.ts';
 import { selectedActor } from '../../document/selected-actor.ts';
 import type { Editor } from '../editor.ts';
+import { focusVertexField } from '../focus-vertex-field.ts';
 import { goToPoint, toggleWeights } from '../weights.ts';
 import type { Command } from './command.ts';
 
@@ -14,6 +15,12 @@ export const weightCommands = [
     isOn: ({ session }) => session.showWeights.value,
     isEnabled: (editor) => hasMesh(editor),
     run: (editor) => toggleWeights(editor),
+  },
+  {
+    id: 'mark-vertex',
+    label: 'Mark a vertex by its number',
+    isEnabled: (editor) => hasMesh(editor),
+    run: focusVertexField,
   },
   {
     id: 'worst-vertex',

@@ -7,12 +7,9 @@ import { runCommand } from '../commands/command.ts';
 import { commandOf } from '../commands/registry.ts';
 import type { Editor } from '../editor.ts';
 import { onceAFrame } from '../once-a-frame.ts';
-import { keepStrongest, toggleWeights } from '../weights.ts';
+import { influenceCounts, keepStrongest, toggleWeights } from '../weights.ts';
 import { addNote } from './note.ts';
 import { field, signalField } from './signal-field.ts';
-
-/** How many influences can be kept. */
-const keeps: Record<string, number> = { All: 0, '8': 8, '4': 4, '2': 2, '1': 1 };
 
 /** Adds controls for weights in color, for one vertex, and for keeping few influences. */
 export function addWeightsFolder(gui: GUI, editor: Editor): () => void {
@@ -25,15 +22,15 @@ export function addWeightsFolder(gui: GUI, editor: Editor): () => void {
       if (id !== 'off') session.weightView.value = id;
     },
   );
-  const kept = field<number>(
-    () => selectedActor(store, session)?.influences ?? 0,
-    (count) => keepStrongest(editor, count === 0 ? null : count),
+  const kept = field<number | null>(
+    () => selectedActor(store, session)?.influences ?? null,
+    (count) => keepStrongest(editor, count),
   );
   const views = Object.fromEntries(weightViews.map(({ label, id }) => [label, id]));
   const rows = [
     folder.add(view, 'value', { Off: 'off', ...views }).name('Colors (v)'),
     folder.add(signalField(session.unlitWeights), 'value').name('Without light'),
-    folder.add(kept, 'value', keeps).name('Keep influences'),
+    folder.add(kept, 'value', { ...influenceCounts }).name('Keep influences'),
   ];
   const endMark = addMarkField(folder, editor);
   const worst = folder
@@ -66,7 +63,7 @@ function addMarkField(folder: GUI, { evaluations, session }: Editor): () => void
   const input = document.createElement('input');
   input.type = 'number';
   input.min = '0';
-  input.className = 'dof-search';
+  input.className = 'dof-search vertex-number';
   input.placeholder = 'Vertex number, as in the file';
   input.setAttribute('aria-label', 'Vertex number');
   input.addEventListener('input', () => {
