@@ -4,7 +4,7 @@ import { violations } from './support/axe.ts';
 import { sharedPage, test } from './support/test.ts';
 
 // The command palette finds and runs commands, and what is made from data, by keys and pointer.
-test.use({ viewport: { width: 1100, height: 720 } });
+test.use({ viewport: { width: 900, height: 480 } });
 const page = sharedPage((page) => openApp(page, 'model=human'));
 
 const palette = () => page().getByRole('dialog', { name: 'Commands' });
