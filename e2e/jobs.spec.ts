@@ -106,10 +106,10 @@ const phonesArms = [
 ] as const;
 
 async function expectAccessible(page: Page): Promise<void> {
-  for (const colorScheme of ['light', 'dark'] as const) {
-    await page.emulateMedia({ colorScheme });
-    expect(await violations(page), colorScheme).toEqual([]);
-  }
+  expect(await violations(page)).toEqual([]);
+  // Only the colors differ in the dark theme.
+  await page.emulateMedia({ colorScheme: 'dark' });
+  expect(await violations(page, ['color-contrast'])).toEqual([]);
 }
 
 test('a student drops a character, turns its elbow and saves the picture: 8 presses', async ({
