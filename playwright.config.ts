@@ -23,7 +23,7 @@ export default defineConfig({
   workers: 2,
   retries: 0,
   forbidOnly: inContinuousIntegration,
-  globalTimeout: 10 * 60_000,
+  globalTimeout: 14 * 60_000,
   expect: {
     toHaveScreenshot: { threshold: 0.1, maxDiffPixelRatio: 0.001, animations: 'disabled' },
   },

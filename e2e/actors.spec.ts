@@ -4,7 +4,7 @@ import { madePmd } from './support/made-pmd.ts';
 import { sharedPage, test } from './support/test.ts';
 
 // A scene can hold several characters, each with its own pose, method and place.
-test.use({ viewport: { width: 1000, height: 700 } });
+test.use({ viewport: { width: 960, height: 480 } });
 const page = sharedPage((page) => openApp(page, 'model=human'));
 
 const undo = () => page().getByRole('button', { name: 'Undo' });

@@ -15,7 +15,7 @@ import {
 import { drawnOf } from './support/controls.ts';
 import { sharedPage, test } from './support/test.ts';
 
-test.use({ viewport: { width: 1000, height: 560 } });
+test.use({ viewport: { width: 960, height: 440 } });
 const page = sharedPage(async (page) => {
   await openApp(page, 'model=insect&workspace=cse169');
   for (const tab of ['deform', 'animate'] as const) await openTab(page, tab);

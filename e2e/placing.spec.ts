@@ -4,7 +4,7 @@ import { find, type Place } from './support/find-limb.ts';
 import { sharedPage, test } from './support/test.ts';
 
 // A whole character is moved, turned and scaled: by handles in the view, by keys and by numbers.
-test.use({ viewport: { width: 1000, height: 700 } });
+test.use({ viewport: { width: 900, height: 520 } });
 const page = sharedPage((page) => openApp(page, 'model=human'));
 
 const undo = () => page().getByRole('button', { name: 'Undo' });

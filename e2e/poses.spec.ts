@@ -7,7 +7,7 @@ import { sharedPage, test } from './support/test.ts';
 
 // Poses are saved and restored as files, through the clipboard and in pictures; the posed mesh can
 // be saved too.
-test.use({ viewport: { width: 1000, height: 700 } });
+test.use({ viewport: { width: 960, height: 480 } });
 
 const page = sharedPage(async (page) => {
   await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);

@@ -3,7 +3,7 @@ import { drop, openApp } from './support/app.ts';
 import { madeCharacter } from './support/made-character.ts';
 import { sharedPage, test } from './support/test.ts';
 
-test.use({ viewport: { width: 1000, height: 700 } });
+test.use({ viewport: { width: 960, height: 480 } });
 
 const page = sharedPage(async (page) => {
   await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);

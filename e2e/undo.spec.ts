@@ -15,7 +15,7 @@ import { madeCharacter } from './support/made-character.ts';
 import { sharedPage, test } from './support/test.ts';
 
 // Every edit is one step of undo, and the button shows its name.
-test.use({ viewport: { width: 1000, height: 600 } });
+test.use({ viewport: { width: 960, height: 440 } });
 const page = sharedPage(openApp);
 
 const undo = () => page().getByRole('button', { name: 'Undo' });

@@ -11,7 +11,7 @@ import { catalogue } from './support/catalogue.ts';
 import { cameraOf, drawnOf } from './support/controls.ts';
 import { sharedPage, test } from './support/test.ts';
 
-test.use({ viewport: { width: 1000, height: 600 } });
+test.use({ viewport: { width: 960, height: 440 } });
 const page = sharedPage(() => Promise.resolve());
 
 const menu = () => controlRow(page(), 'Look of').locator('select');
