@@ -11,7 +11,7 @@ import { selectActor } from '../document/reconcile.ts';
 import { selectedActor } from '../document/selected-actor.ts';
 import { isUntouched } from '../document/untouched.ts';
 import { Transport } from '../document/transport.ts';
-import { placeBeside } from '../evaluation/placing.ts';
+import { placeBeside } from '../evaluation/place-beside.ts';
 import { sceneBounds } from '../evaluation/scene-bounds.ts';
 import { readableExtensions, sceneExtension } from '../formats/extensions.ts';
 import { writeObj } from '../formats/obj/write-obj.ts';

@@ -17,7 +17,7 @@ import {
 } from './catalogue.ts';
 import { createOpening, type OpeningOfScenes } from './create-opening.ts';
 import { createLayout } from './layout.ts';
-import { hasLink, isReload, mayRestore } from './scenes/at-start.ts';
+import { hasLink, mayRestore } from './scenes/at-start.ts';
 import type { Scripting } from './scripting.ts';
 import { followTheme } from './theme.ts';
 import { workspaces } from './workspaces.ts';
@@ -113,7 +113,7 @@ async function openNamed(
   }
   const isNamed = parameters.has('model') || parameters.has('workspace');
   let isOpened = false;
-  if (hasLink() || (mayRestore() && (isReload() || !isNamed))) {
+  if (hasLink() || mayRestore()) {
     const { openAtStart } = await loadPart(import('./scenes/open-at-start.ts'));
     const { opened, message } = await openAtStart(opening.parts, isNamed);
     if (message !== '') notes.push(message);

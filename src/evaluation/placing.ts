@@ -2,11 +2,9 @@ import { type Bounds, extents, isEmpty } from '../core/bounds.ts';
 import type { Character } from '../core/character.ts';
 import { type Transform, unmoved } from '../document/scene.ts';
 import { fittedScale } from './display-transform.ts';
-import type { Evaluation } from './evaluation.ts';
-import { sceneBounds } from './scene-bounds.ts';
 
 /** The distance between neighbors in scene units, in which a character is one unit tall. */
-const gap = 0.2;
+export const gap = 0.2;
 
 /**
  * Returns places for characters in a row, to the right of everything that is in the scene.
@@ -20,20 +18,6 @@ export function placeInRow(taken: Bounds, characters: readonly Character[]): Tra
     edge = place.position[0] + widthOf(character) / 2;
     return place;
   });
-}
-
-/**
- * Returns the place of a copy of a character: as high and as deep as it, to the right of everything
- * that is in the scene.
- *
- * @param taken the box around what is in the scene, in scene space
- */
-export function placeBeside(taken: Bounds, original: Evaluation): Transform {
-  const { transform } = original.state;
-  const own = sceneBounds([original]);
-  if (isEmpty(own)) return transform;
-  const [x, y, z] = transform.position;
-  return { ...transform, position: [x + taken.max[0]! + gap - own.min[0]!, y, z] };
 }
 
 /** Places the character so that its left side is at x. */

@@ -7,7 +7,7 @@ import { type Actor, emptyScene, unmoved } from '../../src/document/scene.ts';
 import { displayTransform } from '../../src/evaluation/display-transform.ts';
 import { Evaluator } from '../../src/evaluation/evaluator.ts';
 import { lowestPoint } from '../../src/evaluation/lowest-point.ts';
-import { placeBeside } from '../../src/evaluation/placing.ts';
+import { placeBeside } from '../../src/evaluation/place-beside.ts';
 import { sceneBounds } from '../../src/evaluation/scene-bounds.ts';
 import { characterOfRig } from '../fixtures/character-of-rig.ts';
 import { rotatedTree } from '../fixtures/rigs.ts';

@@ -1,5 +1,6 @@
+import { hasLink } from './at-start.ts';
+import { isReload } from './is-reload.ts';
 import { openLink } from './open-link.ts';
-import { hasLink, isReload } from './at-start.ts';
 import { restoreLast } from './restore-scene.ts';
 import type { SceneParts } from './scene-parts.ts';
 
