@@ -100,11 +100,6 @@ const artistsArms = [
   [0.157, 0.43],
   [0.528, 0.45],
 ] as const;
-const phonesArms = [
-  [0.157, 0.43],
-  [0.528, 0.45],
-] as const;
-
 async function expectAccessible(page: Page): Promise<void> {
   expect(await violations(page)).toEqual([]);
   // Only the colors differ in the dark theme.
@@ -297,7 +292,7 @@ test.describe('by touch', () => {
     await tap(page.getByRole('button', { name: 'Frame the character' }));
     await page.evaluate(() => window.sinew.settled());
     const [before] = await turned(page);
-    for (const [right, down] of phonesArms) {
+    for (const [right, down] of artistsArms) {
       const place = await findArm(page, right, down);
       await tap(place);
       await expect(selected(page)).toHaveText(new RegExp(arm));
