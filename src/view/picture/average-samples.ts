@@ -1,3 +1,4 @@
+import { encodedChannel } from '../../core/oklab.ts';
 import { linearChannel } from '../theme.ts';
 
 /** Pixels of RGBA as GL gives them: the bottom row first, and colors multiplied by their alpha. */
@@ -88,12 +89,8 @@ const steps = 65_535;
 let encodedLight: Uint8Array | null = null;
 
 function encodedOf(light: number): number {
-  encodedLight ??= Uint8Array.from({ length: steps + 1 }, (_, step) => encodeChannel(step / steps));
+  encodedLight ??= Uint8Array.from({ length: steps + 1 }, (_, step) =>
+    Math.round(255 * encodedChannel(step / steps)),
+  );
   return encodedLight[Math.round(light * steps)]!;
-}
-
-/** Converts linear light to the display's byte (sRGB). */
-function encodeChannel(light: number): number {
-  const encoded = light <= 0.0031308 ? light * 12.92 : 1.055 * light ** (1 / 2.4) - 0.055;
-  return Math.round(encoded * 255);
 }
