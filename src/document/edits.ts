@@ -43,16 +43,19 @@ export function resetPose(id: ActorId): Edit {
   }));
 }
 
-/** Restores one joint's file pose; the other joints stay as they are shown. */
-export function resetJoint(
+/** Restores the file pose of some joints; the others stay as they are shown. */
+export function resetJoints(
   { id, character: { skeleton } }: Actor,
   shown: Float64Array,
-  joint: number,
+  joints: readonly number[],
+  label: string,
 ): Edit {
-  const [from, to] = jointRange(skeleton, joint);
   const q = shown.slice();
-  q.set(skeleton.qRest.subarray(from, to), from);
-  return setPose(id, q, `Reset ${skeleton.names[joint]!}`);
+  for (const joint of joints) {
+    const [from, to] = jointRange(skeleton, joint);
+    q.set(skeleton.qRest.subarray(from, to), from);
+  }
+  return setPose(id, q, label);
 }
 
 export function setMorphWeight(id: ActorId, index: number, weight: number, label: string): Edit {

@@ -32,12 +32,17 @@ export function record(
   return { past: past.slice(forgotten), future: [] };
 }
 
-export function stepBack({ past, future }: History): History {
-  return { past: past.slice(0, -1), future: [...future, ...past.slice(-1)] };
+/** All steps, the oldest first; of these, `past.length` have been taken. */
+export function allSteps({ past, future }: History): readonly HistoryEntry[] {
+  return [...past, ...[...future].reverse()];
 }
 
-export function stepForward({ past, future }: History): History {
-  return { past: [...past, ...future.slice(-1)], future: future.slice(0, -1) };
+/** The history in which so many of its steps have been taken, and the scene after the last one. */
+export function stepTo(history: History, count: number): readonly [History, Scene] {
+  const all = allSteps(history);
+  const past = all.slice(0, count);
+  const future = all.slice(count);
+  return [{ past, future: future.reverse() }, past.at(-1)?.after ?? all[0]!.before];
 }
 
 /** Replaces the present scene in the steps on both sides of it. */

@@ -49,6 +49,7 @@ function fitActor(session: Session, old?: Actor, now?: Actor): void {
 /** Deselects the joint, bone and degree of freedom. */
 export function dropJoints(session: Session): void {
   session.selectedJoint.value = null;
+  session.jointGroup.value = [];
   session.hoveredLimb.value = null;
   session.hoveredHandle.value = null;
   session.hoverPlace.value = null;

@@ -78,6 +78,13 @@ export class Session {
   readonly selectedActorId = signal<ActorId | null>(null);
   /** A joint of the selected actor. */
   readonly selectedJoint = signal<number | null>(null);
+  /**
+   * The joints that are selected together with it, itself first; without meaning while another joint
+   * is selected. It is read through `selectedJoints`.
+   */
+  readonly jointGroup = signal<readonly number[]>([]);
+  /** Whether a click on a limb adds it to the selected ones, or takes it out of them. */
+  readonly selectsSeveral = signal(false);
   /** The limb under the pointer, of any actor. */
   readonly hoveredLimb = signal<HoveredLimb | null>(null);
   /** The handle under the pointer, such as a ring. */
@@ -90,6 +97,8 @@ export class Session {
   /** The tool that places the whole selected character, while no joint is selected, or null. */
   readonly placeTool = signal<PlaceTool | null>(null);
   readonly placeAxes = signal<PlaceAxes>('world');
+  /** The axes about which the rings of a joint turn it: its own, or the scene's. */
+  readonly ringAxes = signal<PlaceAxes>('local');
   /** What the present drag of a handle has done so far, for the text in the view, or null. */
   readonly dragText = signal<string | null>(null);
   /** Whether every limb turns when it is dragged, not only the selected one. */

@@ -7,8 +7,7 @@ import {
   type HistoryEntry,
   record,
   replacePresent,
-  stepBack,
-  stepForward,
+  stepTo,
 } from './history.ts';
 
 /** A change in progress, such as a slider or bone drag. It becomes one step of undo. */
@@ -27,16 +26,17 @@ export interface Gesture {
 /** Holds the scene and its history. Every change goes through it. */
 export class Store {
   private readonly current = signal<Scene>(emptyScene);
-  private readonly history = signal<History>(emptyHistory);
+  private readonly steps = signal<History>(emptyHistory);
   private readonly onChange: (before: Scene, after: Scene) => void;
   private open: Gesture | null = null;
 
   readonly scene: ReadonlySignal<Scene> = this.current;
+  readonly history: ReadonlySignal<History> = this.steps;
   /** Whether the scene is somebody's work although no step led to it, as one that was restored. */
   readonly isMade = signal(false);
   /** The labels of the steps that Undo and Redo would apply, or null. */
-  readonly undoLabel = computed(() => this.history.value.past.at(-1)?.label ?? null);
-  readonly redoLabel = computed(() => this.history.value.future.at(-1)?.label ?? null);
+  readonly undoLabel = computed(() => this.steps.value.past.at(-1)?.label ?? null);
+  readonly redoLabel = computed(() => this.steps.value.future.at(-1)?.label ?? null);
 
   /** @param onChange runs with every change, including undo and redo, before any subscriber */
   constructor(onChange: (before: Scene, after: Scene) => void = () => undefined) {
@@ -58,7 +58,7 @@ export class Store {
     this.open?.commit();
     const amended = edit.apply(this.current.value);
     this.show(amended);
-    this.history.value = replacePresent(this.history.value, amended);
+    this.steps.value = replacePresent(this.steps.value, amended);
   }
 
   /** Begins a gesture. If one is still open, it is committed first. */
@@ -85,10 +85,10 @@ export class Store {
         }
         // Returning to an empty page is useless, so the first character opens without a step of
         // undo.
-        const isFirst = before.actors.length === 0 && this.history.value.past.length === 0;
+        const isFirst = before.actors.length === 0 && this.steps.value.past.length === 0;
         if (isFirst) return;
         entry = { label, before, after };
-        this.history.value = record(this.history.value, entry);
+        this.steps.value = record(this.steps.value, entry);
       },
       cancel: () => {
         if (!isOpen()) return;
@@ -96,10 +96,10 @@ export class Store {
         this.show(before);
       },
       withdraw: () => {
-        const { past } = this.history.value;
+        const { past } = this.steps.value;
         if (!entry || past.at(-1) !== entry) return;
         this.show(before);
-        this.history.value = { past: past.slice(0, -1), future: [] };
+        this.steps.value = { past: past.slice(0, -1), future: [] };
       },
     };
     this.open = gesture;
@@ -116,21 +116,30 @@ export class Store {
   /** Undoes the last step and returns its label, or null if there was none. */
   undo(): string | null {
     this.open?.commit();
-    const entry = this.history.value.past.at(-1);
-    if (!entry) return null;
-    this.show(entry.before);
-    this.history.value = stepBack(this.history.value);
-    return entry.label;
+    const { past } = this.steps.value;
+    this.goTo(past.length - 1);
+    return past.at(-1)?.label ?? null;
   }
 
   /** Redoes the step that was undone last and returns its label, or null if there was none. */
   redo(): string | null {
     this.open?.commit();
-    const entry = this.history.value.future.at(-1);
-    if (!entry) return null;
-    this.show(entry.after);
-    this.history.value = stepForward(this.history.value);
-    return entry.label;
+    const { past, future } = this.steps.value;
+    this.goTo(past.length + 1);
+    return future.at(-1)?.label ?? null;
+  }
+
+  /**
+   * Goes to where so many of all steps have been taken, from 0 to their number. A count out of this
+   * range does nothing.
+   */
+  goTo(count: number): void {
+    this.open?.commit();
+    const { past, future } = this.steps.value;
+    if (count === past.length || count < 0 || count > past.length + future.length) return;
+    const [history, scene] = stepTo(this.steps.value, count);
+    this.show(scene);
+    this.steps.value = history;
   }
 
   /** Uses one batch, so that no subscriber sees a session that does not match the scene. */

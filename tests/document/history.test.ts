@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { createActor, emptyScene, type Scene } from '../../src/document/scene.ts';
-import { emptyHistory, record, stepBack, stepForward } from '../../src/document/history.ts';
+import { emptyHistory, record, stepTo } from '../../src/document/history.ts';
 import { characterOfRig } from '../fixtures/character-of-rig.ts';
 import { allRigs } from '../fixtures/rigs.ts';
 
@@ -67,7 +67,9 @@ describe('the history', () => {
 
   it('steps back and forward to itself', () => {
     const history = historyOf(3);
-    expect(stepForward(stepBack(history))).toEqual(history);
+    const [back] = stepTo(history, 1);
+    expect([back.past.length, back.future.length]).toEqual([1, 2]);
+    expect(stepTo(back, 3)[0]).toEqual(history);
   });
 });
 

@@ -7,7 +7,7 @@ import { axisDofs } from '../../src/core/pose.ts';
 import { DofKind } from '../../src/core/skeleton.ts';
 import {
   bindClip,
-  resetJoint,
+  resetJoints,
   resetPose,
   setMethod,
   setMorphWeight,
@@ -17,6 +17,7 @@ import {
 } from '../../src/document/edits.ts';
 import { setTransform } from '../../src/document/place-edits.ts';
 import type { Edit } from '../../src/document/edit.ts';
+import { allSteps } from '../../src/document/history.ts';
 import { openCharacter } from '../../src/document/open-characters.ts';
 import { type Actor, type Scene, type Transform, unmoved } from '../../src/document/scene.ts';
 import { Store } from '../../src/document/store.ts';
@@ -101,7 +102,7 @@ function commandOf(store: Store, kind: number, amount: number): Edit {
         q.map((value) => value + amount),
       ),
     () => resetPose(id),
-    () => resetJoint(selected(store), q, joint),
+    () => resetJoints(selected(store), q, [joint], 'reset'),
     () => setMethod(id, methods[index % methods.length]!.id),
     () => setNormalizeWeights(id, amount > 0),
     () => setInfluences(id, amount > 0 ? 1 + Math.trunc(amount) : null),
@@ -138,6 +139,46 @@ describe('the store', () => {
         }
       }),
     );
+  });
+
+  it('goes to any step, with the very scene that it had there, and from there to any other', () => {
+    const walk = fc.array(fc.nat(40), { maxLength: 20 });
+    fc.assert(
+      fc.property(fc.array(step, { maxLength: 30 }), walk, (steps, counts) => {
+        const store = openStore();
+        const seen = [store.scene.value];
+        for (const [kind, amount] of steps) {
+          store.dispatch(commandOf(store, kind, amount));
+          if (store.scene.value !== seen.at(-1)) seen.push(store.scene.value);
+        }
+        const texts = seen.map(bits);
+        const labels = allSteps(store.history.value).map(({ label }) => label);
+        expect(labels).toHaveLength(seen.length - 1);
+        for (const wanted of counts) {
+          const count = wanted % seen.length;
+          store.goTo(count);
+          expect(store.scene.value).toBe(seen[count]);
+          expect(bits(store.scene.value)).toBe(texts[count]);
+          expect(store.undoLabel.value).toBe(labels[count - 1] ?? null);
+          expect(store.redoLabel.value).toBe(labels[count] ?? null);
+          expect(allSteps(store.history.value).map(({ label }) => label)).toEqual(labels);
+        }
+        const present = store.scene.value;
+        for (const out of [-1, seen.length, 1e9]) store.goTo(out);
+        expect(store.scene.value).toBe(present);
+      }),
+    );
+  });
+
+  it('commits an open gesture before it goes to another step', () => {
+    const store = openStore();
+    store.dispatch(turn(store, 0, 1, 'first'));
+    const gesture = store.begin('second');
+    gesture.preview(turn(store, 0, 2));
+    store.goTo(0);
+    expect(gesture.isOpen).toBe(false);
+    expect(allSteps(store.history.value).map(({ label }) => label)).toEqual(['first', 'second']);
+    expect([store.undoLabel.value, store.redoLabel.value]).toEqual([null, 'first']);
   });
 
   it('keeps the first character: an empty page is nothing to go back to', () => {

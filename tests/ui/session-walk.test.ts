@@ -1,7 +1,8 @@
 import fc from 'fast-check';
 import { bonesOf } from '../../src/core/bones.ts';
 import { describe, expect, it } from 'vitest';
-import { removeActor, resetJoint, setPose } from '../../src/document/edits.ts';
+import { selectedJoints, toggleJoint } from '../../src/document/selected-joints.ts';
+import { removeActor, resetJoints, setPose } from '../../src/document/edits.ts';
 import { openCharacter } from '../../src/document/open-characters.ts';
 import type { Scene } from '../../src/document/scene.ts';
 import { selectedActor } from '../../src/document/selected-actor.ts';
@@ -86,8 +87,12 @@ const actions: readonly ((walk: Walk, number: number) => void)[] = [
   ({ store }) => void store.cancelGesture(),
   (walk, number) => {
     const state = stateOf(walk);
-    walk.store.dispatch(resetJoint(state, state.q, number % state.character.skeleton.jointCount));
+    walk.store.dispatch(
+      resetJoints(state, state.q, [number % state.character.skeleton.jointCount], 'reset'),
+    );
   },
+  (walk, number) => toggleJoint(walk.session, number % stateOf(walk).character.skeleton.jointCount),
+  ({ store }, number) => store.goTo(number % 8),
   ({ store }) => store.undo(),
   ({ store }) => store.undo(),
   ({ store }) => store.redo(),
@@ -102,7 +107,10 @@ function expectFits(walk: Walk): void {
   const { skeleton, clips } = character;
   const { selectedJoint, activeDof, clipIndex } = walk.session;
   const limb = hoveredOf(walk.session);
-  for (const joint of [selectedJoint.value, limb?.joint ?? null]) {
+  const selected = selectedJoints(walk.session);
+  expect(new Set(selected).size).toBe(selected.length);
+  expect(selected[0] ?? null).toBe(selectedJoint.value);
+  for (const joint of [...selected, limb?.joint ?? null]) {
     if (joint === null) continue;
     expect(joint).toBeLessThan(skeleton.jointCount);
     expect(ancestorsOf(skeleton, joint).length).toBe(skeleton.depths[joint]);

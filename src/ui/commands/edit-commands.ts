@@ -1,5 +1,7 @@
-import { resetJoint } from '../../document/edits.ts';
+import { resetJoints } from '../../document/edits.ts';
+import { subtreeEnd, type Skeleton } from '../../core/skeleton.ts';
 import { selectedActor } from '../../document/selected-actor.ts';
+import { selectedJoints, selectJoint } from '../../document/selected-joints.ts';
 import type { Editor } from '../editor.ts';
 import type { Command } from './command.ts';
 
@@ -53,7 +55,15 @@ export const editCommands = [
     short: 'Reset joint',
     keys: [{ key: 'r', shift: true }],
     context: 'joint',
-    run: resetSelectedJoint,
+    isEnabled: hasJoint,
+    run: (editor) => resetSelected(editor, (_, joint) => [joint]),
+  },
+  {
+    id: 'reset-branch',
+    label: 'Reset the joint and all below it',
+    short: 'Reset branch',
+    isEnabled: hasJoint,
+    run: (editor) => resetSelected(editor, branchOf),
   },
   {
     id: 'copy-pose',
@@ -63,7 +73,8 @@ export const editCommands = [
   },
   {
     id: 'cancel',
-    label: 'Cancel a drag, lay down the tool, or deselect the active value',
+    label:
+      'Cancel a drag, lay down the tool, keep one joint selected, or deselect the active value',
     keys: [{ key: 'Escape' }],
     run: takeBack,
   },
@@ -90,19 +101,41 @@ function step(editor: Editor, verb: string, take: () => string | null): void {
   notice.value = notice.value === text ? `${text}\u00a0` : text;
 }
 
-function resetSelectedJoint({ store, session, evaluations }: Editor): void {
+function hasJoint({ session }: Editor): boolean {
+  return session.selectedJoint.value !== null;
+}
+
+/** @param jointsOf the joints to reset for a selected one */
+function resetSelected(
+  { store, session, evaluations }: Editor,
+  jointsOf: (skeleton: Skeleton, joint: number) => readonly number[],
+): void {
   const shown = evaluations.selected();
-  const joint = session.selectedJoint.value;
-  if (shown && joint !== null) store.dispatch(resetJoint(shown.state, shown.pose.q, joint));
+  const selected = selectedJoints(session);
+  if (!shown || selected.length === 0) return;
+  const { skeleton } = shown.state.character;
+  const joints = [...new Set(selected.flatMap((joint) => jointsOf(skeleton, joint)))];
+  const [first, ...others] = joints;
+  const more = others.length === 0 ? '' : ` and ${others.length} more`;
+  const label = `Reset ${skeleton.names[first!]!}${more}`;
+  store.dispatch(resetJoints(shown.state, shown.pose.q, joints, label));
+}
+
+function branchOf(skeleton: Skeleton, joint: number): readonly number[] {
+  const count = subtreeEnd(skeleton, joint) - joint;
+  return Array.from({ length: count }, (_, i) => joint + i);
 }
 
 /**
- * Cancels a drag, or else lays down the tool for whole characters, or else deselects the active
- * value, which drags would otherwise set.
+ * Cancels a drag, or else lays down the tool for whole characters, or else narrows the selection to
+ * one joint, or else deselects the active value, which drags would otherwise set.
  */
 function takeBack({ store, session }: Editor): void {
-  const { placeTool, activeDof, dragText } = session;
+  const { placeTool, activeDof, dragText, selectedJoint, selectsSeveral } = session;
   if (store.cancelGesture()) dragText.value = null;
   else if (placeTool.value !== null) placeTool.value = null;
-  else activeDof.value = null;
+  else if (selectsSeveral.value || selectedJoints(session).length > 1) {
+    selectsSeveral.value = false;
+    selectJoint(session, selectedJoint.value);
+  } else activeDof.value = null;
 }

@@ -1,6 +1,6 @@
 import type { GUI } from 'lil-gui';
 import type { Actor } from '../../document/scene.ts';
-import { resetJoint } from '../../document/edits.ts';
+import { resetJoints } from '../../document/edits.ts';
 import type { Looking, Posing } from '../editor.ts';
 import { jointValues } from '../joint-values.ts';
 import { addJointValues, fullNameOf, jointName, type JointValueRow } from './joint-values.ts';
@@ -98,7 +98,8 @@ export class JointFolder {
     this.rows = addJointValues(folder, editor, state, joint);
     const reset = (): void => {
       const shown = editor.evaluations.selected()?.pose.q ?? state.q;
-      editor.store.dispatch(resetJoint(state, shown, joint));
+      const label = `Reset ${jointName(state, joint)}`;
+      editor.store.dispatch(resetJoints(state, shown, [joint], label));
     };
     folder.add({ reset }, 'reset').name('Reset joint');
   }
