@@ -101,7 +101,7 @@ export function removeActor({ id, name }: Actor): Edit {
   };
 }
 
-/** Removes all actors and shots from the scene. */
+/** Removes all actors, shots and saved poses from the scene. */
 export function removeActors(label: string): Edit {
-  return { label, apply: (scene) => ({ ...scene, actors: [], shots: [] }) };
+  return { label, apply: (scene) => ({ ...scene, actors: [], shots: [], poses: [] }) };
 }

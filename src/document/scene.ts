@@ -9,6 +9,7 @@ import type { MethodId } from '../skinning/method.ts';
 import { defaultDeformation } from '../skinning/registry.ts';
 import { type ActorLook, plainLook } from './actor-look.ts';
 import { type Environment, studio } from './environment.ts';
+import type { SavedPose } from './saved-poses.ts';
 import type { Shot } from './shots.ts';
 
 /**
@@ -19,6 +20,8 @@ export interface Scene {
   readonly actors: readonly Actor[];
   readonly environment: Environment;
   readonly shots: readonly Shot[];
+  /** The library of poses, in its order. */
+  readonly poses: readonly SavedPose[];
 }
 
 export type ActorId = number;
@@ -109,7 +112,7 @@ export type KeptState = Partial<
   >
 >;
 
-export const emptyScene: Scene = { actors: [], environment: studio, shots: [] };
+export const emptyScene: Scene = { actors: [], environment: studio, shots: [], poses: [] };
 
 /** The identity: no placement by the user. */
 export const unmoved: Transform = { position: [0, 0, 0], rotation: [0, 0, 0, 1], scale: 1 };
@@ -163,7 +166,8 @@ export function sameScene(a: Scene, b: Scene): boolean {
     a.actors.length === b.actors.length &&
     a.actors.every((actor, i) => actor === b.actors[i] || sameActor(actor, b.actors[i]!)) &&
     sameValue(a.environment, b.environment) &&
-    sameValue(a.shots, b.shots)
+    sameValue(a.shots, b.shots) &&
+    sameValue(a.poses, b.poses)
   );
 }
 

@@ -3,6 +3,7 @@ import { buildCharacter } from '../../src/core/build-character.ts';
 import type { Character } from '../../src/core/character.ts';
 import type { Light } from '../../src/document/environment.ts';
 import { type Actor, type Scene, type Source, unmoved } from '../../src/document/scene.ts';
+import type { SavedPose } from '../../src/document/saved-poses.ts';
 import { aspects, type Shot } from '../../src/document/shots.ts';
 import { normalWays, methods } from '../../src/skinning/registry.ts';
 import { partsOfRig } from '../fixtures/character-of-rig.ts';
@@ -53,6 +54,25 @@ const shot: fc.Arbitrary<Shot> = fc.record({
     projection: fc.constantFrom('perspective', 'orthographic'),
   }),
   aspect: fc.constantFrom(...aspects.map(({ id }) => id)),
+});
+
+const namedJoint = fc
+  .array(fc.constantFrom(...Array.from('xyzXYZshQ')), { minLength: 1, maxLength: 6 })
+  .chain((letters) => {
+    const length = letters.length + 3 * letters.filter((letter) => letter === 'Q').length;
+    return fc.record({
+      name: fc.string(),
+      dofs: fc.constant(letters.join('')),
+      values: fc.array(number, { minLength: length, maxLength: length }),
+    });
+  });
+
+const savedPose: fc.Arbitrary<SavedPose> = fc.record({
+  id: fc.nat(),
+  name: fc.string(),
+  height: fc.double({ min: 0, max: 1e6, noNaN: true }),
+  joints: fc.array(namedJoint, { maxLength: 4 }),
+  morphs: fc.array(fc.record({ name: fc.string(), weight: number }), { maxLength: 3 }),
 });
 
 const hash = fc
@@ -135,4 +155,5 @@ export const randomScene: fc.Arbitrary<Scene> = fc.record({
     }),
   }),
   shots: fc.uniqueArray(shot, { maxLength: 4, selector: ({ id }) => id }),
+  poses: fc.uniqueArray(savedPose, { maxLength: 3, selector: ({ id }) => id }),
 });

@@ -147,6 +147,19 @@ describe('a wrong value', () => {
     expect(messagesOf(text)[0]).toContain(message);
   });
 
+  it.each([
+    ['{"joints":[{"name":"a","dofs":"XW","values":[1,2]}]}', 'the letters of degrees of freedom'],
+    ['{"joints":[{"name":"a","dofs":"XQ","values":[1,2]}]}', 'as many values as "dofs" stands for'],
+    ['{"joints":[{"name":"a","dofs":"X","values":["1"]}]}', 'a number from'],
+    ['{"morphs":[{"name":"smile","weight":1e40}]}', 'a number from'],
+    ['{"height":-1}', 'a number from 0'],
+  ])('of a saved pose leaves out that value: %s', (pose, message) => {
+    const text = scene(`,"poses":[${pose},{"id":1,"name":"Kept"}]`);
+    const { value } = readScene('scene.json', text);
+    expect(value!.surroundings.poses.map(({ name }) => name)).toEqual(['Pose', 'Kept']);
+    expect(messagesOf(text)[0]).toContain(message);
+  });
+
   it('never throws, whatever the text is', () => {
     const texts = randomScene.map((each) => writeScene(each, plainView));
     fc.assert(
