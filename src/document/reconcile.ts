@@ -54,6 +54,8 @@ export function dropJoints(session: Session): void {
   session.hoveredHandle.value = null;
   session.hoverPlace.value = null;
   session.activeDof.value = null;
+  session.chainLength.value = null;
+  session.shownChain.value = null;
 }
 
 /** Whether indices of joints and of values in q mean the same in both. */

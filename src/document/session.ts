@@ -3,6 +3,7 @@ import type { Bone } from '../core/bones.ts';
 import type { Diagnostic } from '../core/diagnostics.ts';
 import type { ActorId } from './scene.ts';
 import type { KernelId } from '../skinning/method.ts';
+import type { IkMethodId, Vector3 } from '../posing/ik/problem.ts';
 import type { PlayMode } from '../posing/playhead.ts';
 import type { ShotId } from './shots.ts';
 import type { WeightViewId } from '../skinning/weights/views.ts';
@@ -52,6 +53,25 @@ export interface HoveredLimb {
   readonly joint: number;
   /** A bone that starts at the joint, or null if none does. */
   readonly bone: Bone | null;
+}
+
+/** A chain of joints that a drag moves, or would move, by inverse kinematics. */
+export interface ShownChain {
+  readonly actorId: ActorId;
+  /** From the joint that holds the chain to the one that is dragged. */
+  readonly joints: readonly number[];
+  /** The dragged point, in the frame of the last joint. */
+  readonly point: Vector3;
+  /** Where that point is to go, in the character's space, while a drag moves it; otherwise null. */
+  readonly target: Vector3 | null;
+  /** Whether the point is not at the target, and a line shows how far it is. */
+  readonly isApart: boolean;
+}
+
+/** How many joints a chain that ends at a joint has. */
+export interface ChainLength {
+  readonly joint: number;
+  readonly count: number;
 }
 
 /** Which parts of characters are shown, and how. */
@@ -104,6 +124,14 @@ export class Session {
   /** Whether every limb turns when it is dragged, not only the selected one. */
   readonly boneMode = signal(false);
   readonly posesBy = signal<PosesBy>('selection');
+  /** Whether a drag on a limb moves a chain by inverse kinematics, instead of turning the joint. */
+  readonly ikMode = signal(false);
+  readonly ikMethod = signal<IkMethodId>('dls');
+  /** The user's choice for the chains of one joint; the others end where the body branches. */
+  readonly chainLength = signal<ChainLength | null>(null);
+  readonly shownChain = signal<ShownChain | null>(null);
+  /** Whether inverse kinematics shows handles for the targets that files name. */
+  readonly showTargets = signal(true);
   /** Whether the lights have handles in the view. */
   readonly dragsLights = signal(false);
   /** Whether the view was last used by touch, where handles are larger. */

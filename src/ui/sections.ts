@@ -74,6 +74,13 @@ export const sections: readonly Section[] = [
       guiSection((await loadPart(import('./controls/pose-folder.ts'))).addPoseFolder),
   },
   {
+    id: 'ik',
+    place: 'right',
+    tabs: ['pose'],
+    when: (editor) => jointCount(editor) > 0,
+    load: async () => guiSection((await loadPart(import('./controls/ik-folder.ts'))).addIkFolder),
+  },
+  {
     id: 'method',
     place: 'right',
     tabs: ['deform'],

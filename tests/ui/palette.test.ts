@@ -106,6 +106,7 @@ describe('the palette', () => {
     const seen = new Set(listed());
     session.firstPerson.value = false;
     session.boneMode.value = true;
+    session.ikMode.value = true;
     progress.value = { label: 'Reading', fraction: 0 };
     store.redo();
     expect(listed()).not.toContain('update-shot');

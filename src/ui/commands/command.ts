@@ -16,6 +16,7 @@ export type ContextId =
   | 'first person'
   | 'timeline'
   | 'placing'
+  | 'chain'
   | 'bone'
   | 'joint'
   | 'character'

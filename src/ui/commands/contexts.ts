@@ -28,6 +28,15 @@ export const contexts: readonly KeyContext[] = [
     isActive: (editor) => isPlacing(editor),
   },
   {
+    id: 'chain',
+    label: 'With inverse kinematics, while a joint is selected or a chain is dragged',
+    isActive: ({ session }) => {
+      const { ikMode, selectedJoint, shownChain } = session;
+      const isDragged = (shownChain.value?.target ?? null) !== null;
+      return isDragged || (ikMode.value && selectedJoint.value !== null);
+    },
+  },
+  {
     id: 'bone',
     label: 'In bone mode, with a highlighted or selected joint',
     isActive: ({ session }) => session.boneMode.value && rolledJoint(session) !== null,

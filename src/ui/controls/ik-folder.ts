@@ -1,0 +1,36 @@
+import { effect } from '@preact/signals-core';
+import type { GUI } from 'lil-gui';
+import { chainLengthOf } from '../chain-length.ts';
+import type { Editor } from '../editor.ts';
+import { addCommandRow } from './command-row.ts';
+import { field, signalField } from './signal-field.ts';
+
+/** Adds the controls of inverse kinematics. Returns what ends its effects. */
+export function addIkFolder(gui: GUI, editor: Editor): () => void {
+  const { session } = editor;
+  const folder = gui.addFolder('Inverse kinematics').close();
+  addCommandRow(folder, editor, 'ik-mode');
+  const length = field(
+    () => lengthNow().count,
+    (count) => {
+      const joint = session.selectedJoint.value;
+      if (joint !== null) session.chainLength.value = { joint, count };
+    },
+  );
+  const chain = folder.add(length, 'value', 1, 1, 1).name('Joints in the chain');
+  addCommandRow(folder, editor, 'longer-chain');
+  addCommandRow(folder, editor, 'shorter-chain');
+  folder.add(signalField(session.showTargets), 'value').name("The file's targets");
+  return effect(() => {
+    const { most } = lengthNow();
+    chain
+      .max(most)
+      .show(session.selectedJoint.value !== null)
+      .updateDisplay();
+  });
+
+  function lengthNow() {
+    const joint = session.selectedJoint.value;
+    return joint === null ? { count: 1, most: 1 } : chainLengthOf(editor, joint);
+  }
+}
