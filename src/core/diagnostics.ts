@@ -20,7 +20,8 @@ export type DiagnosticArea =
   | 'pose'
   | 'scene'
   | 'character'
-  | 'image';
+  | 'image'
+  | 'ik';
 
 export type DiagnosticKind =
   | 'archive' // a zip that can't be unpacked, or one within another

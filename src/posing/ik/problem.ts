@@ -72,6 +72,8 @@ export interface IkSolution {
   readonly q: Float64Array;
   /** (goals) the distance of each point from its target, in model units. */
   readonly residuals: readonly number[];
+  /** (goals) the angle from each goal's orientation in radians, 0 where it has none. */
+  readonly turns: readonly number[];
   readonly iterations: number;
   readonly status: IkStatus;
   /** The indices of q whose hard limits are active, ascending. */
@@ -91,12 +93,16 @@ export interface IkStep {
 
 export type IkMethodId = 'dls' | 'ccd' | 'fabrik';
 
-/** A method of inverse kinematics. To add one, write a file and add a line to methods.ts. */
+/** A method of inverse kinematics as data; its code is loaded when it is first needed. */
 export interface IkMethod {
   readonly id: IkMethodId;
   readonly label: string;
   /** What it does and where it falls short, in one or two sentences for the user. */
   readonly summary: string;
+  readonly load: () => Promise<IkSolver>;
+}
+
+export interface IkSolver {
   solve(problem: IkProblem, options?: IkOptions): IkSolution;
   /** Yields the start and then each step; it takes the same way as `solve`. */
   steps(problem: IkProblem, options?: IkOptions): Generator<IkStep>;

@@ -1,0 +1,209 @@
+import { DofKind } from '../../core/skeleton.ts';
+import { solveDefinite } from './cholesky.ts';
+import type { IkObjective } from './objective.ts';
+import { integrate } from './tangent-space.ts';
+
+/** The farthest that one step turns a degree of freedom, in radians. */
+const stepCap = 0.5;
+/** The pull in each stage: first the large moves are made, then the goals are met exactly. */
+const pulls = [1e-2, 1e-4, 1e-6] as const;
+/** A stage ends when a step is shorter than this, in radians. */
+const smallSteps = [1e-3, 1e-3, 1e-5] as const;
+
+/**
+ * Damped least squares from one start, step by step (Wampler 1986; Levenberg–Marquardt control after
+ * Nielsen 1999). Each step solves `(H + λ S²) v = −g` for the columns that no limit stops, where H is
+ * the matrix of the objective, S the stiffness and g the gradient.
+ */
+export class Descent {
+  /** (qCount) the pose that has been reached. */
+  readonly q: Float64Array;
+  /** The damping λ of the last step. */
+  damping = 0;
+  /** How far the last step turned the joint that it turned most, in radians. */
+  lastMove = 0;
+  isDone = false;
+  readonly #objective: IkObjective;
+  readonly #trial: Float64Array;
+  readonly #step: Float64Array;
+  readonly #right: Float64Array;
+  readonly #diagonal: Float64Array;
+  readonly #matrix: Float64Array;
+  readonly #factor: Float64Array;
+  readonly #free: Uint16Array;
+  readonly #isFixed: Uint8Array;
+  #stage = 0;
+  #cost = 0;
+  #nextDamping = 0;
+  #isLinear = false;
+  #hasCurvature = true;
+
+  constructor(objective: IkObjective, from: Float64Array) {
+    const { columnCount } = objective.space;
+    this.#objective = objective;
+    this.q = from.slice();
+    this.#trial = from.slice();
+    this.#step = new Float64Array(columnCount);
+    this.#right = new Float64Array(columnCount);
+    this.#diagonal = new Float64Array(columnCount);
+    this.#matrix = new Float64Array(columnCount * columnCount);
+    this.#factor = new Float64Array(columnCount * columnCount);
+    this.#free = new Uint16Array(columnCount);
+    this.#isFixed = new Uint8Array(columnCount);
+    this.#enterStage(0);
+  }
+
+  /** Continues from another pose, as if it were new. */
+  restart(from: Float64Array): void {
+    this.q.set(from);
+    this.#trial.set(from);
+    this.isDone = false;
+    this.#enterStage(0);
+  }
+
+  /** Does one step: solves, and moves if the objective falls. */
+  step(): void {
+    const objective = this.#objective;
+    if (!this.#isLinear) {
+      objective.linearize(this.q);
+      this.#isLinear = true;
+      this.#hasCurvature = true;
+    }
+    this.damping = this.#nextDamping;
+    const predicted = this.#solve();
+    const move = this.#lengthOfStep();
+    this.lastMove = 0;
+    if (move > 0 && predicted > 0) {
+      integrate(objective.space, this.q, this.#step, this.#trial);
+      const cost = objective.cost(this.#trial);
+      if (cost < this.#cost) {
+        const gain = (this.#cost - cost) / predicted;
+        this.q.set(this.#trial);
+        this.#cost = cost;
+        this.#isLinear = false;
+        this.lastMove = move;
+        this.#nextDamping = this.damping * (gain > 0.75 ? 0.1 : gain > 0.25 ? 0.5 : 4);
+        if (move < smallSteps[this.#stage]!) this.#enterStage(this.#stage + 1);
+        return;
+      }
+      objective.kinematics.update(this.q);
+    }
+    this.#nextDamping = this.damping * 10;
+    if (move < 0.1 * smallSteps[this.#stage]! || this.#nextDamping > 1e6)
+      this.#enterStage(this.#stage + 1);
+  }
+
+  #enterStage(stage: number): void {
+    if (stage === pulls.length) {
+      this.isDone = true;
+      return;
+    }
+    this.#stage = stage;
+    this.#objective.pull = pulls[stage]!;
+    this.#nextDamping = 0.1 * pulls[stage]!;
+    this.#cost = this.#objective.cost(this.q);
+    this.#isLinear = false;
+  }
+
+  /**
+   * Solves for the step, within the limits: columns at a limit whose gradient points outwards are
+   * left out, and those that would pass a limit go exactly there while the others are solved again.
+   * Returns how much the objective should fall.
+   */
+  #solve(): number {
+    const { space, gradient, resistance } = this.#objective;
+    const { columnCount, values, min, max, kinds } = space;
+    const [step, isFixed] = [this.#step, this.#isFixed];
+    for (let i = 0; i < columnCount; i++) {
+      const value = this.q[values[i]!]!;
+      const atMin = value <= min[i]! && gradient[i]! >= 0;
+      const atMax = value >= max[i]! && gradient[i]! <= 0;
+      isFixed[i] = kinds[i] !== DofKind.ball && (atMin || atMax) ? 1 : 0;
+      step[i] = 0;
+    }
+    for (let i = 0; i < columnCount; i++) this.#diagonal[i] = this.damping * resistance[i]!;
+    for (let sweep = 0; sweep < 4; sweep++) {
+      this.#solveFree();
+      if (!this.#fixAtLimits()) break;
+    }
+    this.#capStep();
+    return this.#predictedFall();
+  }
+
+  #solveFree(): void {
+    const { space, gradient, squares, curvature } = this.#objective;
+    const { columnCount } = space;
+    const [step, right, isFixed] = [this.#step, this.#right, this.#isFixed];
+    for (;;) {
+      const matrix = this.#matrix;
+      if (this.#hasCurvature)
+        for (let i = 0; i < matrix.length; i++) matrix[i] = squares[i]! + curvature[i]!;
+      else matrix.set(squares);
+      let count = 0;
+      for (let i = 0; i < columnCount; i++) {
+        if (isFixed[i] === 0) this.#free[count++] = i;
+        let sum = -gradient[i]!;
+        for (let k = 0; k < columnCount; k++) {
+          if (isFixed[k] === 0 || step[k] === 0) continue;
+          sum -= matrix[i > k ? i * columnCount + k : k * columnCount + i]! * step[k]!;
+        }
+        right[i] = sum;
+      }
+      const free = this.#free;
+      if (solveDefinite(matrix, this.#diagonal, right, free, count, this.#factor, step)) return;
+      // Within reach the second derivatives can make a saddle; the squares alone never do.
+      if (this.#hasCurvature) this.#hasCurvature = false;
+      else for (let i = 0; i < columnCount; i++) this.#diagonal[i] = 10 * this.#diagonal[i]!;
+    }
+  }
+
+  /** Sends the columns whose step would pass a limit to that limit. Returns whether there are any. */
+  #fixAtLimits(): boolean {
+    const { columnCount, values, min, max } = this.#objective.space;
+    const [step, isFixed] = [this.#step, this.#isFixed];
+    let found = false;
+    for (let i = 0; i < columnCount; i++) {
+      if (isFixed[i] === 1) continue;
+      const value = this.q[values[i]!]!;
+      const wanted = value + step[i]!;
+      if (wanted >= min[i]! && wanted <= max[i]!) continue;
+      step[i] = Math.min(Math.max(wanted, min[i]!), max[i]!) - value;
+      isFixed[i] = 1;
+      found = true;
+    }
+    return found;
+  }
+
+  #capStep(): void {
+    const move = this.#lengthOfStep();
+    if (move <= stepCap) return;
+    for (let i = 0; i < this.#step.length; i++) this.#step[i] = this.#step[i]! * (stepCap / move);
+  }
+
+  /** The largest turn of a column, in radians, or slide in units of turns. */
+  #lengthOfStep(): number {
+    const { resistance, space } = this.#objective;
+    let most = 0;
+    for (let i = 0; i < this.#step.length; i++) {
+      const unit = space.kinds[i] === DofKind.slide ? Math.sqrt(resistance[i]!) : 1;
+      most = Math.max(most, unit * Math.abs(this.#step[i]!));
+    }
+    return most;
+  }
+
+  #predictedFall(): number {
+    const { gradient, squares, curvature, space } = this.#objective;
+    const { columnCount } = space;
+    const step = this.#step;
+    let fall = 0;
+    for (let i = 0; i < columnCount; i++) {
+      fall -= gradient[i]! * step[i]!;
+      for (let k = 0; k <= i; k++) {
+        const at = i * columnCount + k;
+        const element = this.#hasCurvature ? squares[at]! + curvature[at]! : squares[at]!;
+        fall -= (i === k ? 0.5 : 1) * element * step[i]! * step[k]!;
+      }
+    }
+    return fall;
+  }
+}

@@ -1,0 +1,173 @@
+import { assert } from '../../core/assert.ts';
+import { Descent } from './descent.ts';
+import { IkObjective } from './objective.ts';
+import type { IkOptions, IkProblem, IkSolution, IkSolver, IkStep } from './problem.ts';
+import { singularValues } from './singular-values.ts';
+import { startPose } from './starts.ts';
+import { isWithinReach, reachedFraction, statusOf, valuesAtLimits } from './status.ts';
+import { sameValues } from './tangent-space.ts';
+
+const defaults = { iterations: 60, restarts: 11, tolerance: 1e-4 } as const;
+
+/** A residual that is not smaller by this part of the chain is no better. */
+const notable = 1e-4;
+
+/** Damped least squares in the space of the degrees of freedom; docs/ik.md describes it. */
+export const dls: IkSolver = {
+  solve(problem, options = {}) {
+    const run = new Run(problem, options);
+    while (run.advance());
+    return run.solution();
+  },
+  *steps(problem, options = {}) {
+    const run = new Run(problem, options);
+    yield run.report('The start.');
+    for (let isMore = true; isMore;) {
+      const values = run.singularValues();
+      isMore = run.advance();
+      if (run.text !== '') yield { ...run.report(run.text), singularValues: values };
+    }
+  },
+};
+
+/** One solve: the first start, and others if it stalls within reach. */
+class Run {
+  text = '';
+  readonly #problem: IkProblem;
+  readonly #objective: IkObjective;
+  readonly #descent: Descent;
+  readonly #from: Float64Array;
+  readonly #iterations: number;
+  readonly #restarts: number;
+  readonly #tolerance: number;
+  #best: Float64Array;
+  /** The worst residual of the best pose, in lengths of its chain, and its distance. */
+  #bestResidual: number;
+  #bestDistance: number;
+  /** The number of the present start, -1 for the first. */
+  #start = -1;
+  #inStart = 0;
+  #iterationCount = 0;
+  #isDone = false;
+
+  constructor(problem: IkProblem, options: IkOptions) {
+    const { skeleton, reference, joints } = problem;
+    const from = options.from ?? reference;
+    assert(from.length === skeleton.qRest.length, 'a start with all values of the skeleton');
+    this.#problem = problem;
+    this.#from = withOthers(problem, from);
+    this.#iterations = options.iterations ?? defaults.iterations;
+    this.#restarts = options.restarts ?? defaults.restarts;
+    this.#tolerance = options.tolerance ?? defaults.tolerance;
+    this.#objective = new IkObjective(problem, this.#from);
+    this.#descent = new Descent(this.#objective, this.#from);
+    this.#best = this.#from;
+    this.#bestResidual = this.#measure(this.#from);
+    this.#bestDistance = this.#objective.secondaryCost(this.#from);
+    const isAtReference = sameValues(skeleton, joints, from, reference);
+    const canMove = this.#objective.space.columnCount > 0 && problem.goals.length > 0;
+    this.#isDone = !canMove || (isAtReference && this.#bestResidual <= this.#tolerance);
+  }
+
+  /** Does one step; returns whether there is another. */
+  advance(): boolean {
+    this.text = '';
+    if (this.#isDone) return false;
+    const descent = this.#descent;
+    descent.step();
+    this.#inStart++;
+    this.#iterationCount++;
+    this.text = describe(descent, this.#start);
+    if (!descent.isDone && this.#inStart < this.#iterations) return true;
+    this.#keepIfBetter();
+    this.#isDone = !this.#nextStart();
+    return !this.#isDone;
+  }
+
+  solution(): IkSolution {
+    const { goals, skeleton, joints } = this.#problem;
+    const objective = this.#objective;
+    objective.kinematics.update(this.#best);
+    const residuals = goals.map((_, goal) => objective.residual(goal));
+    const turns = goals.map((_, goal) => objective.turn(goal));
+    const atLimits = valuesAtLimits(skeleton, joints, this.#best);
+    return {
+      ...{ q: this.#best.slice(), residuals, turns, iterations: this.#iterationCount, atLimits },
+      status: statusOf(goals, objective.chains, residuals, turns, atLimits),
+    };
+  }
+
+  report(text: string): IkStep {
+    const { goals, skeleton, joints } = this.#problem;
+    const { q } = this.#descent;
+    this.#objective.kinematics.update(q);
+    return {
+      ...{ q: q.slice(), text, singularValues: this.singularValues() },
+      residuals: goals.map((_, goal) => this.#objective.residual(goal)),
+      atLimits: valuesAtLimits(skeleton, joints, q),
+    };
+  }
+
+  singularValues(): number[] {
+    this.#objective.kinematics.update(this.#descent.q);
+    return singularValues(this.#objective);
+  }
+
+  /** The worst residual in lengths of its chain; leaves the kinematics at q. */
+  #measure(q: Float64Array): number {
+    const objective = this.#objective;
+    objective.kinematics.update(q);
+    let worst = 0;
+    for (let goal = 0; goal < this.#problem.goals.length; goal++) {
+      const residual = objective.residual(goal) / objective.chains[goal]!.length;
+      worst = Math.max(worst, residual, 0.1 * objective.turn(goal));
+    }
+    return worst;
+  }
+
+  /** Of poses that are equally near to the goals, the one that is nearer to the reference is kept. */
+  #keepIfBetter(): void {
+    const { q } = this.#descent;
+    const residual = this.#measure(q);
+    const distance = this.#objective.secondaryCost(q);
+    const isAsGood = residual < this.#bestResidual + notable && distance < this.#bestDistance;
+    if (!(residual < this.#bestResidual - notable || isAsGood)) return;
+    this.#best = q.slice();
+    this.#bestResidual = residual;
+    this.#bestDistance = distance;
+  }
+
+  /** Begins another start if the solve stalled within reach. */
+  #nextStart(): boolean {
+    const { goals, reference } = this.#problem;
+    if (this.#start + 1 >= this.#restarts) return false;
+    if (this.#start === -1 && this.#bestResidual <= reachedFraction) return false;
+    const isWithin = goals.every((goal, i) => isWithinReach(goal, this.#objective.chains[i]!));
+    if (!isWithin) return false;
+    this.#start++;
+    this.#inStart = 0;
+    this.#descent.restart(startPose(this.#objective.space, reference, this.#start));
+    return true;
+  }
+}
+
+/** The start, with the reference's values in the joints that may not change. */
+function withOthers({ skeleton, joints, reference }: IkProblem, from: Float64Array): Float64Array {
+  const q = reference.slice();
+  for (const joint of joints) {
+    for (let dof = skeleton.dofStart[joint]!; dof < skeleton.dofStart[joint + 1]!; dof++) {
+      const at = skeleton.dofQ[dof]!;
+      const end = skeleton.dofQ[dof + 1] ?? q.length;
+      for (let i = at; i < end; i++)
+        q[i] = Math.min(Math.max(from[i]!, skeleton.qMin[i]!), skeleton.qMax[i]!);
+    }
+  }
+  return q;
+}
+
+function describe({ damping, lastMove }: Descent, start: number): string {
+  const where = start === -1 ? '' : ` From start ${start + 2}.`;
+  if (lastMove === 0) return `The step made it worse, so that the damping grows.${where}`;
+  const degrees = ((lastMove * 180) / Math.PI).toFixed(2);
+  return `All moved together, by at most ${degrees}°, with damping ${damping.toExponential(0)}.${where}`;
+}
