@@ -45,5 +45,52 @@ export function solveDefinite(
   return true;
 }
 
+/**
+ * Finds a direction along which the quadratic form of a symmetric matrix is negative: where the
+ * Cholesky factorization fails at a row, the vector that is 1 there, and in the rows before it what
+ * makes the form least. Returns false if there is none, because the matrix is positive definite.
+ *
+ * @param matrix (size × size) only its lower triangle is read
+ * @param order all rows and columns, in the order in which they are eliminated
+ * @param factor (size × size) scratch
+ * @param direction (size) written
+ */
+export function negativeDirection(
+  matrix: Float64Array,
+  order: Uint16Array,
+  factor: Float64Array,
+  direction: Float64Array,
+): boolean {
+  const size = direction.length;
+  direction.fill(0);
+  for (let row = 0; row < size; row++) {
+    const r = row * size;
+    const own = order[row]!;
+    let pivot = matrix[own * size + own]!;
+    for (let column = 0; column < row; column++) {
+      const c = column * size;
+      const other = order[column]!;
+      let sum = matrix[own > other ? own * size + other : other * size + own]!;
+      for (let k = 0; k < column; k++) sum -= factor[r + k]! * factor[c + k]!;
+      const element = sum / factor[c + column]!;
+      factor[r + column] = element;
+      pivot -= element * element;
+    }
+    if (pivot > 0) {
+      factor[r + row] = Math.sqrt(pivot);
+      continue;
+    }
+    direction[own] = 1;
+    for (let column = row - 1; column >= 0; column--) {
+      let rest = -factor[r + column]!;
+      for (let k = column + 1; k < row; k++)
+        rest -= factor[k * size + column]! * direction[order[k]!]!;
+      direction[order[column]!] = rest / factor[column * size + column]!;
+    }
+    return true;
+  }
+  return false;
+}
+
 /** A pivot that is smaller than this part of its diagonal element is lost in rounding. */
 const rounding = 1e-13;

@@ -1,5 +1,5 @@
 import { DofKind } from '../../core/skeleton.ts';
-import { solveDefinite } from './cholesky.ts';
+import { negativeDirection, solveDefinite } from './cholesky.ts';
 import type { IkObjective } from './objective.ts';
 import { integrate } from './tangent-space.ts';
 
@@ -9,6 +9,10 @@ const stepCap = 0.5;
 const pulls = [1e-2, 1e-4, 1e-6] as const;
 /** A stage ends when a step is shorter than this, in radians. */
 const smallSteps = [1e-3, 1e-3, 1e-5] as const;
+/** How far the joint that turns most is turned away from a saddle, in radians. */
+const nudge = 0.05;
+/** In one stage; a limb of several joints can need more than one. */
+const mostNudges = 4;
 
 /**
  * Damped least squares from one start, step by step (Wampler 1986; Levenberg–Marquardt control after
@@ -32,7 +36,9 @@ export class Descent {
   readonly #factor: Float64Array;
   readonly #free: Uint16Array;
   readonly #isFixed: Uint8Array;
+  readonly #order: Uint16Array;
   #stage = 0;
+  #nudgesLeft = 0;
   #cost = 0;
   #nextDamping = 0;
   #isLinear = false;
@@ -50,15 +56,19 @@ export class Descent {
     this.#factor = new Float64Array(columnCount * columnCount);
     this.#free = new Uint16Array(columnCount);
     this.#isFixed = new Uint8Array(columnCount);
+    this.#order = new Uint16Array(columnCount);
     this.#enterStage(0);
   }
 
-  /** Continues from another pose, as if it were new. */
+  /**
+   * Continues from another pose. The first stage is left out, because it would pull the pose back to
+   * where the last start ended.
+   */
   restart(from: Float64Array): void {
     this.q.set(from);
     this.#trial.set(from);
     this.isDone = false;
-    this.#enterStage(0);
+    this.#enterStage(1);
   }
 
   /** Does one step: solves, and moves if the objective falls. */
@@ -74,8 +84,7 @@ export class Descent {
     const move = this.#lengthOfStep();
     this.lastMove = 0;
     if (move > 0 && predicted > 0) {
-      integrate(objective.space, this.q, this.#step, this.#trial);
-      const cost = objective.cost(this.#trial);
+      const cost = this.#costAhead();
       if (cost < this.#cost) {
         const gain = (this.#cost - cost) / predicted;
         this.q.set(this.#trial);
@@ -83,14 +92,66 @@ export class Descent {
         this.#isLinear = false;
         this.lastMove = move;
         this.#nextDamping = this.damping * (gain > 0.75 ? 0.1 : gain > 0.25 ? 0.5 : 4);
-        if (move < smallSteps[this.#stage]!) this.#enterStage(this.#stage + 1);
+        if (move < smallSteps[this.#stage]!) this.#endStage();
         return;
       }
       objective.kinematics.update(this.q);
     }
     this.#nextDamping = this.damping * 10;
-    if (move < 0.1 * smallSteps[this.#stage]! || this.#nextDamping > 1e6)
-      this.#enterStage(this.#stage + 1);
+    if (move < 0.1 * smallSteps[this.#stage]! || this.#nextDamping > 1e6) this.#endStage();
+  }
+
+  #endStage(): void {
+    if (this.#nudgesLeft > 0 && this.#leaveSaddle()) this.#nudgesLeft--;
+    else this.#enterStage(this.#stage + 1);
+  }
+
+  /**
+   * A limb that is straight along the line to its target, such as a leg whose knee starts at its
+   * limit, has no gradient although bending it would help. Where the second derivatives are negative
+   * along a direction, the pose is moved a little along it, to the better side. Returns whether it was.
+   */
+  #leaveSaddle(): boolean {
+    const objective = this.#objective;
+    objective.linearize(this.q);
+    const { squares, curvature } = objective;
+    const [matrix, step] = [this.#matrix, this.#step];
+    for (let i = 0; i < matrix.length; i++) matrix[i] = squares[i]! + curvature[i]!;
+    this.#orderByLimits();
+    if (!negativeDirection(matrix, this.#order, this.#factor, step)) return false;
+    const move = this.#lengthOfStep();
+    for (let i = 0; i < step.length; i++) step[i] = (step[i]! * nudge) / move;
+    const ahead = this.#costAhead();
+    for (let i = 0; i < step.length; i++) step[i] = -step[i]!;
+    const behind = this.#costAhead();
+    if (Math.min(ahead, behind) >= this.#cost) {
+      objective.kinematics.update(this.q);
+      return false;
+    }
+    if (ahead < behind) for (let i = 0; i < step.length; i++) step[i] = -step[i]!;
+    this.#cost = this.#costAhead();
+    this.q.set(this.#trial);
+    this.#nextDamping = 0.1 * pulls[this.#stage]!;
+    this.#isLinear = false;
+    return true;
+  }
+
+  /** Orders the columns: those that are free, and then those at a limit. */
+  #orderByLimits(): void {
+    const { columnCount, values, min, max } = this.#objective.space;
+    let count = 0;
+    for (const wantsLimit of [false, true])
+      for (let i = 0; i < columnCount; i++) {
+        const value = this.q[values[i]!]!;
+        const isAtLimit = value <= min[i]! || value >= max[i]!;
+        if (isAtLimit === wantsLimit) this.#order[count++] = i;
+      }
+  }
+
+  /** The objective where the step leads; `#trial` is that pose. */
+  #costAhead(): number {
+    integrate(this.#objective.space, this.q, this.#step, this.#trial);
+    return this.#objective.cost(this.#trial);
   }
 
   #enterStage(stage: number): void {
@@ -99,6 +160,7 @@ export class Descent {
       return;
     }
     this.#stage = stage;
+    this.#nudgesLeft = mostNudges;
     this.#objective.pull = pulls[stage]!;
     this.#nextDamping = 0.1 * pulls[stage]!;
     this.#cost = this.#objective.cost(this.q);
