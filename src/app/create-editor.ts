@@ -232,7 +232,7 @@ export function createEditor(
 
   function poseText(): string {
     const shown = evaluations.selected();
-    const json = shown ? poseToJson(shown.state.character.skeleton, shown.pose) : {};
+    const json = shown ? poseToJson(shown.state.character.skeleton, shown.poseToEdit) : {};
     return `${JSON.stringify(json, null, 2)}\n`;
   }
 }

@@ -127,7 +127,7 @@ export function createScripting(editor: Editor, ready: Promise<void>): Scripting
       const actor = find(name);
       if (!actor) return {};
       const { skeleton } = actor.character;
-      if (json === undefined) return poseToJson(skeleton, evaluations.of(actor).pose);
+      if (json === undefined) return poseToJson(skeleton, evaluations.of(actor).poseToEdit);
       const { value, diagnostics } = poseFromJson('pose', json, skeleton);
       if (!value) throw new Error(diagnostics.map(formatDiagnostic).join('\n'));
       if (diagnostics.length > 0) session.problems.value = diagnostics;

@@ -131,7 +131,9 @@ async function evaluate(character: Character, posed: Pose, options: Options): Pr
   };
   const { normalize: normalizeWeights, influences } = options;
   const kept = { ...posed, normals, normalizeWeights, influences };
-  const actor = createActor(1, character, method, kept);
+  // The file's own pose model has no linked rotations; they belong to the page.
+  const plain = { ...character, rotationLinks: [] };
+  const actor = createActor(1, plain, method, kept);
   const pool = new EvaluationPool();
   await pool.kernels.loadFor(actor);
   pool.kernels.wasm = await wasmKernel();

@@ -1,5 +1,6 @@
 import { type Bounds, emptyBounds, includePositions } from './bounds.ts';
 import { boxCorners } from './display-boxes.ts';
+import { buildLinks } from './build-links.ts';
 import { buildMesh } from './build-mesh.ts';
 import { buildSkeleton, emptySkeleton } from './build-skeleton.ts';
 import { buildSkin, buildStaticSkin } from './build-skin.ts';
@@ -70,6 +71,7 @@ function assemble(
     missing: parts.missing,
     meta: { fileSpace: parts.fileSpace ?? 'right-handed' },
     optionalImages: parts.optionalImages ?? [],
+    ...buildLinks(parts, skeleton),
     ...(parts.extra ? { extra: parts.extra } : {}),
   };
 }

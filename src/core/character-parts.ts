@@ -21,7 +21,28 @@ export interface CharacterParts {
   readonly fileSpace?: FileSpace;
   /** Names of images that belong to the files but are not needed; none if absent. */
   readonly optionalImages?: readonly string[];
+  /** Joints by their file indices; none if absent. */
+  readonly rotationLinks?: readonly RotationLink[];
+  /** Joints by their file indices; none if absent. */
+  readonly ikChains?: readonly IkChain[];
   readonly extra?: CharacterExtra;
+}
+
+/** A joint that copies a part of another joint's rotation. */
+export interface RotationLink {
+  readonly joint: number;
+  readonly source: number;
+  /** 1 copies the whole rotation. */
+  readonly ratio: number;
+}
+
+/** A chain of joints with a goal, which the file has for inverse kinematics. */
+export interface IkChain {
+  /** The joint that the effector is to reach. */
+  readonly goal: number;
+  readonly effector: number;
+  /** The joints that turn, from the one next to the effector upwards. */
+  readonly links: readonly number[];
 }
 
 /**

@@ -1,5 +1,11 @@
 import type { Bounds } from './bounds.ts';
-import type { ClipParts, FileSpace, MaterialParts } from './character-parts.ts';
+import type {
+  ClipParts,
+  FileSpace,
+  IkChain,
+  MaterialParts,
+  RotationLink,
+} from './character-parts.ts';
 import type { Mesh } from './mesh.ts';
 import type { Morph } from './morph.ts';
 import type { Skeleton } from './skeleton.ts';
@@ -41,6 +47,10 @@ export interface Character {
    * Names of images that belong to the files but that nothing shown needs, so they may be missing.
    */
   readonly optionalImages: readonly string[];
+  /** Joints that copy rotations of others where the character is shown, in the order of the file. */
+  readonly rotationLinks: readonly RotationLink[];
+  /** The chains of the file, in its order. */
+  readonly ikChains: readonly IkChain[];
   readonly extra?: CharacterExtra;
 }
 

@@ -1,10 +1,10 @@
 import type { Character } from '../core/character.ts';
-import { type Clip, clipFor } from '../core/clip.ts';
 import type { ClipParts } from '../core/character-parts.ts';
 import { normalizeSkin, type Skin } from '../core/skin.ts';
 import { keepInfluences } from '../core/strongest-influences.ts';
 import { sameValue } from '../core/same-value.ts';
 import type { NormalsId } from '../core/skin.ts';
+import { noPins, type Pin } from '../posing/pins/pin.ts';
 import type { MethodId } from '../skinning/method.ts';
 import { defaultDeformation } from '../skinning/registry.ts';
 import { type ActorLook, plainLook } from './actor-look.ts';
@@ -75,9 +75,11 @@ export interface Actor {
   readonly fitted: boolean;
   /** (qCount) the pose; never written in place. */
   readonly q: Float64Array;
+  /** Joints that are held where the pose is shown. */
+  readonly pins: readonly Pin[];
   /** (morphCount) the weight of each morph; never written in place. */
   readonly morphWeights: Float64Array;
-  /** Clips are compiled on demand (`boundClip`). */
+  /** Clips are compiled on demand (`clipFor`). */
   readonly clips: readonly ClipParts[];
   /** The bound clip, an index into `clips`; its values replace those of `q` in what is shown. */
   readonly clip: number | null;
@@ -102,6 +104,7 @@ export type KeptState = Partial<
     | 'transform'
     | 'fitted'
     | 'q'
+    | 'pins'
     | 'morphWeights'
     | 'clips'
     | 'clip'
@@ -133,6 +136,7 @@ export function createActor(
     transform,
     fitted: kept.fitted ?? true,
     q: (kept.q ?? character.skeleton.qRest).slice(),
+    pins: kept.pins ?? noPins,
     morphWeights: kept.morphWeights?.slice() ?? new Float64Array(character.morphs.length),
     clips: kept.clips ?? character.clips,
     clip,
@@ -144,10 +148,9 @@ export function createActor(
   };
 }
 
-/** The compiled clip that is bound to an actor, if any. */
-export function boundClip({ clip, clips, character }: Actor): Clip | undefined {
-  const parts = clip === null ? undefined : clips[clip];
-  return parts && clipFor(parts, character.skeleton);
+/** The clip that is bound to an actor, if any. */
+export function boundClip({ clip, clips }: Actor): ClipParts | undefined {
+  return clip === null ? undefined : clips[clip];
 }
 
 export function actorById({ actors }: Scene, id: ActorId | null): Actor | undefined {

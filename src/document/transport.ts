@@ -1,4 +1,5 @@
 import { type Clip, clipFor } from '../core/clip.ts';
+import type { ClipParts } from '../core/character-parts.ts';
 import { advance } from '../posing/playhead.ts';
 import { bindClip } from './edits.ts';
 import { type Actor, boundClip } from './scene.ts';
@@ -98,7 +99,7 @@ export class Transport {
   }
 
   /** The clip of an actor that plays while another actor is selected. */
-  private get otherBoundClip(): Clip | undefined {
+  private get otherBoundClip(): ClipParts | undefined {
     const bound = this.store.scene.value.actors.find(({ clip }) => clip !== null);
     return bound && boundClip(bound);
   }

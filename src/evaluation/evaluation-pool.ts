@@ -6,10 +6,12 @@ import type { DisplayTransform } from './display-transform.ts';
 import { Kernels } from './kernels.ts';
 import { StageCells } from './stage.ts';
 
-/** The values q that are shown, and an array to write them into if layers change them. */
+/** The values q that are shown, and those from which edits start. */
 export interface ShownValues {
   readonly q: Float64Array;
-  readonly layered: Float64Array | null;
+  readonly toEdit: Float64Array;
+  /** Arrays to write into, one for each layer that was active. */
+  readonly written: Float64Array[];
 }
 
 /**

@@ -38,6 +38,8 @@ export interface Evaluation {
   readonly state: Actor;
   /** The pose that is shown: the edited pose as the pose layers change it. */
   readonly pose: Pose;
+  /** The pose from which edits start: the shown one without values that are only shown. */
+  readonly poseToEdit: Pose;
   /** (jointCount × 16) column-major, float64: from each joint's frame to character space. */
   readonly characterFromJoint: Float64Array;
   /** The mesh after its rest layers. */
@@ -61,7 +63,7 @@ export interface Evaluation {
    * character space.
    */
   bounds(): Bounds;
-  /** Returns a copy of the pose that is shown, which the caller may keep. */
+  /** Returns a copy of the pose from which edits start, which the caller may keep. */
   snapshot(): Pose;
   /** Returns an evaluation that stays at this moment until the caller disposes of it. */
   still(): StillEvaluation;

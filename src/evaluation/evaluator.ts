@@ -6,6 +6,7 @@ import type { Pose } from '../core/pose.ts';
 import type { Skin } from '../core/skin.ts';
 import { type Actor, boundClip, skinInUse } from '../document/scene.ts';
 import { poseLayers } from '../posing/layers.ts';
+import type { LayerFunction } from '../posing/pose-layer.ts';
 import { linearBlend } from '../skinning/linear-blend.ts';
 import type { SkinningMethod, VertexStreams } from '../skinning/method.ts';
 import { kernelOf, normalWays, recomputedNormals } from '../skinning/registry.ts';
@@ -26,6 +27,7 @@ export class Evaluator implements Evaluation {
   private readonly kernels: Kernels;
   private now: Actor;
   private time = 0;
+  private followed: Float64Array | null = null;
 
   private readonly valueStage: Stage<ShownValues>;
   private readonly jointStage: Stage<Float64Array>;
@@ -45,8 +47,15 @@ export class Evaluator implements Evaluation {
     const shared = pool.of(character);
     this.valueStage = new Stage(
       shared.values,
-      () => [this.now.q, boundClip(this.now), this.isStill ? 0 : this.time],
-      (former) => this.applyLayers(former?.layered ?? null),
+      () => [
+        this.now.q,
+        boundClip(this.now),
+        this.isStill ? 0 : this.time,
+        this.now.pins,
+        this.followed,
+        ...this.layers,
+      ],
+      (former) => this.applyLayers(former?.written ?? []),
     );
     this.jointStage = new Stage(
       shared.joints,
@@ -93,10 +102,14 @@ export class Evaluator implements Evaluation {
     return id === this.now.id && character === this.now.character;
   }
 
-  /** @param time in seconds of the bound clip */
-  evaluate(state: Actor, time: number): Evaluation {
+  /**
+   * @param time in seconds of the bound clip
+   * @param followed see `PoseContext`; it is never written into
+   */
+  evaluate(state: Actor, time: number, followed: Float64Array | null = null): Evaluation {
     this.now = state;
     this.time = time;
+    this.followed = followed;
     return this;
   }
 
@@ -106,6 +119,10 @@ export class Evaluator implements Evaluation {
 
   get pose(): Required<Pose> {
     return { q: this.valueStage.value.q, morphWeights: this.now.morphWeights };
+  }
+
+  get poseToEdit(): Required<Pose> {
+    return { ...this.pose, q: this.valueStage.value.toEdit };
   }
 
   get characterFromJoint(): Float64Array {
@@ -129,6 +146,10 @@ export class Evaluator implements Evaluation {
     const pending = this.kernels.isPending(id) ? [label] : [];
     if (recomputedNormals(this.now.normals) && this.kernels.recompute.isPending) {
       pending.push(normalWays.find((way) => way.id === this.now.normals)!.label);
+    }
+    for (const layer of poseLayers) {
+      if (layer.isActive(this.now) && this.kernels.layer(layer).isPending)
+        pending.push(layer.label);
     }
     return pending;
   }
@@ -161,13 +182,13 @@ export class Evaluator implements Evaluation {
   }
 
   snapshot(): Pose {
-    const { q, morphWeights } = this.pose;
+    const { q, morphWeights } = this.poseToEdit;
     return { q: q.slice(), morphWeights: morphWeights.slice() };
   }
 
   still(): StillEvaluation {
     const still = new Evaluator(this.now, this.pool);
-    still.evaluate(this.now, this.time);
+    still.evaluate(this.now, this.time, this.followed);
     return still;
   }
 
@@ -191,20 +212,32 @@ export class Evaluator implements Evaluation {
     return this.weighting ? this.recomputedStage : this.vertexStage;
   }
 
-  /**
-   * Returns the state's own values if no layer is active, or else an array that is overwritten next
-   * time.
-   */
-  private applyLayers(former: Float64Array | null): ShownValues {
+  /** The functions of the layers that are active and loaded, or undefined, in their order. */
+  private get layers(): readonly (LayerFunction | undefined)[] {
+    return poseLayers.map((layer) =>
+      layer.isActive(this.now) ? this.kernels.layer(layer).value : undefined,
+    );
+  }
+
+  /** Returns the state's own values if no layer changes them; otherwise it writes into arrays. */
+  private applyLayers(written: Float64Array[]): ShownValues {
     const { q } = this.now;
-    const context = { clip: boundClip(this.now) ?? null, time: this.time };
-    if (!poseLayers.some((layer) => layer.isActive(context))) return { q, layered: former };
-    const layered = former ?? new Float64Array(q.length);
-    layered.set(q);
-    for (const layer of poseLayers) {
-      if (layer.isActive(context)) layer.apply(context, layered);
-    }
-    return { q: layered, layered };
+    const context = {
+      ...this.now,
+      clip: boundClip(this.now) ?? null,
+      time: this.time,
+      followed: this.followed,
+    };
+    const shown = { q, toEdit: q, written };
+    this.layers.forEach((apply, i) => {
+      if (!apply) return;
+      const values = (written[i] ??= new Float64Array(q.length));
+      values.set(shown.q);
+      apply(context, values);
+      shown.q = values;
+      if (!poseLayers[i]!.isShownOnly) shown.toEdit = values;
+    });
+    return shown;
   }
 
   private pack(former: Float32Array | undefined): Float32Array {

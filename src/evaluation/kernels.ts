@@ -1,4 +1,6 @@
 import { loadPart } from '../core/failure.ts';
+import { poseLayers } from '../posing/layers.ts';
+import type { LayerFunction, LayerUse, PoseLayer } from '../posing/pose-layer.ts';
 import { linearBlend } from '../skinning/linear-blend.ts';
 import type { KernelId, SkinningMethod } from '../skinning/method.ts';
 import { type Deformation, kernelById, kernelOf, recomputedNormals } from '../skinning/registry.ts';
@@ -25,7 +27,8 @@ export class Kernels {
   wasm: WasmSkinning | null = null;
   /** Recomputes normals from posed faces. */
   readonly recompute: LazyPart<typeof recomputeNormals>;
-  private readonly parts = new Map<KernelId, LazyPart<SkinningMethod>>();
+  /** By the kernel's id or by the layer. */
+  private readonly parts = new Map<unknown, LazyPart<unknown>>();
   private readonly options: KernelsOptions;
 
   constructor(options: KernelsOptions = {}) {
@@ -41,12 +44,12 @@ export class Kernels {
    * the kernel arrives.
    */
   of(id: KernelId): SkinningMethod | undefined {
-    return id === linearBlend.id ? linearBlend : this.part(id).value;
+    return id === linearBlend.id ? linearBlend : this.kernel(id).value;
   }
 
   /** Whether the kernel is still loading: it has not arrived, and loading has not failed. */
   isPending(id: KernelId): boolean {
-    return !this.of(id) && this.part(id).isPending;
+    return !this.of(id) && this.kernel(id).isPending;
   }
 
   /**
@@ -54,30 +57,37 @@ export class Kernels {
    * again.
    */
   async load(id: KernelId): Promise<void> {
-    if (id !== linearBlend.id) await this.part(id).load();
+    if (id !== linearBlend.id) await this.kernel(id).load();
   }
 
-  /** Does the same for all that a deformation needs. */
-  async loadFor(deformation: Deformation): Promise<void> {
-    await this.load(kernelOf(deformation).id);
-    if (recomputedNormals(deformation.normals)) await this.recompute.load();
+  /** Does the same for all that an actor needs. */
+  async loadFor(actor: Deformation & LayerUse): Promise<void> {
+    await this.load(kernelOf(actor).id);
+    if (recomputedNormals(actor.normals)) await this.recompute.load();
+    for (const layer of poseLayers) if (layer.isActive(actor)) await this.layer(layer).load();
   }
 
-  /** Resolves when every kernel that was requested is loaded or has failed. */
+  /** The function of a layer. */
+  layer(layer: PoseLayer): LazyPart<LayerFunction> {
+    return this.part(layer, () => layer.load());
+  }
+
+  /** Resolves when every part that was requested is loaded or has failed. */
   async settled(): Promise<void> {
     await Promise.allSettled([...this.parts.values()].map((part) => part.load()));
   }
 
-  private part(id: KernelId): LazyPart<SkinningMethod> {
-    let part = this.parts.get(id);
-    if (!part) {
-      part = new LazyPart(async () => {
-        const kernel = await kernelById(id).load();
-        await this.options.prepare?.(kernel);
-        return kernel;
-      }, this.options.onFailed);
-      this.parts.set(id, part);
-    }
-    return part;
+  private kernel(id: KernelId): LazyPart<SkinningMethod> {
+    return this.part(id, async () => {
+      const kernel = await kernelById(id).load();
+      await this.options.prepare?.(kernel);
+      return kernel;
+    });
+  }
+
+  private part<T>(key: unknown, fetch: () => Promise<T>): LazyPart<T> {
+    let part = this.parts.get(key);
+    if (!part) this.parts.set(key, (part = new LazyPart(fetch, this.options.onFailed)));
+    return part as LazyPart<T>;
   }
 }

@@ -1,20 +1,43 @@
-import type { Clip } from '../core/clip.ts';
+import type { Character } from '../core/character.ts';
+import type { ClipParts } from '../core/character-parts.ts';
+import type { Pin } from './pins/pin.ts';
+
+/** What determines whether a layer is active; an actor has it all. */
+export interface LayerUse {
+  readonly character: Character;
+  /** The clip that is bound, or its index, or null. */
+  readonly clip: ClipParts | number | null;
+  readonly pins: readonly Pin[];
+}
 
 /** The input of pose layers. */
-export interface PoseContext {
-  /** The clip that is bound, or null. */
-  readonly clip: Clip | null;
+export interface PoseContext extends LayerUse {
+  readonly clip: ClipParts | null;
   /** Time in the clip, in seconds. */
   readonly time: number;
+  /**
+   * (pins × 16) for each pin that follows a joint of another character, the matrix from that joint's
+   * frame to this character's space, and NaN for the other pins; null if no pin follows any.
+   */
+  readonly followed: Float64Array | null;
 }
 
 /**
- * A source of values that are applied over the edited pose. To add one, write a file and add a line
- * to layers.ts.
+ * Changes the values of a pose in place. The result is a function of its arguments alone.
+ *
+ * @param q (qCount) read and written
+ */
+export type LayerFunction = (context: PoseContext, q: Float64Array) => void;
+
+/**
+ * A source of values that are applied over the edited pose, which is loaded when it is first active.
+ * To add one, write a file with its function and add a line to layers.ts.
  */
 export interface PoseLayer {
-  readonly id: string;
-  isActive(context: PoseContext): boolean;
-  /** @param q (qCount) read and written */
-  apply(context: PoseContext, q: Float64Array): void;
+  /** What it does, as a label for the user while it loads. */
+  readonly label: string;
+  /** Whether its values are only shown: edits start from the pose without them. */
+  readonly isShownOnly?: boolean;
+  isActive(use: LayerUse): boolean;
+  load(): Promise<LayerFunction>;
 }

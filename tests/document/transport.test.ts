@@ -9,6 +9,7 @@ import { Store } from '../../src/document/store.ts';
 import { Transport } from '../../src/document/transport.ts';
 import { Evaluations } from '../../src/evaluation/evaluations.ts';
 import { readOne } from '../support/files.ts';
+import { allThere } from '../support/kernels.ts';
 
 const skel = 'balljoint hip { balljoint knee { offset 0 1 0 rotxlimit -2 0 } }';
 const anim = `animation { range 0 2 numchannels 9
@@ -25,7 +26,7 @@ async function open(files: Record<string, string>) {
   );
   const { skeleton } = selectedActor(store, session)!.character;
   const kneeX = skeleton.dofQ[skeleton.dofStart[2]! - 1]!;
-  const evaluations = new Evaluations(store, session);
+  const evaluations = new Evaluations(store, session, allThere);
   const shownKnee = (): number => evaluations.selected()!.pose.q[kneeX]!;
   return { store, session, transport, shownKnee };
 }

@@ -40,7 +40,7 @@ describe('playing', () => {
 
   it.each(kernels.map(({ id }) => id))('makes no array on the way to vertices by %s', (id) => {
     const state = { ...playing, ...deformationOf(id) };
-    const evaluator = new Evaluator(state);
+    const evaluator = new Evaluator(state, fullPool());
     evaluator.evaluate(state, 0).vertices();
     const count = countArrays();
     for (let frame = 1; frame <= 10; frame++) evaluator.evaluate(state, frame / 30).vertices();

@@ -5,6 +5,7 @@ import type { Light } from '../../src/document/environment.ts';
 import { type Actor, type Scene, type Source, unmoved } from '../../src/document/scene.ts';
 import type { SavedPose } from '../../src/document/saved-poses.ts';
 import { aspects, type Shot } from '../../src/document/shots.ts';
+import type { Pin } from '../../src/posing/pins/pin.ts';
 import { normalWays, methods } from '../../src/skinning/registry.ts';
 import { partsOfRig } from '../fixtures/character-of-rig.ts';
 import { allRigs } from '../fixtures/rigs.ts';
@@ -87,6 +88,33 @@ const source: fc.Arbitrary<Source> = fc.oneof(
   }),
 );
 
+function pinOf(jointCount: number): fc.Arbitrary<Pin> {
+  return fc.record({
+    joint: fc.nat(jointCount - 1),
+    point: triple,
+    place: triple,
+    rotation: fc.option(rotation),
+    weight: share,
+    follows: fc.option(
+      fc.record({ actor: fc.nat(4), joint: fc.nat(jointCount - 1), point: triple, rotation }),
+    ),
+  });
+}
+
+/** Pins follow only actors before their own, so that there is no circle. */
+function asScene(actors: readonly Omit<Actor, 'id'>[]): readonly Actor[] {
+  return actors.map((actor, at) => {
+    const pins = actor.pins.map((pin) => {
+      const { actor: index = at, joint = 0 } = pin.follows ?? {};
+      const other = actors[index];
+      if (!pin.follows || !other || index >= at) return { ...pin, follows: null };
+      const followed = joint % other.character.skeleton.jointCount;
+      return { ...pin, follows: { ...pin.follows, actor: index + 1, joint: followed } };
+    });
+    return { ...actor, id: at + 1, pins };
+  });
+}
+
 function actorOf(character: Character): fc.Arbitrary<Omit<Actor, 'id'>> {
   const { skeleton, morphs, clips } = character;
   const values = fc.array(fc.option(number, { nil: undefined }), {
@@ -109,6 +137,10 @@ function actorOf(character: Character): fc.Arbitrary<Omit<Actor, 'id'>> {
         Math.min(Math.max(own[at] ?? rest, skeleton.qMin[at]!), skeleton.qMax[at]!),
       ),
     ),
+    pins: fc.uniqueArray(pinOf(skeleton.jointCount), {
+      maxLength: 3,
+      selector: ({ joint }) => joint,
+    }),
     morphWeights: fc
       .array(weight, { minLength: morphs.length, maxLength: morphs.length })
       .map((weights) => Float64Array.from(weights)),
@@ -140,9 +172,7 @@ function actorOf(character: Character): fc.Arbitrary<Omit<Actor, 'id'>> {
 
 /** Scenes with every field at any legal value. */
 export const randomScene: fc.Arbitrary<Scene> = fc.record({
-  actors: fc
-    .array(fc.constantFrom(...characters).chain(actorOf), { maxLength: 5 })
-    .map((actors) => actors.map((actor, at) => ({ ...actor, id: at + 1 }))),
+  actors: fc.array(fc.constantFrom(...characters).chain(actorOf), { maxLength: 5 }).map(asScene),
   environment: fc.record({
     lights: fc.array(light, { minLength: 3, maxLength: 3 }),
     ambient: fc.record({ color, intensity: share }),

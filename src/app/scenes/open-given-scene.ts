@@ -1,5 +1,6 @@
 import { type Diagnostic, hasErrors } from '../../core/diagnostics.ts';
 import { addActors, replaceScene } from '../../document/scene-edits.ts';
+import { withoutCircles } from '../../document/followers.ts';
 import { actorOf } from '../../document/scene-json/actor-json.ts';
 import { readScene, type SceneDescription } from '../../document/scene-json/read-scene.ts';
 import { type Actor, type ActorId, freeId, type SourceFile } from '../../document/scene.ts';
@@ -87,6 +88,11 @@ class SceneArrival {
     const finder = new FileFinder(knownFiles(parts), given);
     const came = new Map<number, LoadedCharacter>();
     const missing: SourceFile[] = [];
+    const found = (at: number) => {
+      const number = scene.actors[at]?.character ?? -1;
+      const loaded = came.get(number) ?? this.loaded.get(number);
+      return loaded && { id: this.firstId + at, skeleton: loaded.character.skeleton };
+    };
     for (const [at, source] of scene.characters.entries()) {
       if (!source || this.loaded.has(at)) continue;
       const outcome = await loadCharacter(parts, source, finder, signal, this.problems);
@@ -96,13 +102,15 @@ class SceneArrival {
     }
     const actors = scene.actors.flatMap((actor, at) => {
       const loaded = came.get(actor.character);
-      return loaded ? [actorOf(actor, this.firstId + at, loaded.character, loaded.source)] : [];
+      if (!loaded) return [];
+      const { character, source } = loaded;
+      return [actorOf(actor, this.firstId + at, character, source, found)];
     });
     await parts.opening.evaluations.prepare(actors.map((actor) => kernelOf(actor).id));
     if (signal.aborted) return undefined;
     for (const [at, loaded] of came) this.keep(at, loaded);
     this.missing = missing;
-    return actors;
+    return withoutCircles(actors);
   }
 
   show(actors: readonly Actor[], add: boolean, target: Partial<SceneTarget>): void {

@@ -9,12 +9,13 @@ import { readJointValues, writeJointValues } from './joint-values.ts';
 import { indexOfKey, keyAt } from './keys.ts';
 import { lookJson } from './look-json.ts';
 import { readMorphWeights, writeMorphWeights } from './morph-weights.ts';
+import { type FindActor, readPins, writePins } from './pins-json.ts';
 import { transformJson } from './transform-json.ts';
 
 /** The fields of an actor that are read without its character. To save another one, add its row. */
 type PlainFields = Omit<
   Actor,
-  'id' | 'character' | 'source' | 'q' | 'morphWeights' | 'clips' | 'clip'
+  'id' | 'character' | 'source' | 'q' | 'pins' | 'morphWeights' | 'clips' | 'clip'
 >;
 
 const plainFields: Codecs<PlainFields> = {
@@ -29,7 +30,7 @@ const plainFields: Codecs<PlainFields> = {
 };
 
 /** The fields that need the character. `pose` is as in POSE.json, for people who write by hand. */
-const characterFields = ['character', 'values', 'pose', 'morphs', 'clip'] as const;
+const characterFields = ['character', 'values', 'pose', 'pins', 'morphs', 'clip'] as const;
 
 /** An actor whose character may still be on its way. */
 export interface ActorDescription {
@@ -40,8 +41,16 @@ export interface ActorDescription {
   readonly json: JsonValue;
 }
 
-/** Writes an actor with an index of the scene's characters. */
-export function writeActor(actor: Actor, character: number): Record<string, unknown> {
+/**
+ * Writes an actor with an index of the scene's characters.
+ *
+ * @param actors all of the scene, which pins may follow
+ */
+export function writeActor(
+  actor: Actor,
+  character: number,
+  actors: readonly Actor[],
+): Record<string, unknown> {
   const { skeleton, morphs, clips } = actor.character;
   const values = writeJointValues(skeleton, actor.q);
   const weights = writeMorphWeights(namesOf(morphs), actor.morphWeights);
@@ -49,6 +58,7 @@ export function writeActor(actor: Actor, character: number): Record<string, unkn
     character,
     ...writeFields(plainFields, actor, freshActor(actor.id, actor.character, actor.source)),
     ...(Object.keys(values).length > 0 && { values }),
+    ...(actor.pins.length > 0 && { pins: writePins(actor, actors) }),
     ...(Object.keys(weights).length > 0 && { morphs: weights }),
     ...(actor.clip !== null && { clip: keyAt(namesOf(clips), actor.clip) }),
   };
@@ -61,17 +71,22 @@ export function readActor(json: JsonValue): ActorDescription | undefined {
   return character === undefined ? undefined : { character, plain, json };
 }
 
-/** Makes the actor that was described. What does not fit its character is reported and left out. */
+/**
+ * Makes the actor that was described. What does not fit its character is reported and left out.
+ *
+ * @param found returns which of the scene's actors has an index, if it is there, for pins that follow
+ */
 export function actorOf(
   { plain, json }: ActorDescription,
   id: ActorId,
   character: Character,
   source: Source,
+  found: FindActor = () => undefined,
 ): Actor {
   const { skeleton, morphs, clips } = character;
   const members = json.record('an object');
-  const [values, pose, weights, clip] = ['values', 'pose', 'morphs', 'clip'].map((key) =>
-    members?.get(key),
+  const [values, pose, pins, weights, clip] = ['values', 'pose', 'pins', 'morphs', 'clip'].map(
+    (key) => members?.get(key),
   );
   const fresh = freshActor(id, character, source);
   const q = (pose && decodePose(pose, skeleton).value?.q) ?? fresh.q;
@@ -80,6 +95,7 @@ export function actorOf(
     ...fresh,
     ...plain,
     q,
+    pins: pins ? readPins(pins, skeleton, found) : fresh.pins,
     morphWeights: weights ? readMorphWeights(weights, namesOf(morphs)) : fresh.morphWeights,
     clip: clip ? readClip(clip, namesOf(clips)) : null,
   };

@@ -17,7 +17,7 @@ export function writeScene(scene: Scene, view?: ViewState): string {
     characters: characters.map(({ source }) => sourceJson.write(source)),
     actors: scene.actors.map((actor) => {
       const character = characters.findIndex((each) => sharesCharacter(each, actor));
-      return writeActor(actor, character);
+      return writeActor(actor, character, scene.actors);
     }),
     ...writeFields(surroundingsJson, scene, plainSurroundings),
     ...(view && { view: viewJson.write(view) }),

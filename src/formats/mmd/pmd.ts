@@ -11,6 +11,7 @@ import { readIkChains } from './ik.ts';
 import { readMaterials } from './materials.ts';
 import type { MmdParts } from './mmd-parts.ts';
 import { mmdShape } from './shape.ts';
+import { rotationLinks } from './rotation-links.ts';
 import { readSignature } from './signature.ts';
 import { type PmdVertices, readVertices } from './vertices.ts';
 
@@ -72,6 +73,8 @@ export function readPmd(
       // Toons shade a surface and may be missing, because every program for these files has its
       // own.
       optionalImages: extras.mmd.toons,
+      rotationLinks: rotationLinks(bones),
+      ikChains,
       extra,
     };
   }

@@ -118,7 +118,7 @@ function resetSelected(
   const [first, ...others] = joints;
   const more = others.length === 0 ? '' : ` and ${others.length} more`;
   const label = `Reset ${skeleton.names[first!]!}${more}`;
-  store.dispatch(resetJoints(shown.state, shown.pose.q, joints, label));
+  store.dispatch(resetJoints(shown.state, shown.poseToEdit.q, joints, label));
 }
 
 function branchOf(skeleton: Skeleton, joint: number): readonly number[] {

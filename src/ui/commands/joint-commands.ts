@@ -62,6 +62,6 @@ function rollBone({ store, session, evaluations }: Editor, direction: 1 | -1): v
   const { skeleton } = character;
   const bone = hoveredOf(session)?.bone ?? bonesOf(character).find((each) => each.joint === joint);
   if (bone?.joint !== joint) return;
-  const q = rollJoint(skeleton, shown.pose.q, joint, bone.vector, direction * rollStep);
+  const q = rollJoint(skeleton, shown.poseToEdit.q, joint, bone.vector, direction * rollStep);
   store.dispatch(setPose(id, q, `Roll ${skeleton.names[joint]!}`));
 }

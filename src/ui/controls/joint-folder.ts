@@ -97,7 +97,7 @@ export class JointFolder {
     const { folder, editor, state, joint } = this;
     this.rows = addJointValues(folder, editor, state, joint);
     const reset = (): void => {
-      const shown = editor.evaluations.selected()?.pose.q ?? state.q;
+      const shown = editor.evaluations.selected()?.poseToEdit.q ?? state.q;
       const label = `Reset ${jointName(state, joint)}`;
       editor.store.dispatch(resetJoints(state, shown, [joint], label));
     };

@@ -31,14 +31,21 @@ export function addJointValues(
   const { store, session, evaluations, ballAngles } = editor;
   const { id, character } = state;
   const { skeleton } = character;
-  /** (qCount) the pose that is shown. */
-  const shown = (): Float64Array => evaluations.selected()?.pose.q ?? state.q;
+  /** (qCount) the pose that edits start from. */
+  const shown = (): Float64Array => evaluations.selected()?.poseToEdit.q ?? state.q;
   const read = ({ index, axis, ofBall }: JointValue, q: Float64Array): number =>
     ofBall ? ballAngles.of(skeleton, q, index)[axis] : (q[index] ?? 0);
-  const write = ({ index, axis, ofBall }: JointValue, number: number, label: string): Edit =>
+  const write = (
+    { index, axis, ofBall }: JointValue,
+    from: Float64Array,
+    number: number,
+    label: string,
+  ): Edit =>
     ofBall
-      ? setPose(id, ballAngles.withAngle(skeleton, shown(), index, axis, number), label)
-      : setValue(id, shown(), index, number, label);
+      ? setPose(id, ballAngles.withAngle(skeleton, from, index, axis, number), label)
+      : setValue(id, from, index, number, label);
+  /** The pose at which the present gesture began: pins may move other joints meanwhile. */
+  let start = state.q;
 
   return jointValues(skeleton, joint).map((value) => {
     const { isAngle, axis, index, ofBall } = value;
@@ -60,11 +67,15 @@ export function addJointValues(
       read: () => read(value, shown()),
       begin: () => {
         const active = { name: fullName, index, isAngle, isChosen: true };
+        start = shown().slice();
         session.activeDof.value = ofBall ? { ...active, ballAxis: axis } : active;
         return store.begin(label);
       },
-      preview: (gesture, number) => gesture.preview(write(value, number, label)),
-      reset: () => store.dispatch(write(value, read(value, skeleton.qRest), `Reset ${fullName}`)),
+      preview: (gesture, number) => gesture.preview(write(value, start, number, label)),
+      reset: () => {
+        const rest = read(value, skeleton.qRest);
+        store.dispatch(write(value, shown(), rest, `Reset ${fullName}`));
+      },
     });
     return { ...row, fullName };
   });

@@ -150,8 +150,8 @@ function valueOf(
   { index, ballAxis }: ActiveDof,
 ): number | undefined {
   const shown = evaluations.selected();
-  if (!shown || ballAxis === undefined) return shown?.pose.q[index];
-  return ballAngles.of(shown.state.character.skeleton, shown.pose.q, index)[ballAxis];
+  if (!shown || ballAxis === undefined) return shown?.poseToEdit.q[index];
+  return ballAngles.of(shown.state.character.skeleton, shown.poseToEdit.q, index)[ballAxis];
 }
 
 function ViewMessage({ editor }: { readonly editor: Looking }) {

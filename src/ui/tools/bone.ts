@@ -38,11 +38,11 @@ export const boneTool: Tool = {
  */
 function turnBone(editor: Looking, from: ToolPlace, target: BoneTarget): ToolDrag {
   const { store, session, viewer, evaluations } = editor;
-  const { state, pose } = evaluations.selected()!;
+  const { state, poseToEdit } = evaluations.selected()!;
   const { skeleton } = state.character;
   const label = `Turn ${skeleton.names[target.joint]!}`;
   const gesture = store.begin(label);
-  let present: Float64Array = pose.q.slice();
+  let present: Float64Array = poseToEdit.q.slice();
   let { alt } = from;
   let drag = start(from, target.grabbed);
   let moved = false;

@@ -39,7 +39,7 @@ export const ringTool: Tool = {
  */
 function turnByRing(editor: Looking, pressed: ToolPlace, { ring, ...place }: GizmoRing): ToolDrag {
   const { store, session, viewer, evaluations } = editor;
-  const { state, pose } = evaluations.selected()!;
+  const { state, poseToEdit } = evaluations.selected()!;
   const { skeleton } = state.character;
   const { index, ballAxis } = ring;
   const jointName = skeleton.names[session.selectedJoint.value!]!;
@@ -53,7 +53,7 @@ function turnByRing(editor: Looking, pressed: ToolPlace, { ring, ...place }: Giz
   const seen = seenRing(place, eyeOf(viewer.viewCamera.value), pixelsIn(view));
   const label = `Turn ${name}`;
   const gesture = store.begin(label);
-  let present: Float64Array = pose.q.slice();
+  let present: Float64Array = poseToEdit.q.slice();
   let start = { q: present, at: pressed };
   let turn = 0;
   let moved = false;

@@ -19,9 +19,19 @@ const messagesOf = (text: string) => shown(readScene('scene.json', text).diagnos
 /** The scene that a description gives with the characters of the scene that it was written from. */
 function sceneOf(read: SceneDescription, written: Scene): Scene {
   const characters = distinctCharacters(written).map(({ character }) => character);
-  const actors = read.actors.map((actor, at) =>
-    actorOf(actor, at + 1, characters[actor.character]!, read.characters[actor.character]!),
-  );
+  const found = (at: number) => {
+    const actor = read.actors[at];
+    return actor && { id: at + 1, skeleton: characters[actor.character]!.skeleton };
+  };
+  const actors = read.actors.map((actor, at) => {
+    return actorOf(
+      actor,
+      at + 1,
+      characters[actor.character]!,
+      read.characters[actor.character]!,
+      found,
+    );
+  });
   return { actors, ...read.surroundings };
 }
 
