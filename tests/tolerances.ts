@@ -24,4 +24,6 @@ export const tolerances = {
   rayDistance: 1e-4,
   /** Points that stay fixed when a joint turns or rolls, and rotations that should be equal. */
   turn: 1e-9,
+  /** Vertices of a mirrored pose against the mirrored vertices, model units. */
+  mirrored: 1e-5,
 } as const;
