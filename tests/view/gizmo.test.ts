@@ -164,7 +164,7 @@ describe('the rings of a joint', () => {
             continue;
           }
           // Seen along its axis, it is a circle about the joint in the picture.
-          const [cx, cy] = pixelsOf(view, center as vec3);
+          const [cx, cy] = pixelsOf(view, center);
           const distances = gizmoLines(rings, gizmo)
             .filter((line) => line.id === id)
             .flatMap(({ points }) => points.map((point) => pixelsOf(view, point as vec3)))
