@@ -115,7 +115,7 @@ function partsOf(points: readonly vec3[], { center, toEye }: GizmoRing, isMarked
     const toward = vec3.dot(away, toEye);
     // The ring about the line of sight has no side that is farther.
     const sideFaintness = toward < -0.02 ? farOpacity : 1;
-    const isNear = Math.sqrt(1 - toward * toward) < coverRadius;
+    const isNear = 1 - toward * toward < coverRadius ** 2;
     const faintness = sideFaintness * (isNear && !isMarked ? coverOpacity : 1);
     const last = parts.at(-1);
     if (last?.faintness === faintness) last.part.push(to);

@@ -117,9 +117,13 @@ function turningOwn({ session, evaluations }: Looking, ring: JointRing): Turning
     ...(ballAxis === undefined ? {} : { ballAxis }),
   };
   const alike = others.flatMap((other) =>
-    jointRings(skeleton, other, poseToEdit.q, parentMatrix(skeleton, other, poseToEdit.q), null).filter(
-      ({ axis }) => axis === ring.axis,
-    ),
+    jointRings(
+      skeleton,
+      other,
+      poseToEdit.q,
+      parentMatrix(skeleton, other, poseToEdit.q),
+      null,
+    ).filter(({ axis }) => axis === ring.axis),
   );
   return {
     name: namedWith(name, others.length),
