@@ -1,7 +1,6 @@
 import { DofKind } from '../../core/skeleton.ts';
 import { negativeDirection, solveDefinite } from './cholesky.ts';
 import type { IkObjective } from './objective.ts';
-import type { StepBounds } from './step-bounds.ts';
 import { integrate } from './tangent-space.ts';
 
 /** The farthest that one step turns a degree of freedom, in radians. */
@@ -29,7 +28,6 @@ export class Descent {
   lastMove = 0;
   isDone = false;
   readonly #objective: IkObjective;
-  readonly #bounds: StepBounds;
   readonly #trial: Float64Array;
   readonly #step: Float64Array;
   readonly #right: Float64Array;
@@ -46,12 +44,8 @@ export class Descent {
   #isLinear = false;
   #hasCurvature = true;
 
-  /**
-   * @param stage the first stage: 1 leaves out the large moves, for a start near the solution
-   */
-  constructor(objective: IkObjective, bounds: StepBounds, from: Float64Array, stage: 0 | 1) {
+  constructor(objective: IkObjective, from: Float64Array) {
     const { columnCount } = objective.space;
-    this.#bounds = bounds;
     this.#objective = objective;
     this.q = from.slice();
     this.#trial = from.slice();
@@ -63,7 +57,7 @@ export class Descent {
     this.#free = new Uint16Array(columnCount);
     this.#isFixed = new Uint8Array(columnCount);
     this.#order = new Uint16Array(columnCount);
-    this.#enterStage(stage);
+    this.#enterStage(0);
   }
 
   /**
@@ -144,12 +138,12 @@ export class Descent {
 
   /** Orders the columns: those that are free, and then those at a limit. */
   #orderByLimits(): void {
-    const { coordinates, low, high } = this.#bounds;
-    this.#bounds.measure(this.q);
+    const { columnCount, values, min, max } = this.#objective.space;
     let count = 0;
     for (const wantsLimit of [false, true])
-      for (let i = 0; i < coordinates.length; i++) {
-        const isAtLimit = coordinates[i]! <= low[i]! || coordinates[i]! >= high[i]!;
+      for (let i = 0; i < columnCount; i++) {
+        const value = this.q[values[i]!]!;
+        const isAtLimit = value <= min[i]! || value >= max[i]!;
         if (isAtLimit === wantsLimit) this.#order[count++] = i;
       }
   }
@@ -157,7 +151,6 @@ export class Descent {
   /** The objective where the step leads; `#trial` is that pose. */
   #costAhead(): number {
     integrate(this.#objective.space, this.q, this.#step, this.#trial);
-    this.#bounds.clamp(this.#trial);
     return this.#objective.cost(this.#trial);
   }
 
@@ -180,15 +173,14 @@ export class Descent {
    * Returns how much the objective should fall.
    */
   #solve(): number {
-    const { gradient, resistance } = this.#objective;
-    const { coordinates, low, high } = this.#bounds;
-    const columnCount = gradient.length;
+    const { space, gradient, resistance } = this.#objective;
+    const { columnCount, values, min, max, kinds } = space;
     const [step, isFixed] = [this.#step, this.#isFixed];
-    this.#bounds.measure(this.q);
     for (let i = 0; i < columnCount; i++) {
-      const atMin = coordinates[i]! <= low[i]! && gradient[i]! >= 0;
-      const atMax = coordinates[i]! >= high[i]! && gradient[i]! <= 0;
-      isFixed[i] = atMin || atMax ? 1 : 0;
+      const value = this.q[values[i]!]!;
+      const atMin = value <= min[i]! && gradient[i]! >= 0;
+      const atMax = value >= max[i]! && gradient[i]! <= 0;
+      isFixed[i] = kinds[i] !== DofKind.ball && (atMin || atMax) ? 1 : 0;
       step[i] = 0;
     }
     for (let i = 0; i < columnCount; i++) this.#diagonal[i] = this.damping * resistance[i]!;
@@ -229,14 +221,15 @@ export class Descent {
 
   /** Sends the columns whose step would pass a limit to that limit. Returns whether there are any. */
   #fixAtLimits(): boolean {
-    const { coordinates, low, high } = this.#bounds;
+    const { columnCount, values, min, max } = this.#objective.space;
     const [step, isFixed] = [this.#step, this.#isFixed];
     let found = false;
-    for (let i = 0; i < coordinates.length; i++) {
+    for (let i = 0; i < columnCount; i++) {
       if (isFixed[i] === 1) continue;
-      const wanted = coordinates[i]! + step[i]!;
-      if (wanted >= low[i]! && wanted <= high[i]!) continue;
-      step[i] = Math.min(Math.max(wanted, low[i]!), high[i]!) - coordinates[i]!;
+      const value = this.q[values[i]!]!;
+      const wanted = value + step[i]!;
+      if (wanted >= min[i]! && wanted <= max[i]!) continue;
+      step[i] = Math.min(Math.max(wanted, min[i]!), max[i]!) - value;
       isFixed[i] = 1;
       found = true;
     }

@@ -1,8 +1,8 @@
 import { assert } from '../../core/assert.ts';
+import { natural } from '../natural/natural-solver.ts';
 import { Descent } from './descent.ts';
 import { IkObjective } from './objective.ts';
 import type { IkOptions, IkProblem, IkSolution, IkSolver, IkStep } from './problem.ts';
-import { StepBounds } from './step-bounds.ts';
 import { singularValues } from './singular-values.ts';
 import { startPose } from './starts.ts';
 import { isWithinReach, reachedFraction, statusOf, valuesAtLimits } from './status.ts';
@@ -13,8 +13,11 @@ const defaults = { iterations: 60, restarts: 11, tolerance: 1e-4 } as const;
 /** A residual that is not smaller by this part of the chain is no better. */
 const notable = 1e-4;
 
-/** Damped least squares in the space of the degrees of freedom; docs/ik.md describes it. */
-export const dls: IkSolver = {
+/**
+ * Damped least squares in the space of the degrees of freedom, or of the natures of joints; docs/ik.md
+ * describes it.
+ */
+export const dls: IkSolver = natural({
   solve(problem, options = {}) {
     const run = new Run(problem, options);
     while (run.advance());
@@ -29,7 +32,7 @@ export const dls: IkSolver = {
       if (run.text !== '') yield { ...run.report(run.text), singularValues: values };
     }
   },
-};
+});
 
 /** One solve: the first start, and others if it stalls within reach. */
 class Run {
@@ -61,14 +64,11 @@ class Run {
     this.#restarts = options.restarts ?? defaults.restarts;
     this.#tolerance = options.tolerance ?? defaults.tolerance;
     this.#objective = new IkObjective(problem, this.#from);
-    const length = Math.max(...this.#objective.chains.map((chain) => chain.length));
-    const { space } = this.#objective;
-    const bounds = new StepBounds(space, this.#from, options.mostTurn ?? Infinity, length);
-    const isAtReference = sameValues(skeleton, joints, from, reference);
-    this.#descent = new Descent(this.#objective, bounds, this.#from, isAtReference ? 0 : 1);
+    this.#descent = new Descent(this.#objective, this.#from);
     this.#best = this.#from;
     this.#bestResidual = this.#measure(this.#from);
     this.#bestDistance = this.#objective.secondaryCost(this.#from);
+    const isAtReference = sameValues(skeleton, joints, from, reference);
     const canMove = this.#objective.space.columnCount > 0 && problem.goals.length > 0;
     this.#isDone = !canMove || (isAtReference && this.#bestResidual <= this.#tolerance);
   }
