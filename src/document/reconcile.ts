@@ -56,6 +56,7 @@ export function dropJoints(session: Session): void {
   session.activeDof.value = null;
   session.chainLength.value = null;
   session.shownChain.value = null;
+  session.ikSketch.value = null;
 }
 
 /** Whether indices of joints and of values in q mean the same in both. */

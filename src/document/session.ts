@@ -7,6 +7,7 @@ import type { IkMethodId, Vector3 } from '../posing/ik/problem.ts';
 import type { PlayMode } from '../posing/playhead.ts';
 import type { ShotId } from './shots.ts';
 import type { WeightViewId } from '../skinning/weights/views.ts';
+import type { IkSketch } from './ik-sketch.ts';
 import type { Verification } from './verification.ts';
 
 /** The processor that skins the vertices. */
@@ -166,6 +167,9 @@ export class Session {
   readonly markedPoint = signal<number | null>(null);
   /** Whether normals are drawn as lines. */
   readonly showNormals = signal(false);
+  /** Whether the IK lab is open, and what it draws. */
+  readonly showIkLab = signal(false);
+  readonly ikSketch = signal<IkSketch | null>(null);
   /** The result of verifying the selected actor. */
   readonly verification = signal<Verification | null>(null);
   /** The problems of the last files. */

@@ -38,11 +38,13 @@ const beyondOpacity = 0.35;
 const [markStart, markEnd] = [0.86, 1.14];
 
 /**
- * Rings are shown where the selected joint can be posed by them, and not while it moves by itself.
+ * Rings are shown where the selected joint can be posed by them, and not while it moves by itself or
+ * the IK lab draws there.
  */
 export function gizmoOf(options: SessionOptions): Gizmo | null {
   const { showOverlay, posesBy, playing, selectedJoint, byTouch, activeDof } = options;
   if (!showOverlay || posesBy === 'mode' || playing || selectedJoint === null) return null;
+  if (options.ikSketch) return null;
   return {
     joint: selectedJoint,
     radius: byTouch ? touchRadius : mouseRadius,

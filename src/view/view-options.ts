@@ -1,4 +1,5 @@
 import type { WeightViewId } from '../skinning/weights/views.ts';
+import type { IkSketch } from '../document/ik-sketch.ts';
 import type { Environment } from '../document/environment.ts';
 import type { ActorId, Scene } from '../document/scene.ts';
 import type {
@@ -44,6 +45,7 @@ export interface SessionOptions {
   readonly posesBy: PosesBy;
   readonly playing: boolean;
   readonly byTouch: boolean;
+  readonly ikSketch: IkSketch | null;
 }
 
 /** Everything besides the actors that a picture depends on. */
@@ -89,6 +91,7 @@ export function sessionOptionsOf(session: Session): SessionOptions {
     posesBy: session.posesBy.value,
     playing: session.playing.value,
     byTouch: session.byTouch.value,
+    ikSketch: session.ikSketch.value,
   };
 }
 

@@ -1,4 +1,5 @@
 import type { IkObjective } from './objective.ts';
+import { symmetricEigen } from './symmetric-eigen.ts';
 
 /**
  * The singular values of the Jacobian of all goals' places, in lengths of each goal's chain per
@@ -16,44 +17,7 @@ export function singularValues(objective: IkObjective): number[] {
         rows[goal * 3 + axis]![column] = jacobian[column * 3 + axis]! / chains[goal]!.length;
   });
   const products = rows.map((a) => rows.map((b) => a.reduce((sum, x, i) => sum + x * b[i]!, 0)));
-  return eigenvalues(products)
-    .sort((a, b) => b - a)
+  return symmetricEigen(products)
     .slice(0, space.columnCount)
-    .map((value) => Math.sqrt(Math.max(value, 0)));
-}
-
-/** The eigenvalues of a small symmetric matrix, which is overwritten (Jacobi 1846, cyclic sweeps). */
-function eigenvalues(matrix: number[][]): number[] {
-  const size = matrix.length;
-  for (let sweep = 0; sweep < 30; sweep++) {
-    let off = 0;
-    for (let p = 0; p < size; p++)
-      for (let q = p + 1; q < size; q++) {
-        off += Math.abs(matrix[p]![q]!);
-        rotate(matrix, p, q);
-      }
-    if (off === 0) break;
-  }
-  return matrix.map((row, i) => row[i]!);
-}
-
-/** Makes the element (p, q) zero by a rotation of rows and columns p and q. */
-function rotate(matrix: number[][], p: number, q: number): void {
-  const element = matrix[p]![q]!;
-  if (element === 0) return;
-  const half = (matrix[q]![q]! - matrix[p]![p]!) / (2 * element);
-  const tangent = (half < 0 ? -1 : 1) / (Math.abs(half) + Math.sqrt(half * half + 1));
-  const cosine = 1 / Math.sqrt(tangent * tangent + 1);
-  const sine = tangent * cosine;
-  for (const row of matrix) {
-    const [a, b] = [row[p]!, row[q]!];
-    row[p] = cosine * a - sine * b;
-    row[q] = sine * a + cosine * b;
-  }
-  const [rowP, rowQ] = [matrix[p]!, matrix[q]!];
-  for (let i = 0; i < rowP.length; i++) {
-    const [a, b] = [rowP[i]!, rowQ[i]!];
-    rowP[i] = cosine * a - sine * b;
-    rowQ[i] = sine * a + cosine * b;
-  }
+    .map(({ value }) => Math.sqrt(Math.max(value, 0)));
 }

@@ -5,6 +5,7 @@ import type { Command } from './command.ts';
 import { editCommands } from './edit-commands.ts';
 import { fileCommands } from './file-commands.ts';
 import { ikCommands } from './ik-commands.ts';
+import { ikLabCommands } from './ik-lab-commands.ts';
 import { jointCommands } from './joint-commands.ts';
 import { shotCommands } from './shot-commands.ts';
 import { placeCommands } from './place-commands.ts';
@@ -18,7 +19,7 @@ const groups = [
   { label: 'Edit', commands: editCommands },
   { label: 'Character', commands: placeCommands },
   { label: 'Joints', commands: jointCommands },
-  { label: 'Inverse kinematics', commands: ikCommands },
+  { label: 'Inverse kinematics', commands: [...ikCommands, ...ikLabCommands] },
   { label: 'Clip', commands: clipCommands },
   { label: 'Weights', commands: weightCommands },
   { label: 'Camera', commands: [...cameraCommands, ...axisCommands] },

@@ -5,6 +5,7 @@ import { type Attribute, VertexArray } from '../../gl/vertex-array.ts';
 import type { Frame } from '../frame.ts';
 import { gizmoLines, gizmoOf, gizmoRings } from '../gizmo.ts';
 import { lightLines, showsLights } from '../light-handles.ts';
+import { showsSketch, sketchShapes } from '../ik-sketch-shapes.ts';
 import { isFace, type Overlay, type OverlayFace, type OverlayLine } from '../overlay.ts';
 import type { Pass } from '../pass.ts';
 import { placeGizmoOf, placeHandles, placeShapes } from '../place-gizmo.ts';
@@ -23,7 +24,10 @@ const hiddenOpacity = 0.55;
 export const overlayPass: Pass = {
   id: 'overlay',
   isShown: (options) =>
-    gizmoOf(options) !== null || placeGizmoOf(options) !== null || showsLights(options),
+    gizmoOf(options) !== null ||
+    placeGizmoOf(options) !== null ||
+    showsLights(options) ||
+    showsSketch(options),
   create(gpu, programs) {
     const { gl } = gpu;
     const program = programs.pass('overlay');
@@ -62,11 +66,17 @@ function overlayOf({ characters, options, camera, viewport }: Frame, cssScale: n
   const lights = showsLights(options)
     ? lightLines(options.environment, view, options.hoveredHandle)
     : [];
-  if (!character) return lights;
+  const sketched = characters.find(({ state }) => state.id === options.ikSketch?.actorId);
+  const sketch =
+    sketched && showsSketch(options)
+      ? sketchShapes(options.ikSketch!, sketched.evaluation.display, view)
+      : [];
+  if (!character) return [...lights, ...sketch];
   const { evaluation } = character;
   const [joint, place] = [gizmoOf(options), placeGizmoOf(options)];
   return [
     ...lights,
+    ...sketch,
     ...(joint ? gizmoLines(gizmoRings(evaluation, view, joint), joint) : []),
     ...(place ? placeShapes(placeHandles(evaluation.state, view, place), place) : []),
   ];

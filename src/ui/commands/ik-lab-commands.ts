@@ -1,0 +1,16 @@
+import { selectedActor } from '../../document/selected-actor.ts';
+import { toggleIkLab } from '../toggle-ik-lab.ts';
+import type { Command } from './command.ts';
+
+/** The command of the panel that explains inverse kinematics. */
+export const ikLabCommands = [
+  {
+    id: 'ik-lab',
+    label: 'IK lab: how inverse kinematics works, step by step',
+    short: 'IK lab',
+    isOn: ({ session }) => session.showIkLab.value,
+    isEnabled: ({ store, session }) =>
+      (selectedActor(store, session)?.character.skeleton.jointCount ?? 0) > 0,
+    run: toggleIkLab,
+  },
+] as const satisfies readonly Command[];
