@@ -1,5 +1,5 @@
 import { defineConfig } from '@playwright/test';
-import { browserFlags, findBrowser } from './tools/browser.mjs';
+import { findBrowser, testFlags } from './tools/browser.mjs';
 import { freePort } from './tools/free-port.ts';
 
 const { env } = process;
@@ -42,7 +42,7 @@ export default defineConfig({
       // Chromium's sandbox does not work for root, nor for anyone in many containers. The tests
       // open only our own pages.
       chromiumSandbox: false,
-      args: browserFlags,
+      args: testFlags,
     },
   },
   webServer: {

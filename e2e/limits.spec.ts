@@ -18,7 +18,7 @@ test('a character beyond the limits of the GPU is reported, and the page keeps w
     };
   });
   await openApp(page, 'model=tube');
-  // The passes that load after the first picture create their objects when they are first drawn.
+  // Passes create their objects when they first draw a character.
   await page.evaluate(() => window.sinew.capture());
   const objects = await page.evaluate(() => window.sinew.liveObjects);
   await drop(page, madeCharacter(30, 20));
@@ -29,6 +29,7 @@ test('a character beyond the limits of the GPU is reported, and the page keeps w
   await page.evaluate(() => window.sinew.open('tube'));
   await expect(page.locator('.message')).toBeHidden();
   expect(await page.evaluate(() => window.sinew.verify())).toMatchObject({ identical: true });
+  await page.evaluate(() => window.sinew.capture());
   const { framebuffer, renderbuffer, ...others } = await page.evaluate(
     () => window.sinew.liveObjects,
   );

@@ -65,25 +65,30 @@ export function ringTurn(ring: SeenRing, from: Pixels, to: Pixels, near = 0): nu
 }
 
 /**
+ * Returns the turn nearest to `turn` that brings a hinge's value to a multiple of `step`, or, where
+ * there is no one value, is a multiple itself. A step of 0 changes nothing.
+ */
+export function snappedTurn(value: number | null, turn: number, step: number): number {
+  if (step === 0) return turn;
+  const from = value ?? 0;
+  return Math.round((from + turn) / step) * step - from;
+}
+
+/**
  * Returns the pose in which a ring has turned by an angle, within its limits. Only the ring's own
  * value or ball changes.
- *
- * @param step if not 0, a hinge's value, or the angle by which a ball turns, becomes a multiple
  */
 export function turnRing(
   { qMin, qMax }: Skeleton,
   q: Float64Array,
   { index, ballAxis }: Pick<JointRing, 'index' | 'ballAxis'>,
-  turn: number,
-  step = 0,
+  angle: number,
 ): Float64Array {
   const next = q.slice();
-  const snapped = (angle: number): number => (step > 0 ? Math.round(angle / step) * step : angle);
   if (ballAxis === undefined) {
-    next[index] = Math.min(Math.max(snapped(q[index]! + turn), qMin[index]!), qMax[index]!);
+    next[index] = Math.min(Math.max(q[index]! + angle, qMin[index]!), qMax[index]!);
     return next;
   }
-  const angle = snapped(turn);
   // Without a turn, normalizing again would change the last bits.
   if (angle === 0) return next;
   const own = next.subarray(index, index + 4);

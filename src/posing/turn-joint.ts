@@ -28,8 +28,12 @@ export interface TurnStart {
   readonly free: readonly DofFrame[];
 }
 
-export function turnStart(skeleton: Skeleton, joint: number, q: Float64Array): TurnStart {
-  const worldFromParent = parentMatrix(skeleton, joint, q);
+export function turnStart(
+  skeleton: Skeleton,
+  joint: number,
+  q: Float64Array,
+  worldFromParent = parentMatrix(skeleton, joint, q),
+): TurnStart {
   const frames = jointFrames(skeleton, joint, q, worldFromParent);
   const ball = frames.dofs.find(({ kind }) => kind === DofKind.ball) ?? null;
   const first = ball ?? frames.dofs.find(({ kind }) => kind === DofKind.hinge);
@@ -40,6 +44,11 @@ export function turnStart(skeleton: Skeleton, joint: number, q: Float64Array): T
     triple: hingeTriple(frames, skeleton.dofAxis, skeleton.dofStart[joint]!),
     free: freeHinges(skeleton, frames),
   };
+}
+
+/** Whether limits alone keep the joint from any rotation: it has a ball, or three free hinges. */
+export function takesAnyTurn({ ball, triple, free }: TurnStart): boolean {
+  return ball !== null || (triple !== null && free.length === 3);
 }
 
 /**
@@ -67,8 +76,7 @@ export function turnFreely(start: TurnStart, turn: quat, near: Float64Array): Fl
  */
 export function turnJoint(start: TurnStart, turn: quat, near: Float64Array): Float64Array {
   const { skeleton, free, q } = start;
-  const canTakeAll = start.ball !== null || free.length === 3;
-  const turned = canTakeAll ? turnFreely(start, turn, near) : null;
+  const turned = takesAnyTurn(start) ? turnFreely(start, turn, near) : null;
   if (turned) return withinLimits(skeleton, start.joint, turned);
   const rest = rotationVector(turn);
   const next = q.slice();

@@ -1,17 +1,22 @@
-import { mat4, vec3 } from 'gl-matrix';
+import { mat4, type ReadonlyVec3, vec3 } from 'gl-matrix';
 import { bonesOf } from '../core/bones.ts';
-import type { ActiveDof, HandleId } from '../document/session.ts';
+import type { ActiveDof, HandleId, PlaceAxes } from '../document/session.ts';
 import type { Evaluation } from '../evaluation/evaluation.ts';
 import { noParent } from '../core/skeleton.ts';
+import { type FreeRing, freeRings } from '../posing/free-rings.ts';
+import { gimbalLock } from '../posing/gimbal-lock.ts';
 import { type JointRing, jointRings } from '../posing/joint-rings.ts';
 import type { RingPlace } from '../posing/ring-turn.ts';
-import { type Overlay, type OverlayLine, type OverlayView, pixelSizeAt } from './overlay.ts';
-import { palette } from './theme.ts';
+import { turnStart } from '../posing/turn-joint.ts';
+import { axesOf, eyeOf } from './camera.ts';
+import { type OverlayView, pixelSizeAt } from './overlay.ts';
 import type { SessionOptions } from './view-options.ts';
 
 /** How the rings at the selected joint look. */
 export interface Gizmo {
   readonly joint: number;
+  /** The axes of the rings, where the joint can turn about any. */
+  readonly axes: PlaceAxes;
   /** In CSS pixels. */
   readonly radius: number;
   readonly hovered: HandleId | null;
@@ -22,20 +27,25 @@ export interface Gizmo {
 /** A ring of the selected joint as it is placed in the scene. */
 export interface GizmoRing extends RingPlace {
   readonly id: HandleId;
-  readonly ring: JointRing;
+  readonly ring: JointRing | FreeRing;
+  /** Unit vector from the center to the viewer. */
+  readonly toEye: vec3;
+  /** Where it is broken into dashes because it coincides with another one; see `Dashes`. */
+  readonly dashes?: Dashes;
+}
+
+/** Which half of a ring is drawn, in turn with the ring that it coincides with. */
+export interface Dashes {
+  /** The angle from `first` at which the first dash begins. */
+  readonly from: number;
+  /** Whether a gap comes first. */
+  readonly isSecond: boolean;
 }
 
 /** In CSS pixels: for a mouse, and for fingers. */
 const [mouseRadius, touchRadius] = [70, 96];
-/** The number of straight pieces of a full circle. */
-const pieces = 96;
-const fullTurn = 2 * Math.PI;
-/** In CSS pixels. */
-const [ringWidth, activeWidth, markWidth] = [2.25, 3, 4];
-/** The opacity of a ring beyond its limits. */
-const beyondOpacity = 0.35;
-/** Where the mark of the present value begins and ends, as parts of the radius. */
-const [markStart, markEnd] = [0.86, 1.14];
+/** The radius of the ring about the line of sight, as a part of the others'. */
+const outerPart = 1.28;
 
 /**
  * Rings are shown where the selected joint can be posed by them, and not while it moves by itself or
@@ -47,6 +57,7 @@ export function gizmoOf(options: SessionOptions): Gizmo | null {
   if (options.ikSketch) return null;
   return {
     joint: selectedJoint,
+    axes: options.ringAxes,
     radius: byTouch ? touchRadius : mouseRadius,
     hovered: options.hoveredHandle,
     active: activeDof && handleOf(activeDof),
@@ -58,76 +69,95 @@ function handleOf({ index, ballAxis }: Pick<ActiveDof, 'index' | 'ballAxis'>): H
   return ballAxis === undefined ? `${index}` : `${index} ${ballAxis}`;
 }
 
-/** Returns the rings of the selected joint, each of a constant radius in the picture. */
+/** Whether a ring is about an axis of the joint's own, and not about another one. */
+export function isOwnRing(ring: JointRing | FreeRing): ring is JointRing {
+  return 'index' in ring;
+}
+
+/**
+ * Returns the rings of the selected joint, each of a constant radius in the picture. A joint that
+ * can take any rotation has one about the line of sight, and three about the scene's axes if these
+ * are chosen; every other ring is about an axis of its own.
+ */
 export function gizmoRings(
   { state: { character }, pose, characterFromJoint, display }: Evaluation,
   view: OverlayView,
-  { joint, radius }: Gizmo,
-): GizmoRing[] {
+  { joint, axes, radius }: Gizmo,
+): readonly GizmoRing[] {
   const { skeleton } = character;
   const parent = skeleton.parents[joint]!;
   const characterFromParent =
     parent === noParent
       ? mat4.identity(new Float64Array(16))
-      : characterFromJoint.subarray(parent * 16, parent * 16 + 16);
-  const limb = bonesOf(character).find((bone) => bone.joint === joint)?.vector ?? null;
+      : characterFromJoint.slice(parent * 16, parent * 16 + 16);
   const { sceneFromCharacter, scale } = display;
-  const inScene = (vector: vec3, length: number): vec3 => {
+  const start = turnStart(skeleton, joint, pose.q, characterFromParent);
+  const { look } = axesOf(view.camera);
+  const toViewer: ReadonlyVec3 = [-look[0], -look[1], -look[2]];
+  const inCharacter = (axis: 0 | 1 | 2 | null, normal: ReadonlyVec3) => {
+    return { axis, normal: inverselyRotated(sceneFromCharacter, normal) };
+  };
+  const scene = coordinates.map((axis) => inCharacter(axis, unitVectors[axis]));
+  const outer = freeRings(start, [inCharacter(null, toViewer)]);
+  const inner = axes === 'world' ? freeRings(start, scene) : [];
+  const limb = bonesOf(character).find((bone) => bone.joint === joint)?.vector ?? null;
+  const own = jointRings(skeleton, joint, pose.q, characterFromParent, limb);
+  const rings = [...outer, ...(inner.length > 0 ? inner : own)];
+
+  const inScene = (vector: ReadonlyVec3, length: number): vec3 => {
     const origin = mat4.getTranslation(new Float64Array(3), sceneFromCharacter);
     const tip = vec3.transformMat4(new Float64Array(3), vector, sceneFromCharacter);
     return vec3.scale(tip, vec3.subtract(tip, tip, origin), length / scale);
   };
-  return jointRings(skeleton, joint, pose.q, characterFromParent, limb).flatMap((ring) => {
+  const placed = rings.flatMap((ring): GizmoRing[] => {
     const center = vec3.transformMat4(new Float64Array(3), ring.center, sceneFromCharacter);
-    const length = radius * pixelSizeAt(view, center);
+    const part = !isOwnRing(ring) && ring.axis === null ? outerPart : 1;
+    const length = radius * part * pixelSizeAt(view, center);
     if (length <= 0) return [];
     const second = vec3.cross(new Float64Array(3), ring.normal, ring.mark);
     const [first, quarter] = [inScene(ring.mark, length), inScene(second, length)];
-    return [{ id: handleOf(ring), ring, center, first, second: quarter }];
+    const toEye = vec3.subtract(new Float64Array(3), eyeOf(view.camera), center);
+    vec3.normalize(toEye, toEye);
+    return [{ id: idOf(ring), ring, center, first, second: quarter, toEye }];
   });
+  return dashed(placed, gimbalLock(skeleton, joint, pose.q));
 }
 
-/**
- * Returns the lines of rings in the colors of their axes: strong where the value may go, faint
- * beyond its limits, with a mark at the present value. The active ring is amber, and the hovered one
- * lighter; both are drawn over the others.
- */
-export function gizmoLines(rings: readonly GizmoRing[], { hovered, active }: Gizmo): Overlay {
-  const rank = ({ id }: GizmoRing): number => (id === active ? 2 : id === hovered ? 1 : 0);
-  const sorted = [...rings].sort((a, b) => rank(a) - rank(b));
-  return sorted.flatMap((each) => {
-    const { id, ring } = each;
-    const isMarked = id === active || id === hovered;
-    const plain = id === active ? palette.selected : palette.axes[ring.axis];
-    const color = id === hovered && id !== active ? lighter(plain) : plain;
-    const width = isMarked ? activeWidth : ringWidth;
-    const line = (points: vec3[], opacity = 1, lineWidth = width): OverlayLine => {
-      return { id, points, color, opacity, width: lineWidth };
-    };
-    const [least, most] = ring.range;
-    // A ball has no value and no limits of its own.
-    if (ring.ballAxis !== undefined) return [line(arc(each, 0, fullTurn))];
-    const mark = line([pointOf(each, 0, markStart), pointOf(each, 0, markEnd)], 1, markWidth);
-    if (most - least >= fullTurn) return [line(arc(each, 0, fullTurn)), mark];
-    const beyond = line(arc(each, most, least + fullTurn), beyondOpacity);
-    return [beyond, line(arc(each, least, most)), mark];
-  });
+const coordinates = [0, 1, 2] as const;
+const unitVectors = [
+  [1, 0, 0],
+  [0, 1, 0],
+  [0, 0, 1],
+] as const;
+
+function idOf(ring: JointRing | FreeRing): HandleId {
+  if (isOwnRing(ring)) return handleOf(ring);
+  return ring.axis === null ? 'joint view' : `joint world ${ring.axis}`;
 }
 
-/** Points of a ring from one angle to another, closely enough to look round. */
-export function arc(ring: RingPlace, from: number, to: number): vec3[] {
-  const count = Math.max(1, Math.ceil(((to - from) / fullTurn) * pieces));
-  return Array.from({ length: count + 1 }, (_, i) =>
-    pointOf(ring, from + ((to - from) * i) / count),
+/** Breaks the two rings that turn about one axis into dashes, each where the other has its gaps. */
+function dashed(
+  rings: readonly GizmoRing[],
+  lock: readonly [number, number] | null,
+): readonly GizmoRing[] {
+  const [outer, inner] = (lock ?? []).map((index) =>
+    rings.find(({ ring }) => isOwnRing(ring) && ring.index === index),
   );
+  if (!outer || !inner) return rings;
+  const from = Math.atan2(vec3.dot(outer.first, inner.second), vec3.dot(outer.first, inner.first));
+  const isSecond = vec3.dot(outer.ring.normal, inner.ring.normal) > 0;
+  return rings.map((each) => {
+    if (each === outer) return { ...each, dashes: { from: 0, isSecond: false } };
+    return each === inner ? { ...each, dashes: { from, isSecond } } : each;
+  });
 }
 
-function pointOf({ center, first, second }: RingPlace, angle: number, part = 1): vec3 {
-  const point = vec3.scaleAndAdd(new Float64Array(3), center, first, part * Math.cos(angle));
-  return vec3.scaleAndAdd(point, point, second, part * Math.sin(angle));
-}
-
-/** The color of what the pointer is over. */
-export function lighter(color: readonly number[]): number[] {
-  return color.map((channel) => channel + (1 - channel) * 0.45);
+/** A unit vector of the scene in the character's space; the matrix scales uniformly. */
+function inverselyRotated(sceneFromCharacter: Float64Array, vector: ReadonlyVec3): vec3 {
+  const rotated = new Float64Array(3);
+  for (let i = 0; i < 3; i++) {
+    const [x, y, z] = sceneFromCharacter.subarray(i * 4, i * 4 + 3);
+    rotated[i] = vec3.dot([x!, y!, z!], vector);
+  }
+  return vec3.normalize(rotated, rotated);
 }

@@ -1,6 +1,6 @@
 import type { HandleId } from '../document/session.ts';
 import type { Evaluation } from '../evaluation/evaluation.ts';
-import { gizmoLines, gizmoOf, type GizmoRing, gizmoRings } from './gizmo.ts';
+import { gizmoOf, type GizmoRing, gizmoRings } from './gizmo.ts';
 import { type Overlay, type OverlayView, pickOverlay } from './overlay.ts';
 import { overlayViewAt, pixelsAt } from './overlay-place.ts';
 import { boneAt, type Looking, type PickPlace } from './pick.ts';
@@ -13,6 +13,7 @@ import {
   viewHandle,
 } from './place-gizmo.ts';
 import { lightAt } from './pick-light.ts';
+import { gizmoLines } from './ring-lines.ts';
 import { sessionOptionsOf } from './view-options.ts';
 
 /** Returns the ring of the selected joint at a place of the view, or null. */

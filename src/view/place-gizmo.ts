@@ -3,7 +3,7 @@ import type { Actor } from '../document/scene.ts';
 import type { HandleId, PlaceAxes, PlaceTool } from '../document/session.ts';
 import type { RingPlace } from '../posing/ring-turn.ts';
 import { axesOf, eyeOf } from './camera.ts';
-import { arc, lighter } from './gizmo.ts';
+import { arc, lighter } from './ring-lines.ts';
 import {
   type Overlay,
   type OverlayFace,

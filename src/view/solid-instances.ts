@@ -15,9 +15,9 @@ const axisThickness = 0.06; // as a fraction of the length
 
 type Color = readonly number[];
 
-/** The joints that are highlighted, or null. */
+/** The joints that are highlighted. */
 export interface JointMarks {
-  readonly selected: number | null;
+  readonly selected: readonly number[];
   readonly hovered: number | null;
   /** (jointCount × 3) the bytes of the joints' own colors where weights are shown, or null. */
   readonly colors: Uint8Array | null;
@@ -25,9 +25,9 @@ export interface JointMarks {
 
 /** Returns the marks of a view. */
 export function marksOf({ state }: CharacterView, options: ViewOptions): JointMarks {
-  const { selectedActorId, selectedJoint, hoveredLimb } = options;
+  const { selectedActorId, selectedJoints, hoveredLimb } = options;
   return {
-    selected: state.id === selectedActorId ? selectedJoint : null,
+    selected: state.id === selectedActorId ? selectedJoints : [],
     hovered: state.id === hoveredLimb?.actorId ? hoveredLimb.joint : null,
     colors: showsWeights(state.id, options) ? jointColorsOf(state.character.skeleton).bytes : null,
   };
@@ -41,7 +41,7 @@ export function keyOf(views: readonly CharacterView[], options?: ViewOptions): s
   const keys = views.map((view) => {
     const { pose, display } = view.evaluation.revisions;
     const { selected, hovered, colors } = options ? marksOf(view, options) : noMarks;
-    return `${pose} ${display} ${selected} ${hovered} ${colors !== null}`;
+    return `${pose} ${display} ${selected.join()} ${hovered} ${colors !== null}`;
   });
   return keys.join();
 }
@@ -49,7 +49,7 @@ export function keyOf(views: readonly CharacterView[], options?: ViewOptions): s
 /** The gray to which colors are dimmed, in linear light. */
 const dimmedLight = 0.2;
 
-const noMarks: JointMarks = { selected: null, hovered: null, colors: null };
+const noMarks: JointMarks = { selected: [], hovered: null, colors: null };
 
 function colorOf(joint: number, { selected, hovered, colors }: JointMarks, plain: Color): Color {
   if (colors) {
@@ -57,7 +57,7 @@ function colorOf(joint: number, { selected, hovered, colors }: JointMarks, plain
     const isDimmed = hovered !== null && hovered !== joint;
     return isDimmed ? own.map((channel) => 0.15 * channel + 0.85 * dimmedLight) : own;
   }
-  if (joint === selected) return palette.selected;
+  if (selected.includes(joint)) return palette.selected;
   return joint === hovered ? palette.hovered : plain;
 }
 

@@ -81,5 +81,7 @@ export const palette = {
   litBone: linear('#d9480f'),
   hovered: linear('#fff6d6'),
   selected: linear('#ffab2e'),
+  /** The ring about the line of sight. */
+  screenRing: linear('#8e9aa8'),
   axes: [linear('#e5484d'), linear('#46a758'), linear('#3b82f6')],
 } as const;

@@ -2,6 +2,7 @@ import type { WeightViewId } from '../skinning/weights/views.ts';
 import type { IkSketch } from '../document/ik-sketch.ts';
 import type { Environment } from '../document/environment.ts';
 import type { ActorId, Scene } from '../document/scene.ts';
+import { selectedJoints } from '../document/selected-joints.ts';
 import type {
   ActiveDof,
   HandleId,
@@ -34,6 +35,8 @@ export interface SessionOptions {
   readonly selectedActorId: ActorId | null;
   /** The selected joint of the selected actor, or null. */
   readonly selectedJoint: number | null;
+  /** All that are selected together, that one first. */
+  readonly selectedJoints: readonly number[];
   readonly hoveredLimb: HoveredLimb | null;
   /** Shows what belongs to the page and not to the picture: handles and the light on a limb. */
   readonly showOverlay: boolean;
@@ -42,6 +45,7 @@ export interface SessionOptions {
   readonly activeDof: ActiveDof | null;
   readonly placeTool: PlaceTool | null;
   readonly placeAxes: PlaceAxes;
+  readonly ringAxes: PlaceAxes;
   readonly posesBy: PosesBy;
   readonly playing: boolean;
   readonly byTouch: boolean;
@@ -81,6 +85,7 @@ export function sessionOptionsOf(session: Session): SessionOptions {
     translucent: session.translucent.value,
     selectedActorId: session.selectedActorId.value,
     selectedJoint: session.selectedJoint.value,
+    selectedJoints: selectedJoints(session),
     hoveredLimb: session.hoveredLimb.value,
     showOverlay: true,
     hoveredHandle: session.hoveredHandle.value,
@@ -88,6 +93,7 @@ export function sessionOptionsOf(session: Session): SessionOptions {
     activeDof: session.activeDof.value,
     placeTool: session.placeTool.value,
     placeAxes: session.placeAxes.value,
+    ringAxes: session.ringAxes.value,
     posesBy: session.posesBy.value,
     playing: session.playing.value,
     byTouch: session.byTouch.value,

@@ -3,7 +3,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { parentMatrix } from '../../src/posing/joint-frames.ts';
 import { type JointRing, jointRings } from '../../src/posing/joint-rings.ts';
-import { ringTurn, seenRing, turnRing } from '../../src/posing/ring-turn.ts';
+import { ringTurn, seenRing, snappedTurn, turnRing } from '../../src/posing/ring-turn.ts';
 import { transform, unit } from '../reference/matrix.ts';
 import { largestDifference } from '../support/compare.ts';
 import { randomSource, randomUnitVector } from '../support/random.ts';
@@ -210,11 +210,14 @@ it('snapping gives a hinge a multiple of the step, and turns a ball by one', () 
   const step = Math.PI / 12;
   const hinge = dragRig('x', 5);
   const [ring] = ringsOf(hinge, hinge.q);
-  const value = turnRing(hinge.skeleton, hinge.q, ring!, 0.4, step)[ring!.index]! / step;
+  const { index } = ring!;
+  const snapped = snappedTurn(hinge.q[index]!, 0.4, step);
+  const value = turnRing(hinge.skeleton, hinge.q, ring!, snapped)[index]! / step;
+  expect(Math.abs(snapped - 0.4)).toBeLessThanOrEqual(step / 2);
   expect(Math.abs(value - Math.round(value))).toBeLessThan(tolerances.turn);
   const ball = dragRig('b', 5);
   const [, about] = ringsOf(ball, ball.q);
-  const turned = turnRing(ball.skeleton, ball.q, about!, 0.4, step);
+  const turned = turnRing(ball.skeleton, ball.q, about!, snappedTurn(null, 0.4, step));
   expect(largestDifference(turned, turnedBy(ball.q, about!, 2 * step))).toBeLessThan(
     tolerances.turn,
   );

@@ -1,6 +1,7 @@
 import { DofKind } from '../../core/skeleton.ts';
 import { negativeDirection, solveDefinite } from './cholesky.ts';
 import type { IkObjective } from './objective.ts';
+import type { StepBounds } from './step-bounds.ts';
 import { integrate } from './tangent-space.ts';
 
 /** The farthest that one step turns a degree of freedom, in radians. */
@@ -28,6 +29,7 @@ export class Descent {
   lastMove = 0;
   isDone = false;
   readonly #objective: IkObjective;
+  readonly #bounds: StepBounds;
   readonly #trial: Float64Array;
   readonly #step: Float64Array;
   readonly #right: Float64Array;
@@ -44,8 +46,12 @@ export class Descent {
   #isLinear = false;
   #hasCurvature = true;
 
-  constructor(objective: IkObjective, from: Float64Array) {
+  /**
+   * @param stage the first stage: 1 leaves out the large moves, for a start near the solution
+   */
+  constructor(objective: IkObjective, bounds: StepBounds, from: Float64Array, stage: 0 | 1) {
     const { columnCount } = objective.space;
+    this.#bounds = bounds;
     this.#objective = objective;
     this.q = from.slice();
     this.#trial = from.slice();
@@ -57,7 +63,7 @@ export class Descent {
     this.#free = new Uint16Array(columnCount);
     this.#isFixed = new Uint8Array(columnCount);
     this.#order = new Uint16Array(columnCount);
-    this.#enterStage(0);
+    this.#enterStage(stage);
   }
 
   /**
@@ -138,12 +144,12 @@ export class Descent {
 
   /** Orders the columns: those that are free, and then those at a limit. */
   #orderByLimits(): void {
-    const { columnCount, values, min, max } = this.#objective.space;
+    const { coordinates, low, high } = this.#bounds;
+    this.#bounds.measure(this.q);
     let count = 0;
     for (const wantsLimit of [false, true])
-      for (let i = 0; i < columnCount; i++) {
-        const value = this.q[values[i]!]!;
-        const isAtLimit = value <= min[i]! || value >= max[i]!;
+      for (let i = 0; i < coordinates.length; i++) {
+        const isAtLimit = coordinates[i]! <= low[i]! || coordinates[i]! >= high[i]!;
         if (isAtLimit === wantsLimit) this.#order[count++] = i;
       }
   }
@@ -151,6 +157,7 @@ export class Descent {
   /** The objective where the step leads; `#trial` is that pose. */
   #costAhead(): number {
     integrate(this.#objective.space, this.q, this.#step, this.#trial);
+    this.#bounds.clamp(this.#trial);
     return this.#objective.cost(this.#trial);
   }
 
@@ -173,14 +180,15 @@ export class Descent {
    * Returns how much the objective should fall.
    */
   #solve(): number {
-    const { space, gradient, resistance } = this.#objective;
-    const { columnCount, values, min, max, kinds } = space;
+    const { gradient, resistance } = this.#objective;
+    const { coordinates, low, high } = this.#bounds;
+    const columnCount = gradient.length;
     const [step, isFixed] = [this.#step, this.#isFixed];
+    this.#bounds.measure(this.q);
     for (let i = 0; i < columnCount; i++) {
-      const value = this.q[values[i]!]!;
-      const atMin = value <= min[i]! && gradient[i]! >= 0;
-      const atMax = value >= max[i]! && gradient[i]! <= 0;
-      isFixed[i] = kinds[i] !== DofKind.ball && (atMin || atMax) ? 1 : 0;
+      const atMin = coordinates[i]! <= low[i]! && gradient[i]! >= 0;
+      const atMax = coordinates[i]! >= high[i]! && gradient[i]! <= 0;
+      isFixed[i] = atMin || atMax ? 1 : 0;
       step[i] = 0;
     }
     for (let i = 0; i < columnCount; i++) this.#diagonal[i] = this.damping * resistance[i]!;
@@ -221,15 +229,14 @@ export class Descent {
 
   /** Sends the columns whose step would pass a limit to that limit. Returns whether there are any. */
   #fixAtLimits(): boolean {
-    const { columnCount, values, min, max } = this.#objective.space;
+    const { coordinates, low, high } = this.#bounds;
     const [step, isFixed] = [this.#step, this.#isFixed];
     let found = false;
-    for (let i = 0; i < columnCount; i++) {
+    for (let i = 0; i < coordinates.length; i++) {
       if (isFixed[i] === 1) continue;
-      const value = this.q[values[i]!]!;
-      const wanted = value + step[i]!;
-      if (wanted >= min[i]! && wanted <= max[i]!) continue;
-      step[i] = Math.min(Math.max(wanted, min[i]!), max[i]!) - value;
+      const wanted = coordinates[i]! + step[i]!;
+      if (wanted >= low[i]! && wanted <= high[i]!) continue;
+      step[i] = Math.min(Math.max(wanted, low[i]!), high[i]!) - coordinates[i]!;
       isFixed[i] = 1;
       found = true;
     }

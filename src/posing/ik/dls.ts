@@ -3,6 +3,7 @@ import { natural } from '../natural/natural-solver.ts';
 import { Descent } from './descent.ts';
 import { IkObjective } from './objective.ts';
 import type { IkOptions, IkProblem, IkSolution, IkSolver, IkStep } from './problem.ts';
+import { StepBounds } from './step-bounds.ts';
 import { singularValues } from './singular-values.ts';
 import { startPose } from './starts.ts';
 import { isWithinReach, reachedFraction, statusOf, valuesAtLimits } from './status.ts';
@@ -64,11 +65,14 @@ class Run {
     this.#restarts = options.restarts ?? defaults.restarts;
     this.#tolerance = options.tolerance ?? defaults.tolerance;
     this.#objective = new IkObjective(problem, this.#from);
-    this.#descent = new Descent(this.#objective, this.#from);
+    const length = Math.max(...this.#objective.chains.map((chain) => chain.length));
+    const { space } = this.#objective;
+    const bounds = new StepBounds(space, this.#from, options.mostTurn ?? Infinity, length);
+    const isAtReference = sameValues(skeleton, joints, from, reference);
+    this.#descent = new Descent(this.#objective, bounds, this.#from, isAtReference ? 0 : 1);
     this.#best = this.#from;
     this.#bestResidual = this.#measure(this.#from);
     this.#bestDistance = this.#objective.secondaryCost(this.#from);
-    const isAtReference = sameValues(skeleton, joints, from, reference);
     const canMove = this.#objective.space.columnCount > 0 && problem.goals.length > 0;
     this.#isDone = !canMove || (isAtReference && this.#bestResidual <= this.#tolerance);
   }

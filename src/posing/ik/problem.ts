@@ -55,6 +55,12 @@ export interface IkOptions {
   readonly iterations?: number;
   /** How many other starts are tried when a solve stalls within reach; 0 tries none. */
   readonly restarts?: number;
+  /**
+   * How far the solve may turn a joint from the start, in radians; infinite if absent. A drag passes
+   * what looks like motion in one frame, so that a pose that has to change over, because its target
+   * passed behind the body, swings there in place of jumping. It suits no restarts.
+   */
+  readonly mostTurn?: number;
   /** Residuals below this fraction of a goal's chain count as zero. */
   readonly tolerance?: number;
 }

@@ -14,7 +14,7 @@ interface LimbLight {
   readonly rimLight: number;
 }
 
-/** Lights the skin of the limb under the pointer, and outlines that of the selected joint. */
+/** Lights the skin of the limb under the pointer, and outlines that of the selected joints. */
 export const litLimbPass: Pass = {
   id: 'lit-limb',
   isShown: (options) => options.showOverlay && options.showSkin && lightsOf(options).length > 0,
@@ -64,8 +64,10 @@ function lightsOf(options: ViewOptions): LimbLight[] {
   const lights: LimbLight[] = [];
   // Light would change the colors that stand for weights; their pass dims the other limbs instead.
   if (gizmo && selectedActorId !== null && !showsWeights(selectedActorId, options)) {
-    const limb = { actorId: selectedActorId, joint: gizmo.joint };
-    lights.push({ ...limb, lightColor: palette.selected, faceLight: 0.1, rimLight: 0.6 });
+    for (const joint of options.selectedJoints) {
+      const limb = { actorId: selectedActorId, joint };
+      lights.push({ ...limb, lightColor: palette.selected, faceLight: 0.1, rimLight: 0.6 });
+    }
   }
   if (hoveredLimb && !showsWeights(hoveredLimb.actorId, options)) {
     const { actorId, joint } = hoveredLimb;

@@ -1,14 +1,22 @@
+import type { Evaluation } from '../../evaluation/evaluation.ts';
 import { Buffer } from '../../gl/buffer.ts';
 import type { Gpu } from '../../gl/gpu.ts';
 import type { Program } from '../../gl/program.ts';
 import { type Attribute, VertexArray } from '../../gl/vertex-array.ts';
 import type { Frame } from '../frame.ts';
-import { gizmoLines, gizmoOf, gizmoRings } from '../gizmo.ts';
+import { type Gizmo, gizmoOf, gizmoRings } from '../gizmo.ts';
 import { lightLines, showsLights } from '../light-handles.ts';
 import { showsSketch, sketchShapes } from '../ik-sketch-shapes.ts';
-import { isFace, type Overlay, type OverlayFace, type OverlayLine } from '../overlay.ts';
+import {
+  isFace,
+  type Overlay,
+  type OverlayFace,
+  type OverlayLine,
+  type OverlayView,
+} from '../overlay.ts';
 import type { Pass } from '../pass.ts';
 import { placeGizmoOf, placeHandles, placeShapes } from '../place-gizmo.ts';
+import { gizmoLines, gizmoSectors } from '../ring-lines.ts';
 
 /** The floats of a piece: three corners, its color with opacity, and its two widths. */
 const pieceSize = 15;
@@ -77,9 +85,14 @@ function overlayOf({ characters, options, camera, viewport }: Frame, cssScale: n
   return [
     ...lights,
     ...sketch,
-    ...(joint ? gizmoLines(gizmoRings(evaluation, view, joint), joint) : []),
+    ...(joint ? ringShapes(evaluation, view, joint) : []),
     ...(place ? placeShapes(placeHandles(evaluation.state, view, place), place) : []),
   ];
+}
+
+function ringShapes(evaluation: Evaluation, view: OverlayView, joint: Gizmo): Overlay {
+  const rings = gizmoRings(evaluation, view, joint);
+  return [...gizmoSectors(rings, joint), ...gizmoLines(rings, joint)];
 }
 
 /** The pieces of a shape, as floats. */
