@@ -2,6 +2,7 @@
 import '@preact/signals';
 import { effect } from '@preact/signals-core';
 import { render } from 'preact';
+import { settlePins } from '../evaluation/settle-pins.ts';
 import { followCursor } from '../ui/cursor.ts';
 import { listenToDrops } from '../ui/drop-zone.ts';
 import { listenToKeys } from '../ui/keys.ts';
@@ -39,6 +40,7 @@ export function startInterface(
   { drafts, scenes }: { readonly drafts: boolean; readonly scenes: readonly CatalogueScene[] },
 ): Scripting {
   opening.viewer.passes.value = passes;
+  opening.store.settle = (scene) => settlePins(scene, opening.evaluations);
   if (drafts) opening.viewer.pace = createPace(opening.session);
   const editor = createEditor(opening, layout.canvas, scenes);
   render(<TopBar editor={editor} />, layout.top);

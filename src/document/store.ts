@@ -29,6 +29,11 @@ export class Store {
   private readonly steps = signal<History>(emptyHistory);
   private readonly onChange: (before: Scene, after: Scene) => void;
   private open: Gesture | null = null;
+  /**
+   * Returns the scene that a step leads to, from the one that its edit made and that is shown. It
+   * changes nothing that can be seen.
+   */
+  settle = (scene: Scene): Scene => scene;
 
   readonly scene: ReadonlySignal<Scene> = this.current;
   readonly history: ReadonlySignal<History> = this.steps;
@@ -77,6 +82,7 @@ export class Store {
       commit: () => {
         if (!isOpen()) return;
         this.open = null;
+        this.show(this.settle(this.current.value));
         const after = this.current.value;
         // A gesture without an effect adds no step and restores the identical scene.
         if (sameScene(before, after)) {

@@ -40,6 +40,8 @@ export interface Evaluation {
   readonly pose: Pose;
   /** The pose from which edits start: the shown one without values that are only shown. */
   readonly poseToEdit: Pose;
+  /** Where the joints are that its pins follow; see `PoseContext`. */
+  readonly followed: Float64Array | null;
   /** (jointCount × 16) column-major, float64: from each joint's frame to character space. */
   readonly characterFromJoint: Float64Array;
   /** The mesh after its rest layers. */

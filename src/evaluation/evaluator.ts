@@ -27,7 +27,7 @@ export class Evaluator implements Evaluation {
   private readonly kernels: Kernels;
   private now: Actor;
   private time = 0;
-  private followed: Float64Array | null = null;
+  followed: Float64Array | null = null;
 
   private readonly valueStage: Stage<ShownValues>;
   private readonly jointStage: Stage<Float64Array>;

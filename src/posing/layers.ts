@@ -9,6 +9,11 @@ export const poseLayers: readonly PoseLayer[] = [
     load: async () => (await loadPart(import('./clip-layer.ts'))).applyClip,
   },
   {
+    label: 'Pins',
+    isActive: ({ pins }) => pins.length > 0,
+    load: async () => (await loadPart(import('./pins/pin-layer.ts'))).applyPins,
+  },
+  {
     label: 'Linked rotations',
     isShownOnly: true,
     isActive: ({ character }) => character.rotationLinks.length > 0,
