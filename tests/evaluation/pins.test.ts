@@ -179,7 +179,7 @@ describe('a pinned joint', () => {
     const start = shown().poseToEdit.q.slice();
     for (const value of [0.02, 0.1, -0.2, -0.1]) {
       gesture.preview(setValue(actor().id, start, 1, value, 'Move'));
-      shown().pose.q;
+      expect(shown().pose.q).toHaveLength(start.length);
     }
     const fresh = new Evaluator(actor(), fullPool()).evaluate(actor(), 0);
     expect(sameBits(fresh.pose.q, evaluations.of(actor()).pose.q)).toBe(true);
