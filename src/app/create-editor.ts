@@ -15,6 +15,7 @@ import { placeBeside } from '../evaluation/place-beside.ts';
 import { sceneBounds } from '../evaluation/scene-bounds.ts';
 import { readableExtensions, sceneExtension } from '../formats/extensions.ts';
 import { writeObj } from '../formats/obj/write-obj.ts';
+import { poseFormats } from '../formats/pose-formats.ts';
 import { poseToJson } from '../formats/write-pose-json.ts';
 import { attempt } from '../ui/attempt.ts';
 import { copyText } from '../ui/copy-text.ts';
@@ -28,6 +29,8 @@ import type { CatalogueScene } from './catalogue.ts';
 import type { OpeningOfScenes } from './create-opening.ts';
 import { download } from './download.ts';
 import { freshTarget } from './scenes/scene-target.ts';
+
+const poseExtensions = poseFormats.map(({ extension }) => extension);
 
 /** Completes the opening to an editor with everything that the interface can ask for. */
 export function createEditor(
@@ -52,7 +55,9 @@ export function createEditor(
     hints: createHints(canvas, opening),
     drawer: signal<Drawer | null>(null),
     keeping,
-    fileExtensions: [...new Set([sceneExtension, ...readableExtensions, '.json', '.png'])],
+    fileExtensions: [
+      ...new Set([sceneExtension, ...readableExtensions, ...poseExtensions, '.png']),
+    ],
     renaming: signal<ActorId | null>(null),
 
     scenes,
@@ -151,11 +156,17 @@ export function createEditor(
       notice.value = copied ? 'Pose copied' : 'The browser did not let the pose be copied';
     },
 
-    savePose() {
-      const state = selected();
-      if (!state) return;
-      download(`${state.name}.pose.json`, poseText(), 'application/json');
-      notice.value = 'Pose saved';
+    async savePose(format = poseFormats[0]!) {
+      const shown = evaluations.selected();
+      if (!shown) return;
+      const { character, name } = shown.state;
+      const pose = shown.snapshot(); // of this moment, since the writer may still have to come
+      const { write } = await format.load();
+      const { files, losses } = write({ ...character, name }, pose);
+      for (const { path, bytes } of files) download(path, bytes as BlobPart, 'text/plain');
+      session.problems.value = losses;
+      notice.value =
+        losses.length > 0 ? 'Pose saved; what got lost is under Problems' : 'Pose saved';
     },
 
     async saveAs(format) {

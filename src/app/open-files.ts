@@ -1,5 +1,6 @@
 import type { Character } from '../core/character.ts';
 import { loadPart } from '../core/failure.ts';
+import type { Pose } from '../core/pose.ts';
 import { openCharacter, openCharacters } from '../document/open-characters.ts';
 import type { ActorLook } from '../document/actor-look.ts';
 import {
@@ -109,7 +110,7 @@ export class FileOpener {
     const q = skeleton && pose && (await poseReader?.readBundledPose(pose, skeleton, problems));
     await this.prepare(characters);
     if (signal.aborted) return undefined;
-    if (first) this.showAll([first], way, q);
+    if (first) this.showAll([first], way, q && { q });
     this.session.problems.value = problems;
     const opened = first?.character ?? null;
     return { found: characters, opened, reopened: false, posed: false, added: way.add };
@@ -125,9 +126,9 @@ export class FileOpener {
    * Shows characters in their files' poses. They are added beside all others, or replace the selected
    * actor or an untouched scene; several stand in a row.
    *
-   * @param q a pose for the first character
+   * @param pose of the first character
    */
-  showAll(found: readonly ReadCharacter[], way: OpenWay, q?: Float64Array): void {
+  showAll(found: readonly ReadCharacter[], way: OpenWay, pose?: Pose): void {
     const { add } = way;
     const shown = found.slice(0, mostAtOnce);
     const replaced = add ? [] : this.replaced;
@@ -148,7 +149,7 @@ export class FileOpener {
       kept: {
         source: way.source ?? sourceOf(files),
         transform: way.place ?? kept ?? places[index]!,
-        ...(q && index === 0 && { q }),
+        ...(index === 0 && pose),
       },
     }));
     const edit = openCharacters(ids, actors);
@@ -205,6 +206,11 @@ export class FileOpener {
 
   get selected(): Actor | undefined {
     return selectedActor(this.store, this.session);
+  }
+
+  /** The pose that the selected character shows. */
+  get shownPose(): Required<Pose> | undefined {
+    return this.evaluations.selected()?.snapshot();
   }
 
   /**

@@ -1,11 +1,12 @@
 import type { Character } from '../core/character.ts';
 import type { Diagnostic } from '../core/diagnostics.ts';
-import { setPose } from '../document/edits.ts';
+import { setPoseAndShape } from '../document/saved-poses.ts';
+import { restPose, type Pose } from '../core/pose.ts';
 import { sourceOf } from '../document/scene.ts';
 import type { FileEntry } from '../formats/format.ts';
 import { decodePose } from '../formats/pose-json.ts';
+import { poseFormatOf } from '../formats/pose-formats.ts';
 import type { ReadCharacter, ReadProgress } from '../formats/read-characters.ts';
-import { readPoseJson } from '../formats/read-pose-json.ts';
 import { areImages, coverWithImage } from './dropped-image.ts';
 import type { FileOpener, OpenOutcome } from './open-files.ts';
 import { loadBytes } from './read-bytes.ts';
@@ -13,7 +14,7 @@ import { readFiles } from './read-files.ts';
 import { areCompanions, completeFiles, keptState, missingParts, renews } from './renewal.ts';
 import { readPictureNote, type ReadNote } from './read-picture-note.ts';
 import { withHashes } from './scenes/hash-files.ts';
-import { type JsonText, sortFiles } from './sort-files.ts';
+import { type PoseFile, sortFiles } from './sort-files.ts';
 
 interface OwnFilesOptions {
   /** Aborted when the user cancels, or when a later opening replaces this one. */
@@ -70,19 +71,23 @@ export async function openOwnFiles(
   const isNew = first !== undefined && completed === parts && !renewed;
   const add = ask && isNew && opener.isReplacing ? await ask(characters) : addAll;
   if (add === null || isOver()) return undefined;
+  const shown = first ? atRest(first.character) : opener.shownPose;
   const character = first?.character ?? opener.selected?.character;
-  const q = character && readPoses({ poses, notes }, character, problems);
+  const pose =
+    character && shown && (await readPoses({ poses, notes }, character, shown, problems));
+  if (isOver()) return undefined;
   problems.push(...notes.flatMap(({ log }) => log.diagnostics));
   if (first && renewed) {
     const kept = keptState(renewed, first.character);
     opener.renew(first, renewed, {
       source: sourceOf(first.files),
       ...kept,
-      ...(q && { q, clip: null }),
+      ...(pose && { ...pose, clip: null }),
     });
-  } else if (first) opener.showAll(characters, { add }, q);
-  else if (q && opener.selected) {
-    opener.store.dispatch(setPose(opener.selected.id, q, 'Open a pose'));
+  } else if (first) opener.showAll(characters, { add }, pose);
+  else if (pose && opener.selected) {
+    const { id, morphWeights } = opener.selected;
+    opener.store.dispatch(setPoseAndShape(id, { morphWeights, ...pose }, 'Open a pose'));
   }
   problems.push(...characters.flatMap((each) => missingParts(each.character)));
   opener.session.problems.value = problems;
@@ -90,20 +95,34 @@ export async function openOwnFiles(
     found: characters,
     opened: first?.character ?? null,
     reopened: renewed !== undefined,
-    posed: q !== undefined,
+    posed: pose !== undefined,
     ...(cover !== undefined && { cover }),
     added: add && !renewed,
   };
 }
 
-/** Returns the last of the poses that can be used. */
-function readPoses(
-  { poses, notes }: { readonly poses: readonly JsonText[]; readonly notes: readonly ReadNote[] },
-  { skeleton }: Character,
+function atRest({ skeleton, morphs }: Character): Required<Pose> {
+  return { ...restPose(skeleton), morphWeights: new Float64Array(morphs.length) };
+}
+
+/**
+ * Returns the last of the poses that can be used.
+ *
+ * @param shown what the character shows, onto which a part of a pose is put
+ */
+async function readPoses(
+  { poses, notes }: { readonly poses: readonly PoseFile[]; readonly notes: readonly ReadNote[] },
+  character: Character,
+  shown: Required<Pose>,
   problems: Diagnostic[],
-): Float64Array | undefined {
-  const ofFiles = poses.map(({ path, text }) => readPoseJson(path, text, skeleton));
+): Promise<Pose | undefined> {
+  const ofFiles = await Promise.all(
+    poses.map(async ({ path, bytes }) => {
+      const { read } = await poseFormatOf(path)!.load();
+      return read(path, bytes, character, shown);
+    }),
+  );
   for (const { diagnostics } of ofFiles) problems.push(...diagnostics);
-  const ofNotes = notes.flatMap(({ pose }) => (pose ? [decodePose(pose, skeleton)] : []));
-  return [...ofFiles, ...ofNotes].findLast(({ value }) => value !== undefined)?.value?.q;
+  const ofNotes = notes.flatMap(({ pose }) => (pose ? [decodePose(pose, character.skeleton)] : []));
+  return [...ofFiles, ...ofNotes].findLast(({ value }) => value !== undefined)?.value;
 }

@@ -2,7 +2,7 @@ import type { Diagnostic } from '../core/diagnostics.ts';
 import { loadPart } from '../core/failure.ts';
 import { extensionOf } from '../formats/file-entry.ts';
 import type { FileEntry } from '../formats/format.ts';
-import { decodeText } from '../formats/text/decode-text.ts';
+import { poseFormatOf } from '../formats/pose-formats.ts';
 import { pictureKeyword } from './picture-note.ts';
 import { readBytes } from './read-bytes.ts';
 
@@ -12,8 +12,14 @@ export interface JsonText {
   readonly text: string;
 }
 
+/** A file with a pose, in one of the formats of poses. */
+export interface PoseFile {
+  readonly path: string;
+  readonly bytes: Uint8Array;
+}
+
 interface SortedFiles {
-  readonly poses: readonly JsonText[];
+  readonly poses: readonly PoseFile[];
   /** The notes of pictures that Sinew saved, not yet parsed. */
   readonly notes: readonly JsonText[];
   /** Files that may be parts of characters, including textures. */
@@ -27,21 +33,21 @@ interface SortedFiles {
  * may contain characters.
  */
 export async function sortFiles(files: readonly FileEntry[]): Promise<SortedFiles> {
-  const poses: JsonText[] = [];
+  const poses: PoseFile[] = [];
   const notes: JsonText[] = [];
   const parts: FileEntry[] = [];
   const diagnostics: Diagnostic[] = [];
   for (const file of files) {
     const { path } = file;
-    const extension = extensionOf(path);
-    if (extension !== '.json' && extension !== '.png') {
+    const isPose = poseFormatOf(path) !== undefined;
+    if (!isPose && extensionOf(path) !== '.png') {
       parts.push(file);
       continue;
     }
     const bytes = await readBytes(file, diagnostics);
     if (!bytes) continue;
-    if (extension === '.json') {
-      poses.push({ path, text: decodeText(bytes) });
+    if (isPose) {
+      poses.push({ path, bytes });
       continue;
     }
     const text = await noteOf(bytes);

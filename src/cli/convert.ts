@@ -1,4 +1,4 @@
-import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { parseArgs } from 'node:util';
 import type { Character } from '../core/character.ts';
@@ -6,22 +6,22 @@ import { type Diagnostic, hasErrors } from '../core/diagnostics.ts';
 import { type Pose, restPose } from '../core/pose.ts';
 import { convertCharacter } from '../formats/convert.ts';
 import { baseName } from '../formats/file-entry.ts';
-import type { OutputFile } from '../formats/format.ts';
+import type { OutputFile, Written } from '../formats/format.ts';
+import { holdsPosesOf, poseFormats } from '../formats/pose-formats.ts';
 import { poseToJson } from '../formats/write-pose-json.ts';
 import { readCharacters } from '../formats/read-characters.ts';
-import { readPoseJson } from '../formats/read-pose-json.ts';
 import { convertTargets, loadWriter, writtenWord } from '../formats/registry.ts';
 import { savedFiles } from '../formats/saved-files.ts';
 import type { Command } from './command.ts';
-import { existingPath } from './existing-path.ts';
-import { printDiagnostics, readFiles, unreadable, unwritable, userPath } from './files.ts';
+import { printDiagnostics, readFiles, unwritable, userPath } from './files.ts';
 import { parseWords } from './parse-words.ts';
+import { formatOfPose, readPoseFile } from './read-pose-file.ts';
 import { UsageError } from './usage-error.ts';
 
 const words = convertTargets.map(writtenWord);
-const usage = `convert FILES --to ${words.join('|')} --out DIR [--pose POSE.json]`;
+const usage = `convert FILES --to ${words.join('|')} --out DIR [--pose POSE.json|POSE.vpd]`;
 
-/** `convert FILES --to FORMAT --out DIR [--pose POSE.json]` writes the files of another format. */
+/** `convert FILES --to FORMAT --out DIR [--pose POSE]` writes the files of another format. */
 export const convert: Command = {
   name: 'convert',
   usage,
@@ -34,7 +34,7 @@ export const convert: Command = {
     const found: Diagnostic[] = [...missing, ...diagnostics];
     if (characters.length > 1) throw new UsageError('expected the files of one character');
     const character = characters[0]?.character;
-    const pose = character && readPose(options.pose, character, found);
+    const pose = character && (await readPose(options.pose, character, found));
     if (!character || !pose || hasErrors(found)) {
       printDiagnostics(found);
       return 1;
@@ -44,8 +44,9 @@ export const convert: Command = {
     const { files: written, losses } = write(converted.character);
     printDiagnostics([...found, ...converted.losses, ...losses]);
     if (hasErrors(losses)) return 1;
-    const poseFile = writtenPose(options.pose, converted.character, converted.pose);
-    return writeAll(options.out, [...written, ...poseFile]) ? 0 : 1;
+    const poseFile = await writtenPose(options.pose, converted.character, converted.pose);
+    printDiagnostics(poseFile.losses);
+    return writeAll(options.out, [...written, ...poseFile.files]) ? 0 : 1;
   },
 };
 
@@ -70,36 +71,38 @@ function parseOptions(words: readonly string[]) {
 }
 
 /** The given pose, in the angles of the input files; without one, the pose of those files. */
-function readPose(
+async function readPose(
   path: string | undefined,
-  { skeleton }: Character,
+  character: Character,
   found: Diagnostic[],
-): Pose | undefined {
-  if (path === undefined) return restPose(skeleton);
-  try {
-    const { value, diagnostics } = readPoseJson(
-      path,
-      readFileSync(existingPath(userPath(path)), 'utf8'),
-      skeleton,
-    );
-    found.push(...diagnostics);
-    return value;
-  } catch (error) {
-    found.push(unreadable(path, error));
-    return undefined;
-  }
+): Promise<Pose | undefined> {
+  if (path === undefined) return restPose(character.skeleton);
+  const { value, diagnostics } = await readPoseFile(path, character);
+  found.push(...diagnostics);
+  return value;
 }
 
 /**
- * The pose file to write: the given pose under its own name. Without one, the file's pose, but only
- * if the written files rest in a different pose.
+ * The pose file to write: the given pose under its own name, or as POSE.json where its format can't
+ * hold the poses of the written files. Without one, the file's pose, but only if the written files
+ * rest in a different pose.
  */
-function writtenPose(path: string | undefined, character: Character, pose: Pose): OutputFile[] {
+async function writtenPose(
+  path: string | undefined,
+  character: Character,
+  pose: Pose,
+): Promise<Written> {
   const json = poseToJson(character.skeleton, pose);
   const isRest = Object.keys(json.joints ?? {}).length === 0 && !json.root;
-  if (path === undefined && isRest) return [];
-  const bytes = new TextEncoder().encode(`${JSON.stringify(json, null, 2)}\n`);
-  return [{ path: path === undefined ? `${character.name}.pose.json` : baseName(path), bytes }];
+  if (path === undefined && isRest) return { files: [], losses: [] };
+  const asked = formatOfPose(path ?? '');
+  const isHeld = holdsPosesOf(asked, character);
+  const { write } = await (isHeld ? asked : poseFormats[0]!).load();
+  const morphWeights = pose.morphWeights ?? new Float64Array(character.morphs.length);
+  const written = write(character, { morphWeights, ...pose });
+  if (path === undefined || !isHeld) return written;
+  const files = written.files.map(({ bytes }) => ({ path: baseName(path), bytes }));
+  return { ...written, files };
 }
 
 function writeAll(folder: string, files: readonly OutputFile[]): boolean {

@@ -1,7 +1,7 @@
-import { readFileSync, writeFileSync } from 'node:fs';
+import { writeFileSync } from 'node:fs';
 import { parseArgs } from 'node:util';
 import type { Character } from '../core/character.ts';
-import { type Diagnostic, hasErrors } from '../core/diagnostics.ts';
+import { hasErrors } from '../core/diagnostics.ts';
 import type { Mesh } from '../core/mesh.ts';
 import type { Pose } from '../core/pose.ts';
 import { createActor } from '../document/scene.ts';
@@ -12,7 +12,6 @@ import { truncationLines, truncationOf } from '../evaluation/truncation.ts';
 import { extensionOf } from '../formats/file-entry.ts';
 import { writeObj } from '../formats/obj/write-obj.ts';
 import { readCharacters } from '../formats/read-characters.ts';
-import { readPoseJson } from '../formats/read-pose-json.ts';
 import {
   defaultDeformation,
   deformationOf,
@@ -21,9 +20,9 @@ import {
   normalWays,
 } from '../skinning/registry.ts';
 import type { Command } from './command.ts';
-import { existingPath } from './existing-path.ts';
-import { printDiagnostics, readFiles, unreadable, unwritable, userPath } from './files.ts';
+import { printDiagnostics, readFiles, unwritable, userPath } from './files.ts';
 import { parseWords } from './parse-words.ts';
+import { readPoseFile } from './read-pose-file.ts';
 import { UsageError } from './usage-error.ts';
 import { wasmKernel } from './wasm-kernel.ts';
 
@@ -31,7 +30,7 @@ const methodIds = methods.map(({ short }) => short).join('|');
 const normalsIds = normalWays.map(({ id }) => id).join('|');
 
 /**
- * `pose FILES --pose POSE.json --out OUT` writes posed vertices in the file's order and units, in
+ * `pose FILES --pose POSE --out OUT` writes posed vertices in the file's order and units, in
  * Sinew's right-handed space or, with `--keep-file-space`, in the space of the file. An OBJ gets
  * normals if `--normals` says which. With `--influences`, it prints how far the vertices are from where
  * all of their influences put them.
@@ -39,7 +38,7 @@ const normalsIds = normalWays.map(({ id }) => id).join('|');
 export const pose: Command = {
   name: 'pose',
   usage:
-    `pose FILES --pose POSE.json [--method ${methodIds}] [--normals ${normalsIds}] [--influences K] [--normalize] [--keep-file-space]` +
+    `pose FILES --pose POSE.json|POSE.vpd [--method ${methodIds}] [--normals ${normalsIds}] [--influences K] [--normalize] [--keep-file-space]` +
     ' --out OUT.obj|OUT.f32',
   summary:
     'Writes the posed vertices of one character, in the order and the units of its file, as an OBJ mesh or as raw floats. An OBJ has normals if --normals says which. With --influences only the K strongest weights of each vertex are kept, and the error that this makes is printed.',
@@ -49,7 +48,7 @@ export const pose: Command = {
     const { characters, diagnostics } = await readCharacters(files);
     const found = [...missing, ...diagnostics];
     const character = characters[0]?.character;
-    const parsed = character && readPose(options.pose, character);
+    const parsed = character && (await readPoseFile(options.pose, character));
     found.push(...(parsed?.diagnostics ?? []));
     printDiagnostics(found);
     if (characters.length > 1) throw new UsageError('expected the files of one character');
@@ -85,7 +84,7 @@ function parseOptions(words: readonly string[]) {
   );
   const { pose: posePath, method, normals, out, normalize } = values;
   if (files.length === 0) throw new UsageError('expected files, found none');
-  if (posePath === undefined) throw new UsageError('expected --pose POSE.json');
+  if (posePath === undefined) throw new UsageError('expected --pose POSE.json or POSE.vpd');
   // The id of a kernel such as `joint-normals` stands for its method and its way of normals.
   const kernel = method === undefined ? undefined : kernelNamed(method);
   if (method !== undefined && !kernel)
@@ -104,21 +103,6 @@ function parseOptions(words: readonly string[]) {
   const keepFileSpace = values['keep-file-space'];
   const deformation = { method: kernel?.id, normals: way, normalize, influences };
   return { files, pose: posePath, ...deformation, keepFileSpace, out };
-}
-
-function readPose(
-  path: string,
-  character: Character,
-): { value?: Pose; diagnostics: readonly Diagnostic[] } {
-  try {
-    return readPoseJson(
-      path,
-      readFileSync(existingPath(userPath(path)), 'utf8'),
-      character.skeleton,
-    );
-  } catch (error) {
-    return { diagnostics: [unreadable(path, error)] };
-  }
 }
 
 async function evaluate(character: Character, posed: Pose, options: Options): Promise<Evaluation> {

@@ -17,6 +17,7 @@ export type DiagnosticArea =
   | 'anim'
   | 'rig'
   | 'pmd'
+  | 'vpd'
   | 'pose'
   | 'scene'
   | 'character'

@@ -37,9 +37,9 @@ export interface Revisions {
 export interface Evaluation {
   readonly state: Actor;
   /** The pose that is shown: the edited pose as the pose layers change it. */
-  readonly pose: Pose;
+  readonly pose: Required<Pose>;
   /** The pose from which edits start: the shown one without values that are only shown. */
-  readonly poseToEdit: Pose;
+  readonly poseToEdit: Required<Pose>;
   /** Where the joints are that its pins follow; see `PoseContext`. */
   readonly followed: Float64Array | null;
   /** (jointCount × 16) column-major, float64: from each joint's frame to character space. */
@@ -66,7 +66,7 @@ export interface Evaluation {
    */
   bounds(): Bounds;
   /** Returns a copy of the pose from which edits start, which the caller may keep. */
-  snapshot(): Pose;
+  snapshot(): Required<Pose>;
   /** Returns an evaluation that stays at this moment until the caller disposes of it. */
   still(): StillEvaluation;
 }

@@ -181,7 +181,7 @@ export class Evaluator implements Evaluation {
     return this.boundsStage.value;
   }
 
-  snapshot(): Pose {
+  snapshot(): Required<Pose> {
     const { q, morphWeights } = this.poseToEdit;
     return { q: q.slice(), morphWeights: morphWeights.slice() };
   }

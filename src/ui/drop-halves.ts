@@ -4,6 +4,7 @@ import { selectedActor } from '../document/selected-actor.ts';
 import { isUntouched } from '../document/untouched.ts';
 import { pictureExtensions } from '../formats/extensions.ts';
 import { extensionOf } from '../formats/file-entry.ts';
+import { poseFormats } from '../formats/pose-formats.ts';
 import { boneAt } from '../view/pick.ts';
 import type { DropTarget } from './drop-zone.ts';
 
@@ -11,7 +12,7 @@ import type { DropTarget } from './drop-zone.ts';
 const tolerance = 8;
 
 /** Extensions of what goes to a character: images and poses. */
-const givenExtensions = [...pictureExtensions, '.json'];
+const givenExtensions = [...pictureExtensions, ...poseFormats.map(({ extension }) => extension)];
 
 /** A part of the view on which files can be dropped. */
 interface Half {

@@ -8,6 +8,7 @@ import type { Transport } from '../document/transport.ts';
 import type { Evaluations } from '../evaluation/evaluations.ts';
 import type { ConvertTarget, FormatId } from '../formats/registry.ts';
 import type { FileEntry } from '../formats/format.ts';
+import type { PoseFormat } from '../formats/pose-formats.ts';
 import type { ReadCharacter, ReadProgress } from '../formats/read-characters.ts';
 import type { PictureSettings } from '../view/picture/picture-size.ts';
 import type { Viewer } from '../view/viewer.ts';
@@ -224,7 +225,8 @@ export interface Actions {
   /** Selects a joint and moves the keyboard focus to its first slider. */
   editJoint(joint: number): void;
   copyPose(): Promise<void>;
-  savePose(): void;
+  /** Saves the pose that the selected character shows; as POSE.json, if no other form is given. */
+  savePose(format?: PoseFormat): Promise<void>;
   /** Saves the character in a course's format, converted as far as that format allows. */
   saveAs(format: ConvertTarget): Promise<void>;
   exportMesh(): Promise<void>;

@@ -11,6 +11,7 @@ import { contexts } from './commands/contexts.ts';
 import { commandGroups } from './commands/registry.ts';
 import type { Editor } from './editor.ts';
 import { numberedNames } from './numbered-names.ts';
+import { otherPoseFormats } from './pose-files.ts';
 import type { Findable } from './rank-entries.ts';
 import { goToShot, setAspect, shownShot } from './shots.ts';
 import { tabs } from './tabs.ts';
@@ -38,6 +39,7 @@ export function paletteEntries(editor: Editor): readonly PaletteEntry[] {
     ...methodEntries(editor),
     ...characterEntries(editor),
     ...actorEntries(editor),
+    ...poseFileEntries(editor),
     ...sceneEntries(editor),
     ...lightEntries(editor),
     ...shotEntries(editor),
@@ -110,6 +112,14 @@ function actorEntries(editor: Editor): PaletteEntry[] {
   return actors.map(({ id }, index) =>
     dataEntry('Characters', `actor ${id}`, `Select the character ${names[index]!}`, () =>
       editor.select(id),
+    ),
+  );
+}
+
+function poseFileEntries(editor: Editor): PaletteEntry[] {
+  return otherPoseFormats(editor).map((format) =>
+    dataEntry('Files', `save pose ${format.id}`, `Save the pose as ${format.label}`, () =>
+      attempt(editor, editor.savePose(format)),
     ),
   );
 }

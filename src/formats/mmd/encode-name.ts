@@ -1,3 +1,4 @@
+import { decodeName } from './decode-name.ts';
 import { shiftJisBytes } from '../text/shift-jis.ts';
 
 /** Stands for a character that Shift-JIS does not have. */
@@ -32,6 +33,14 @@ export function fittedText(text: string, size: number): string {
   return encode(text, size).text;
 }
 
+/**
+ * Returns what is read of a text whose bytes are cut after `size` of them, even within a character,
+ * as MikuMikuDance cuts names.
+ */
+export function cutName(text: string, size: number): string {
+  return decodeName(encodeText(text).subarray(0, size));
+}
+
 /** Encodes as many whole characters as have room. */
 function encode(text: string, size: number): Encoded {
   const bytes: number[] = [];
@@ -49,4 +58,9 @@ function encode(text: string, size: number): Encoded {
 function bytesOf(character: string): readonly number[] | undefined {
   if (character === undecodable) return [undecodableByte];
   return character === '\0' ? undefined : shiftJisBytes(character); // a NUL would end the text
+}
+
+/** Returns a text in Shift-JIS, with a substitute for each character that it does not have. */
+export function encodeText(text: string): Uint8Array {
+  return Uint8Array.from(Array.from(text).flatMap((each) => bytesOf(each) ?? bytesOf(substitute)!));
 }

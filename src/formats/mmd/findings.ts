@@ -6,10 +6,16 @@ import type { DiagnosticCode, DiagnosticLog } from '../../core/diagnostics.ts';
  */
 export class Findings {
   private count = 0;
-  private first: { readonly offset: number; readonly found: string } | undefined;
+  private first: { readonly at: number; readonly found: string } | undefined;
+  private readonly by: 'offset' | 'line';
 
-  add(offset: number, found: string): void {
-    this.first ??= { offset, found };
+  /** @param by whether its places are offsets in bytes or lines */
+  constructor(by: 'offset' | 'line' = 'offset') {
+    this.by = by;
+  }
+
+  add(at: number, found: string): void {
+    this.first ??= { at, found };
     this.count++;
   }
 
@@ -17,7 +23,7 @@ export class Findings {
   warn(log: DiagnosticLog, code: DiagnosticCode, expected: string, effect: string): void {
     if (!this.first) return;
     const more = this.count > 1 ? ` and ${this.count - 1} more` : '';
-    const { offset, found } = this.first;
-    log.warn({ code, offset, expected, found: `${found}${more}`, effect });
+    const { at, found } = this.first;
+    log.warn({ code, [this.by]: at, expected, found: `${found}${more}`, effect });
   }
 }

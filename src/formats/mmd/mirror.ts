@@ -15,3 +15,13 @@ export function mirrorPoint([x, y, z]: Triple): [number, number, number] {
 export function mirrorAngles([x, y, z]: Triple): [number, number, number] {
   return [mirrored(x), mirrored(y), z];
 }
+
+/** A quaternion xyzw of the same rotation in the other space. */
+export function mirrorRotation([x, y, z, w]: readonly [number, number, number, number]): [
+  number,
+  number,
+  number,
+  number,
+] {
+  return [mirrored(x), mirrored(y), z, w];
+}

@@ -1,5 +1,6 @@
 import { selectedActor } from '../../document/selected-actor.ts';
 import { pictureExtensions } from '../../formats/extensions.ts';
+import { poseFormats } from '../../formats/pose-formats.ts';
 import { chooseFiles } from '../choose-files.ts';
 import type { Editor } from '../editor.ts';
 import { type Command, toggleDialog } from './command.ts';
@@ -83,7 +84,11 @@ export const fileCommands = [
     id: 'open-pose',
     label: 'Open a pose',
     short: 'Open pose…',
-    run: (editor) => chooseFiles(editor, ['.json']),
+    run: (editor) =>
+      chooseFiles(
+        editor,
+        poseFormats.map(({ extension }) => extension),
+      ),
   },
   {
     id: 'choose-image',

@@ -1,6 +1,7 @@
 import { convertTargets, labelOf } from '../../formats/registry.ts';
 import { attempt } from '../attempt.ts';
 import type { Editor } from '../editor.ts';
+import { otherPoseFormats } from '../pose-files.ts';
 import { CommandButton } from './command-button.tsx';
 import { Menu } from './menu.tsx';
 
@@ -34,6 +35,16 @@ export function FileMenu({ editor }: { readonly editor: Editor }) {
       <hr />
       <CommandButton editor={editor} command="open-pose" role="menuitem" />
       <CommandButton editor={editor} command="save-pose" role="menuitem" />
+      {otherPoseFormats(editor).map((format) => (
+        <button
+          key={format.id}
+          type="button"
+          role="menuitem"
+          onClick={() => attempt(editor, editor.savePose(format))}
+        >
+          Save pose as {format.label}
+        </button>
+      ))}
       <CommandButton editor={editor} command="copy-pose" role="menuitem" />
       <CommandButton editor={editor} command="choose-image" role="menuitem" />
       <hr />
