@@ -4,6 +4,7 @@ import { normalizeSkin, type Skin } from '../core/skin.ts';
 import { keepInfluences } from '../core/strongest-influences.ts';
 import { sameValue } from '../core/same-value.ts';
 import type { NormalsId } from '../core/skin.ts';
+import { type NatureSettings, plainNatures } from '../posing/natural/nature-settings.ts';
 import { noPins, type Pin } from '../posing/pins/pin.ts';
 import type { MethodId } from '../skinning/method.ts';
 import { defaultDeformation } from '../skinning/registry.ts';
@@ -77,6 +78,7 @@ export interface Actor {
   readonly q: Float64Array;
   /** Joints that are held where the pose is shown. */
   readonly pins: readonly Pin[];
+  readonly natures: NatureSettings;
   /** (morphCount) the weight of each morph; never written in place. */
   readonly morphWeights: Float64Array;
   /** Clips are compiled on demand (`clipFor`). */
@@ -105,6 +107,7 @@ export type KeptState = Partial<
     | 'fitted'
     | 'q'
     | 'pins'
+    | 'natures'
     | 'morphWeights'
     | 'clips'
     | 'clip'
@@ -137,6 +140,7 @@ export function createActor(
     fitted: kept.fitted ?? true,
     q: (kept.q ?? character.skeleton.qRest).slice(),
     pins: kept.pins ?? noPins,
+    natures: kept.natures ?? plainNatures,
     morphWeights: kept.morphWeights?.slice() ?? new Float64Array(character.morphs.length),
     clips: kept.clips ?? character.clips,
     clip,

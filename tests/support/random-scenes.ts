@@ -5,6 +5,7 @@ import type { Light } from '../../src/document/environment.ts';
 import { type Actor, type Scene, type Source, unmoved } from '../../src/document/scene.ts';
 import type { SavedPose } from '../../src/document/saved-poses.ts';
 import { aspects, type Shot } from '../../src/document/shots.ts';
+import type { NatureSettings } from '../../src/posing/natural/nature-settings.ts';
 import type { Pin } from '../../src/posing/pins/pin.ts';
 import { normalWays, methods } from '../../src/skinning/registry.ts';
 import { partsOfRig } from '../fixtures/character-of-rig.ts';
@@ -101,6 +102,24 @@ function pinOf(jointCount: number): fc.Arbitrary<Pin> {
   });
 }
 
+function naturesOf(jointCount: number): fc.Arbitrary<NatureSettings> {
+  const angle = fc.double({ min: -6, max: 6, noNaN: true });
+  const range = fc.tuple(angle, angle).map(([a, b]) => [Math.min(a, b), Math.max(a, b)] as const);
+  const nature = fc.record({
+    joint: fc.nat(jointCount - 1),
+    stiffness: fc.double({ min: 0.001, max: 1000, noNaN: true }),
+    bend: range,
+    side: range,
+    twist: range,
+  });
+  return fc.record({
+    isOn: fc.boolean(),
+    own: fc
+      .uniqueArray(nature, { maxLength: 3, selector: ({ joint }) => joint })
+      .map((own) => own.sort((a, b) => a.joint - b.joint)),
+  });
+}
+
 /** Pins follow only actors before their own, so that there is no circle. */
 function asScene(actors: readonly Omit<Actor, 'id'>[]): readonly Actor[] {
   return actors.map((actor, at) => {
@@ -141,6 +160,7 @@ function actorOf(character: Character): fc.Arbitrary<Omit<Actor, 'id'>> {
       maxLength: 3,
       selector: ({ joint }) => joint,
     }),
+    natures: naturesOf(skeleton.jointCount),
     morphWeights: fc
       .array(weight, { minLength: morphs.length, maxLength: morphs.length })
       .map((weights) => Float64Array.from(weights)),

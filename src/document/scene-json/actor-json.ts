@@ -9,13 +9,14 @@ import { readJointValues, writeJointValues } from './joint-values.ts';
 import { indexOfKey, keyAt } from './keys.ts';
 import { lookJson } from './look-json.ts';
 import { readMorphWeights, writeMorphWeights } from './morph-weights.ts';
+import { readNatures, writeNatures } from './natures-json.ts';
 import { type FindActor, readPins, writePins } from './pins-json.ts';
 import { transformJson } from './transform-json.ts';
 
 /** The fields of an actor that are read without its character. To save another one, add its row. */
 type PlainFields = Omit<
   Actor,
-  'id' | 'character' | 'source' | 'q' | 'pins' | 'morphWeights' | 'clips' | 'clip'
+  'id' | 'character' | 'source' | 'q' | 'pins' | 'natures' | 'morphWeights' | 'clips' | 'clip'
 >;
 
 const plainFields: Codecs<PlainFields> = {
@@ -30,7 +31,9 @@ const plainFields: Codecs<PlainFields> = {
 };
 
 /** The fields that need the character. `pose` is as in POSE.json, for people who write by hand. */
-const characterFields = ['character', 'values', 'pose', 'pins', 'morphs', 'clip'] as const;
+const characterFields = [
+  ...['character', 'values', 'pose', 'pins', 'natures', 'morphs', 'clip'],
+] as const;
 
 /** An actor whose character may still be on its way. */
 export interface ActorDescription {
@@ -53,12 +56,14 @@ export function writeActor(
 ): Record<string, unknown> {
   const { skeleton, morphs, clips } = actor.character;
   const values = writeJointValues(skeleton, actor.q);
+  const natures = writeNatures(actor.natures, skeleton);
   const weights = writeMorphWeights(namesOf(morphs), actor.morphWeights);
   return {
     character,
     ...writeFields(plainFields, actor, freshActor(actor.id, actor.character, actor.source)),
     ...(Object.keys(values).length > 0 && { values }),
     ...(actor.pins.length > 0 && { pins: writePins(actor, actors) }),
+    ...(natures && { natures }),
     ...(Object.keys(weights).length > 0 && { morphs: weights }),
     ...(actor.clip !== null && { clip: keyAt(namesOf(clips), actor.clip) }),
   };
@@ -85,9 +90,9 @@ export function actorOf(
 ): Actor {
   const { skeleton, morphs, clips } = character;
   const members = json.record('an object');
-  const [values, pose, pins, weights, clip] = ['values', 'pose', 'pins', 'morphs', 'clip'].map(
-    (key) => members?.get(key),
-  );
+  const [values, pose, pins, natures, weights, clip] = [
+    ...['values', 'pose', 'pins', 'natures', 'morphs', 'clip'],
+  ].map((key) => members?.get(key));
   const fresh = freshActor(id, character, source);
   const q = (pose && decodePose(pose, skeleton).value?.q) ?? fresh.q;
   if (values) readJointValues(values, skeleton, q);
@@ -96,6 +101,7 @@ export function actorOf(
     ...plain,
     q,
     pins: pins ? readPins(pins, skeleton, found) : fresh.pins,
+    natures: natures ? readNatures(natures, skeleton) : fresh.natures,
     morphWeights: weights ? readMorphWeights(weights, namesOf(morphs)) : fresh.morphWeights,
     clip: clip ? readClip(clip, namesOf(clips)) : null,
   };
