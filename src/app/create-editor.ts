@@ -49,6 +49,7 @@ export function createEditor(
     ballAngles: new BallAngles(),
     placeAngles: new PlaceAngles(),
     recentEntries: signal([]),
+    showsHistory: signal(false),
     letterKeys: signal(true),
     picture: signal(plainSettings),
     tab: signal('pose'),

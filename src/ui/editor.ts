@@ -172,6 +172,8 @@ export interface PageState {
   readonly picture: Signal<PictureSettings>;
   /** The ids of the palette's entries that were used in this session, the last first. */
   readonly recentEntries: Signal<readonly string[]>;
+  /** Whether the list of steps is open. */
+  readonly showsHistory: Signal<boolean>;
   /** Whether single-letter keys act; users of speech input, for example, may turn them off. */
   readonly letterKeys: Signal<boolean>;
   readonly tab: Signal<TabId>;

@@ -9,7 +9,7 @@ const ownKeys = 'input, select, textarea, dialog, [role="tree"], [role="slider"]
 export function listenToKeys(editor: Editor): void {
   const onKey = (event: KeyboardEvent): void => {
     const active = contexts.filter((context) => context.isActive(editor));
-    const heard = hasOwnKeys(event) ? active.filter(({ id }) => id === 'control') : active;
+    const heard = hasOwnKeys(event) ? active.filter(({ id }) => isHeardIn(event, id)) : active;
     runKey(
       editor,
       event,
@@ -35,9 +35,12 @@ function isInRow(target: EventTarget | null): boolean {
   return target instanceof Element && target.closest('.lil-controller') !== null;
 }
 
-function matches({ key, control = false, shift }: KeyPress, event: KeyboardEvent): boolean {
+function matches(
+  { key, control = false, alt = false, shift }: KeyPress,
+  event: KeyboardEvent,
+): boolean {
   const pressed = event.key.length === 1 ? event.key.toLowerCase() : event.key;
-  if (pressed !== key || event.altKey) return false;
+  if (pressed !== key || alt !== event.altKey) return false;
   if (control !== (event.ctrlKey || event.metaKey)) return false;
   // "?" needs Shift on many keyboards, so Shift is compared only if a key names it, or with Ctrl or
   // Cmd.
@@ -48,10 +51,18 @@ function isLetter({ key, control }: KeyPress): boolean {
   return key.length === 1 && key !== ' ' && !control;
 }
 
+/** Whether the keys of a context also act in an element that has keys of its own. */
+function isHeardIn({ target }: KeyboardEvent, id: ContextId): boolean {
+  const isInTree = target instanceof Element && target.closest('[role="tree"]') !== null;
+  return id === 'control' || (id === 'turning' && isInTree);
+}
+
 /** Space and Enter belong to a focused button, and all keys to text fields and lists. */
 function hasOwnKeys({ key, target }: KeyboardEvent): boolean {
   if (!(target instanceof Element)) return false;
-  // A slider is also dragged with the pointer, and Escape cancels that drag.
-  if (target.closest(ownKeys)) return key !== 'Escape' || !target.matches('[role="slider"]');
+  // A slider is also dragged with the pointer, and Escape cancels that drag; in the list of joints it
+  // narrows the selection.
+  const leavesEscape = '[role="slider"], [role="treeitem"]';
+  if (target.closest(ownKeys)) return key !== 'Escape' || !target.matches(leavesEscape);
   return (key === ' ' || key === 'Enter') && target.closest('button, summary, a') !== null;
 }

@@ -1,17 +1,14 @@
 import { movedBy, scaledBy, setTransform, turnedBy } from '../document/place-edits.ts';
 import type { Transform } from '../document/scene.ts';
 import { selectedActor } from '../document/selected-actor.ts';
-import type { Gesture } from '../document/store.ts';
 import { axesOf } from '../view/camera.ts';
 import { axisOf } from '../view/place-gizmo.ts';
 import type { Looking } from './editor.ts';
+import { heldGesture } from './held-gesture.ts';
 import { placeLabel, placeSteps } from './place-steps.ts';
 
 /** A direction of the keys: along the picture's width, into the picture, and upward. */
 export type NudgeAxis = 'right' | 'ahead' | 'up';
-
-/** The step of undo that a key which is held adds to. */
-let held: Gesture | null = null;
 
 /**
  * Moves, turns or scales the selected character by one step. Moving follows the axis that is
@@ -24,12 +21,7 @@ export function nudge(editor: Looking, axis: NudgeAxis, sign: 1 | -1): void {
   if (!actor || !tool) return;
   const label = placeLabel(tool, actor);
   const next = nudged(editor, actor.transform, axis, sign);
-  if (!held?.isOpen) {
-    const gesture = store.begin(label);
-    held = gesture;
-    window.addEventListener('keyup', () => gesture.commit(), { once: true });
-  }
-  held.preview(setTransform(actor.id, next, label));
+  heldGesture(store, label).preview(setTransform(actor.id, next, label));
 }
 
 function nudged(

@@ -1,5 +1,6 @@
 import { zoom } from '../view/camera.ts';
 import { selectActor } from '../document/reconcile.ts';
+import { selectJoint, toggleJoint } from '../document/selected-joints.ts';
 import { boneAt } from '../view/pick.ts';
 import { handleAt } from '../view/pick-gizmo.ts';
 import type { Looking } from './editor.ts';
@@ -27,7 +28,8 @@ const withoutRing: FocusOptions & { readonly focusVisible: boolean } = {
 
 /**
  * Sends drags on the canvas to the first tool that accepts them, and the wheel to the camera.
- * Hovering lights a limb, a click selects it, and a click beside all limbs deselects it. One finger
+ * Hovering lights a limb, a click selects it, with Shift besides the others, and a click beside all
+ * limbs deselects them. One finger
  * drags like the left button. Two fingers pan with their midpoint and zoom with their distance,
  * whatever the first finger had begun.
  */
@@ -110,12 +112,17 @@ export function listenToPointer(canvas: HTMLCanvasElement, editor: Looking): voi
   function click(place: ToolPlace): void {
     if (handleAt(editor, place) !== null) return;
     const target = boneAt(editor, place);
-    const { selectedJoint, activeDof, placeTool } = session;
+    const { activeDof, placeTool, selectsSeveral } = session;
+    const isOneMore = place.shift || selectsSeveral.value;
+    // A press beside all limbs is then most likely a miss.
+    if (isOneMore && !target) return;
     if (target) selectActor(session, editor.store.scene.value, target.actorId);
     // A click on the selected limb lets all of its angles turn again.
     activeDof.value = null;
     // A tool for whole characters stays with them.
-    selectedJoint.value = placeTool.value === null ? (target?.joint ?? null) : null;
+    const joint = placeTool.value === null ? (target?.joint ?? null) : null;
+    if (isOneMore && joint !== null) toggleJoint(session, joint);
+    else selectJoint(session, joint);
     session.markedPoint.value = weightPointAt(editor, place, target);
   }
 }

@@ -10,6 +10,7 @@ import { Outliner } from './panels/outliner.tsx';
 import { StatusLine } from './panels/status-line.tsx';
 import { Subject } from './panels/subject.tsx';
 import type { TabId } from './tabs.ts';
+import { hasSteps } from './take-step.ts';
 import type { Workspace } from './workspace.ts';
 
 export type SectionComponent = FunctionComponent<{ readonly editor: Editor }>;
@@ -165,6 +166,12 @@ export const sections: readonly Section[] = [
     place: 'right',
     load: async () =>
       guiSection((await loadPart(import('./controls/picture-folder.ts'))).addPictureFolder),
+  },
+  {
+    id: 'history',
+    place: 'right',
+    when: ({ store }) => hasSteps(store),
+    load: async () => (await loadPart(import('./panels/history-panel.tsx'))).HistoryPanel,
   },
   {
     id: 'timeline',

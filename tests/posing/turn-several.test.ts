@@ -4,7 +4,7 @@ import { jointRange } from '../../src/core/pose.ts';
 import type { Skeleton } from '../../src/core/skeleton.ts';
 import { jointFrames, parentMatrix } from '../../src/posing/joint-frames.ts';
 import { ringTurn, seenRing } from '../../src/posing/ring-turn.ts';
-import { turnAlike, turnSeveral } from '../../src/posing/turn-several.ts';
+import { turnSeveral } from '../../src/posing/turn-several.ts';
 import { rotationAbout, transform } from '../reference/matrix.ts';
 import { largestDifference } from '../support/compare.ts';
 import { randomSource, randomUnitVector } from '../support/random.ts';
@@ -86,21 +86,6 @@ describe('a turn about an axis of the scene', () => {
       }),
     );
   });
-});
-
-it('joints that change as another one did turn by its angle, and it keeps what it has', () => {
-  fc.assert(
-    fc.property(seeds, kinds, angles, (seed, kind, angle) => {
-      const { skeleton, q } = dragRig(kind, seed);
-      const axis = randomUnitVector(randomSource(seed + 4));
-      const after = turnSeveral(skeleton, q, [0], axis, angle, q);
-      const next = turnAlike(skeleton, q, [1, 0], 0, after, q);
-      const [from, to] = jointRange(skeleton, 0);
-      expect(next.slice(from, to)).toEqual(after.slice(from, to));
-      const own = localAngle(skeleton, 1, q, next);
-      expect(Math.abs(own - wrapped(angle))).toBeLessThan(1e-7);
-    }),
-  );
 });
 
 it('a ring about the line of sight keeps the grabbed point on its circle, under the pointer', () => {

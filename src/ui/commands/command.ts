@@ -7,6 +7,8 @@ export interface KeyPress {
   readonly key: string;
   /** With Ctrl, or Cmd on a Mac. */
   readonly control?: boolean;
+  /** With Alt, or Option on a Mac. */
+  readonly alt?: boolean;
   /** Whether Shift must be held; either way, if absent, except with Ctrl or Cmd. */
   readonly shift?: boolean;
 }
@@ -15,6 +17,7 @@ export interface KeyPress {
 export type ContextId =
   | 'first person'
   | 'timeline'
+  | 'turning'
   | 'placing'
   | 'chain'
   | 'bone'
@@ -54,7 +57,7 @@ export function runCommand({ run }: Command, editor: Editor): void {
 }
 
 /** The key's name in the interface, such as "Ctrl/Cmd+Shift+Z". */
-export function keyName({ key, control, shift }: KeyPress): string {
+export function keyName({ key, control, alt, shift }: KeyPress): string {
   const names: Record<string, string> = {
     ' ': 'Space',
     ArrowLeft: '←',
@@ -64,7 +67,8 @@ export function keyName({ key, control, shift }: KeyPress): string {
     Escape: 'Esc',
   };
   const shown = names[key] ?? (control || shift ? key.toUpperCase() : key);
-  return [control ? 'Ctrl/Cmd' : '', shift ? 'Shift' : '', shown].filter(Boolean).join('+');
+  const held = [control ? 'Ctrl/Cmd' : '', alt ? 'Alt' : '', shift ? 'Shift' : ''];
+  return [...held, shown].filter(Boolean).join('+');
 }
 
 /** A button's tooltip: what the command would do, and its first key. */

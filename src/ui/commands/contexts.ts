@@ -23,6 +23,11 @@ export const contexts: readonly KeyContext[] = [
   },
   { id: 'timeline', label: 'While the timeline has the focus', isActive: () => false },
   {
+    id: 'turning',
+    label: 'While a joint is selected, also in the list of joints',
+    isActive: ({ session }) => session.selectedJoint.value !== null,
+  },
+  {
     id: 'placing',
     label: 'While the character is moved, turned or scaled as a whole',
     isActive: (editor) => isPlacing(editor),
@@ -84,13 +89,14 @@ export function keyRows(context: ContextId): readonly HelpRow[] {
 /** The actions of the pointer on the view. */
 export const pointerRows: readonly HelpRow[] = [
   ['Click', 'Select the limb, or deselect it beside all limbs'],
+  ['Shift+click', 'Select one more limb, or one less'],
   [
     'Left drag on the selected limb',
     'Turn it (Alt: roll it); in bone mode, any limb; in the Mannequin workspace, in bone mode alone',
   ],
   [
     'Left drag on a ring',
-    'Turn one angle of the selected joint (Shift: a tenth; Ctrl/Cmd: in steps of 15°)',
+    'Turn the selected joints by one angle, about the line of sight by the outer ring (Shift: a tenth; Ctrl/Cmd: in steps of 15°)',
   ],
   [
     'Left drag on an arrow, a square or a ring of the whole character',

@@ -3,6 +3,7 @@ import { subtreeEnd, type Skeleton } from '../../core/skeleton.ts';
 import { selectedActor } from '../../document/selected-actor.ts';
 import { selectedJoints, selectJoint } from '../../document/selected-joints.ts';
 import type { Editor } from '../editor.ts';
+import { hasSteps, takeStep } from '../take-step.ts';
 import type { Command } from './command.ts';
 
 /** Undo and redo, and commands for characters and poses. */
@@ -14,7 +15,7 @@ export const editCommands = [
     context: 'control',
     isEnabled: ({ store }) => store.undoLabel.value !== null,
     describe: ({ store }) => told('Undo', store.undoLabel.value),
-    run: (editor) => step(editor, 'Undid', () => editor.store.undo()),
+    run: (editor) => takeStep(editor, 'Undid', () => editor.store.undo()),
   },
   {
     id: 'redo',
@@ -23,7 +24,15 @@ export const editCommands = [
     context: 'control',
     isEnabled: ({ store }) => store.redoLabel.value !== null,
     describe: ({ store }) => told('Redo', store.redoLabel.value),
-    run: (editor) => step(editor, 'Redid', () => editor.store.redo()),
+    run: (editor) => takeStep(editor, 'Redid', () => editor.store.redo()),
+  },
+  {
+    id: 'history',
+    label: 'Show the history: all steps, to go to any of them',
+    short: 'History',
+    keys: [{ key: 'y' }],
+    isEnabled: ({ store }) => hasSteps(store),
+    run: showHistory,
   },
   {
     id: 'duplicate-character',
@@ -84,21 +93,15 @@ function told(verb: string, label: string | null): string {
   return label === null ? `Nothing to ${verb.toLowerCase()}` : `${verb}: ${label}`;
 }
 
-/**
- * Takes a step of the history, shows its name, and frames characters that are new or in other
- * units. A character that was opened again keeps its name, so the camera stays.
- */
-function step(editor: Editor, verb: string, take: () => string | null): void {
-  const { store, notice } = editor;
-  const shown = (): string =>
-    store.scene.value.actors.map(({ character, fitted }) => `${character.name} ${fitted}`).join();
-  const before = shown();
-  const label = take();
-  if (label === null) return;
-  if (shown() !== before) editor.frameOpened();
-  const text = `${verb}: ${label}`;
-  // Screen readers announce changes only, so a repeated text differs by a blank.
-  notice.value = notice.value === text ? `${text}\u00a0` : text;
+/** Opens the list of steps and moves the focus to the present one. */
+function showHistory(editor: Editor): void {
+  if (!hasSteps(editor.store)) return;
+  editor.showsHistory.value = true;
+  // On narrow pages the inspector is a sheet.
+  editor.drawer.value = 'right';
+  requestAnimationFrame(() => {
+    document.querySelector<HTMLElement>('.history [aria-current]')?.focus();
+  });
 }
 
 function hasJoint({ session }: Editor): boolean {

@@ -9,6 +9,7 @@ import { ikLabCommands } from './ik-lab-commands.ts';
 import { jointCommands } from './joint-commands.ts';
 import { shotCommands } from './shot-commands.ts';
 import { placeCommands } from './place-commands.ts';
+import { turnCommands } from './turn-commands.ts';
 import { viewCommands } from './view-commands.ts';
 import { weightCommands } from './weight-commands.ts';
 
@@ -18,7 +19,7 @@ const groups = [
   { label: 'Files', commands: fileCommands },
   { label: 'Edit', commands: editCommands },
   { label: 'Character', commands: placeCommands },
-  { label: 'Joints', commands: jointCommands },
+  { label: 'Joints', commands: [...jointCommands, ...turnCommands] },
   { label: 'Inverse kinematics', commands: [...ikCommands, ...ikLabCommands] },
   { label: 'Clip', commands: clipCommands },
   { label: 'Weights', commands: weightCommands },

@@ -1,6 +1,7 @@
 import type { GUI } from 'lil-gui';
 import type { Actor } from '../../document/scene.ts';
 import { resetJoints } from '../../document/edits.ts';
+import { selectedJoints, selectJoints } from '../../document/selected-joints.ts';
 import type { Looking, Posing } from '../editor.ts';
 import { jointValues } from '../joint-values.ts';
 import { addJointValues, fullNameOf, jointName, type JointValueRow } from './joint-values.ts';
@@ -35,7 +36,12 @@ export class JointFolder {
       if (!opens) this.folder.close();
     });
     // A slider that was moved is what the user works on, so its line opens once it is let go.
-    this.folder.onFinishChange(() => (this.editor.session.selectedJoint.value = joint));
+    this.folder.onFinishChange(() => {
+      const { session } = this.editor;
+      const others = selectedJoints(session).filter((each) => each !== joint);
+      const isOneOfThem = others.length < selectedJoints(session).length;
+      selectJoints(session, isOneOfThem ? [joint, ...others] : [joint]);
+    });
     this.element.dataset['joint'] = String(joint);
     this.element.title = jointName(state, joint);
   }

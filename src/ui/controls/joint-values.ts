@@ -1,9 +1,11 @@
 import type { GUI } from 'lil-gui';
 import { diagonal } from '../../core/bounds.ts';
 import type { Edit } from '../../document/edit.ts';
-import { setPose, setValue } from '../../document/edits.ts';
+import { setPose } from '../../document/edits.ts';
 import type { Actor } from '../../document/scene.ts';
+import { selectedJoints } from '../../document/selected-joints.ts';
 import type { Looking, Posing } from '../editor.ts';
+import { valueIn, withValue } from '../joint-edits.ts';
 import { axisNames, type JointValue, jointValues, valueName } from '../joint-values.ts';
 import { addValueRow, type ValueRow } from './value-row.ts';
 
@@ -28,22 +30,18 @@ export function addJointValues(
   state: Actor,
   joint: number,
 ): readonly JointValueRow[] {
-  const { store, session, evaluations, ballAngles } = editor;
+  const { store, session, evaluations } = editor;
   const { id, character } = state;
   const { skeleton } = character;
   /** (qCount) the pose that edits start from. */
   const shown = (): Float64Array => evaluations.selected()?.poseToEdit.q ?? state.q;
-  const read = ({ index, axis, ofBall }: JointValue, q: Float64Array): number =>
-    ofBall ? ballAngles.of(skeleton, q, index)[axis] : (q[index] ?? 0);
-  const write = (
-    { index, axis, ofBall }: JointValue,
-    from: Float64Array,
-    number: number,
-    label: string,
-  ): Edit =>
-    ofBall
-      ? setPose(id, ballAngles.withAngle(skeleton, from, index, axis, number), label)
-      : setValue(id, from, index, number, label);
+  const read = (value: JointValue, q: Float64Array): number => valueIn(editor, skeleton, q, value);
+  const write = (value: JointValue, from: Float64Array, number: number, label: string): Edit => {
+    // With one of several selected joints, the others change too.
+    const selected = selectedJoints(session);
+    const others = selected.includes(joint) ? selected.filter((each) => each !== joint) : [];
+    return setPose(id, withValue(editor, skeleton, from, [joint, ...others], value, number), label);
+  };
   /** The pose at which the present gesture began: pins may move other joints meanwhile. */
   let start = state.q;
 

@@ -2,9 +2,16 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 import type { Skeleton } from '../../core/skeleton.ts';
 import { jointColorsOf } from '../../skinning/weights/joint-colors.ts';
 import { selectedActor } from '../../document/selected-actor.ts';
+import {
+  selectedJoints,
+  selectJoint,
+  selectJoints,
+  toggleJoint,
+} from '../../document/selected-joints.ts';
 import { cssColor } from '../css-color.ts';
 import type { Actions, Looking } from '../editor.ts';
 import { hoveredOf } from '../hovered-limb.ts';
+import { TypeAhead } from '../type-ahead.ts';
 import { ancestorsOf, type TreeRow, visibleRows } from '../joint-rows.ts';
 
 /** The joints as a tree that can be searched, folded and selected from, by pointer or keys. */
@@ -34,10 +41,13 @@ function Tree({ editor, skeleton }: TreeProperties) {
   const [folded, setFolded] = useState<ReadonlySet<number>>(() => foldedAtFirst(skeleton));
   const [current, setCurrent] = useState(0);
   const list = useRef<HTMLUListElement>(null);
-  const { selectedJoint, showWeights, hoveredLimb, selectedActorId } = editor.session;
+  const typeAhead = useRef(new TypeAhead());
+  const { session } = editor;
+  const { selectedJoint, showWeights, hoveredLimb, selectedActorId } = session;
   const rows = visibleRows(skeleton, folded, search);
   const focused = rows.some(({ joint }) => joint === current) ? current : rows[0]?.joint;
   const selected = selectedJoint.value;
+  const together = new Set(selectedJoints(session));
   // The list is the legend of the weights: what is under the pointer in one of them, lights in all.
   const swatches = showWeights.value ? jointColorsOf(skeleton).bytes : null;
   const lit = swatches ? (hoveredOf(editor.session)?.joint ?? null) : null;
@@ -74,8 +84,36 @@ function Tree({ editor, skeleton }: TreeProperties) {
     setCurrent(joint);
     list.current?.querySelector<HTMLElement>(`[data-joint="${joint}"]`)?.focus();
   };
+  /** Moves to a row and takes it into the selection, or, going back, the last one out of it. */
+  const extendTo = (joint: number | undefined, from: number): void => {
+    if (joint === undefined) return;
+    const isBack = together.has(joint) && together.has(from);
+    if (isBack) toggleJoint(session, from);
+    else selectJoints(session, [...new Set([joint, from, ...together])]);
+    moveTo(joint);
+  };
   const onKey = (event: KeyboardEvent, row: TreeRow): void => {
     const index = rows.findIndex(({ joint }) => joint === row.joint);
+    const { key, shiftKey, altKey } = event;
+    if (event.ctrlKey || event.metaKey) return;
+    // These keys turn what is selected, so the row that has the focus is selected first.
+    if (altKey) {
+      if (key.startsWith('Arrow') && !together.has(row.joint)) selectJoint(session, row.joint);
+      return;
+    }
+    const isBlank = key === ' ' && !typeAhead.current.isTyping(event.timeStamp);
+    if (Array.from(key).length === 1 && !isBlank) {
+      event.preventDefault();
+      const names = rows.map(({ joint }) => nameOf(joint));
+      moveTo(rows[typeAhead.current.find(names, index, key, event.timeStamp)]?.joint);
+      return;
+    }
+    const step = key === 'ArrowDown' ? 1 : key === 'ArrowUp' ? -1 : 0;
+    if (shiftKey && step !== 0) {
+      event.preventDefault();
+      extendTo(rows[index + step]?.joint, row.joint);
+      return;
+    }
     const actions: Record<string, () => void> = {
       ArrowDown: () => moveTo(rows[index + 1]?.joint),
       ArrowUp: () => moveTo(rows[index - 1]?.joint),
@@ -89,13 +127,25 @@ function Tree({ editor, skeleton }: TreeProperties) {
         if (row.hasChildren && !row.isFolded) fold(row.joint, true);
         else moveTo(skeleton.parents[row.joint]);
       },
-      ' ': () => (selectedJoint.value = row.joint),
-      Enter: () => editor.editJoint(row.joint),
+      ' ': () => selectJoint(session, row.joint),
+      // The focus stays, so that keys turn the joint; a second time it goes to the sliders.
+      Enter: () => {
+        if (selected === row.joint) editor.editJoint(row.joint);
+        else selectJoint(session, row.joint);
+      },
     };
-    const action = actions[event.key];
-    if (!action || event.ctrlKey || event.metaKey || event.altKey) return;
+    const action = actions[key];
+    if (!action) return;
     event.preventDefault();
     action();
+  };
+
+  const nameOf = (joint: number): string =>
+    `${skeleton.names[joint]!} ${skeleton.englishNames?.[joint] ?? ''}`.trim();
+  const onClick = (event: MouseEvent, joint: number): void => {
+    const isOneMore = event.shiftKey || event.ctrlKey || event.metaKey;
+    if (isOneMore || session.selectsSeveral.value) toggleJoint(session, joint);
+    else selectJoint(session, joint);
   };
 
   return (
@@ -108,7 +158,13 @@ function Tree({ editor, skeleton }: TreeProperties) {
         value={search}
         onInput={({ currentTarget }) => setSearch(currentTarget.value)}
       />
-      <ul role="tree" aria-label="Joints" ref={list} class={lit === null ? '' : 'some-lit'}>
+      <ul
+        role="tree"
+        aria-multiselectable="true"
+        aria-label="Joints"
+        ref={list}
+        class={lit === null ? '' : 'some-lit'}
+      >
         {rows.map((row) => (
           <li
             key={row.joint}
@@ -117,7 +173,7 @@ function Tree({ editor, skeleton }: TreeProperties) {
             class={row.joint === lit ? 'lit' : ''}
             tabIndex={row.joint === focused ? 0 : -1}
             aria-level={row.level}
-            aria-selected={row.joint === selected}
+            aria-selected={together.has(row.joint)}
             {...(row.hasChildren ? { 'aria-expanded': !row.isFolded } : {})}
             style={{ paddingInlineStart: `${(row.level - 1) * 9 + 4}px` }}
             onFocus={() => {
@@ -127,7 +183,7 @@ function Tree({ editor, skeleton }: TreeProperties) {
             onBlur={() => light(null)}
             onPointerEnter={() => light(row.joint)}
             onPointerLeave={() => light(null)}
-            onClick={() => (selectedJoint.value = row.joint)}
+            onClick={(event) => onClick(event, row.joint)}
             onDblClick={() => editor.editJoint(row.joint)}
             onKeyDown={(event) => onKey(event, row)}
           >

@@ -3,7 +3,8 @@ import { CommandButton } from './command-button.tsx';
 
 /** The tools at the left edge of the view, the switches at its top right, the camera below them. */
 export function ViewControls({ editor }: { readonly editor: Editor }) {
-  const { placeTool } = editor.session;
+  const { placeTool, selectedJoint, posesBy } = editor.session;
+  const hasRings = selectedJoint.value !== null && posesBy.value === 'selection';
   const isPlacing = placeTool.value === 'move' || placeTool.value === 'turn';
   return (
     <>
@@ -16,6 +17,8 @@ export function ViewControls({ editor }: { readonly editor: Editor }) {
         <CommandButton editor={editor} command="scale-tool" icon="scale" />
         <CommandButton editor={editor} command="first-person" icon="walk" />
         {isPlacing && <CommandButton editor={editor} command="place-axes" icon="own-axes" />}
+        {hasRings && <CommandButton editor={editor} command="ring-axes" icon="own-axes" />}
+        {hasRings && <CommandButton editor={editor} command="select-several" icon="several" />}
       </div>
       <div class="view-switches" role="group" aria-label="What is shown">
         <CommandButton editor={editor} command="skin" icon="skin" />

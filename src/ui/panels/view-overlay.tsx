@@ -1,3 +1,4 @@
+import { useEffect, useState } from 'preact/hooks';
 import { printable } from '../../core/diagnostics.ts';
 import { loadPart } from '../../core/failure.ts';
 import { actorById } from '../../document/scene.ts';
@@ -9,6 +10,7 @@ import { lightOfHandle } from '../../view/light-handles.ts';
 import { ancestorsOf } from '../joint-rows.ts';
 import { formatDegrees } from '../angle-text.ts';
 import type { Editor, Looking, Posing } from '../editor.ts';
+import { gimbalText } from '../gimbal-text.ts';
 import { hintAt } from '../hints.ts';
 import type { SectionComponent } from '../sections.ts';
 import { CommandButton } from './command-button.tsx';
@@ -34,6 +36,8 @@ export function ViewOverlay({ editor }: { readonly editor: Editor }) {
       <CameraText editor={editor} />
       <ViewHint editor={editor} />
       <ActiveDofText editor={editor} />
+      <GimbalText editor={editor} />
+      <Spoken editor={editor} />
       <LightText editor={editor} />
       <LitBoneLabel editor={editor} />
       {editor.session.showWeights.value && <Loaded editor={editor} load={loadWeights} />}
@@ -91,21 +95,51 @@ function CameraText({ editor: { viewer } }: { readonly editor: Looking }) {
 }
 
 /**
- * What a drag of the whole character has done so far, or else the degree of freedom that was last
- * changed, with its value, in a corner of the picture.
+ * What a drag of a handle has done so far, or else the degree of freedom that was last changed, with
+ * its value, in a corner of the picture. It changes with every frame, so it is not read out.
  */
 function ActiveDofText({ editor }: { readonly editor: Looking & Posing }) {
-  const { dragText } = editor.session;
-  if (dragText.value !== null) return <output class="active-dof">{dragText.value}</output>;
-  const dof = editor.session.activeDof.value;
-  if (!dof) return null;
-  const value = valueOf(editor, dof);
-  if (value === undefined) return null;
+  const { dragText, activeDof } = editor.session;
+  const dof = activeDof.value;
+  const value = dof ? valueOf(editor, dof) : undefined;
+  const text =
+    dragText.value ??
+    (dof && value !== undefined
+      ? `${dof.name} ${value.toFixed(3)}${dof.isAngle ? ` (${formatDegrees(value)})` : ''}`
+      : null);
+  if (text === null) return null;
   return (
-    <output class="active-dof">
-      {dof.name} {value.toFixed(3)}
-      {dof.isAngle && ` (${formatDegrees(value)})`}
+    <output class="active-dof" aria-live="off">
+      {text}
     </output>
+  );
+}
+
+/** Says where two angles turn about one axis. */
+function GimbalText({ editor }: { readonly editor: Looking & Posing }) {
+  const text = editor.session.posesBy.value === 'mode' ? '' : gimbalText(editor);
+  return text === '' ? null : <p class="gimbal-text">{text}</p>;
+}
+
+/** Milliseconds after the last change until a value is read out. */
+const restingTime = 400;
+
+/** Says the joint and its angle, once it rests, to those who don't see it. */
+function Spoken({ editor }: { readonly editor: Looking & Posing }) {
+  const { dragText, activeDof } = editor.session;
+  const dof = activeDof.value;
+  const value = dof ? valueOf(editor, dof) : undefined;
+  const number = value === undefined ? '' : dof?.isAngle ? formatDegrees(value) : value.toFixed(3);
+  const text = dragText.value ?? (dof ? `${dof.name} ${number}` : '');
+  const [spoken, setSpoken] = useState('');
+  useEffect(() => {
+    const timer = setTimeout(() => setSpoken(text), restingTime);
+    return () => clearTimeout(timer);
+  }, [text]);
+  return (
+    <p class="spoken" role="status">
+      {spoken}
+    </p>
   );
 }
 

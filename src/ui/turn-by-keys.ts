@@ -1,0 +1,80 @@
+import { setPose } from '../document/edits.ts';
+import { selectedJoints } from '../document/selected-joints.ts';
+import type { ActiveDof } from '../document/session.ts';
+import type { Looking, Posing } from './editor.ts';
+import { heldGesture } from './held-gesture.ts';
+import { valueIn, withinLimits, withValue } from './joint-edits.ts';
+import { axisNames, type JointValue, jointValues, valueName } from './joint-values.ts';
+
+/** How far a key turns, in radians; a slide moves by this part of the character's size. */
+const [turnStep, moveStep] = [(5 * Math.PI) / 180, 0.01];
+const fine = 0.1;
+
+/**
+ * Turns the active angle of the selected joint by a step, and that of all joints that are selected
+ * with it. A key that is held makes one step of undo.
+ */
+export function turnByKey(editor: Looking & Posing, sign: 1 | -1, isFine: boolean): void {
+  const { store, session, evaluations } = editor;
+  const shown = evaluations.selected();
+  const value = activeValue(editor);
+  if (!shown || !value) return;
+  const { id, character } = shown.state;
+  const { skeleton } = character;
+  const joints = selectedJoints(session);
+  const label = `${value.isAngle ? 'Turn' : 'Move'} ${skeleton.names[joints[0]!]!} ${axisNames[value.axis]}`;
+  activate(editor, value);
+  const unit = value.isAngle ? turnStep : moveStep / shown.display.scale;
+  const { q } = shown.poseToEdit;
+  const wanted = valueIn(editor, skeleton, q, value) + sign * unit * (isFine ? fine : 1);
+  const number = withinLimits(skeleton, value, wanted);
+  const next = withValue(editor, skeleton, q, joints, value, number);
+  heldGesture(store, label).preview(setPose(id, next, label));
+}
+
+/** Makes the angle before or after the active one of the selected joint the active one. */
+export function stepAxis(editor: Looking, step: 1 | -1): void {
+  const values = valuesOf(editor);
+  const active = activeValue(editor);
+  if (!active) return;
+  const isFirst = editor.session.activeDof.value === null;
+  const at = values.indexOf(active) + (isFirst ? 0 : step);
+  activate(editor, values.at(at % values.length)!);
+}
+
+/** The active value of the selected joint; if none is active, its first angle. */
+function activeValue(editor: Looking): JointValue | undefined {
+  const active = editor.session.activeDof.value;
+  const values = valuesOf(editor);
+  return (
+    values.find((value) => isActive(value, active)) ??
+    values.find(({ isAngle }) => isAngle) ??
+    values[0]
+  );
+}
+
+function isActive({ index, axis, ofBall }: JointValue, active: ActiveDof | null): boolean {
+  return active?.index === index && (!ofBall || active.ballAxis === axis);
+}
+
+/** The values of the selected joint that are not locked by their limits. */
+function valuesOf({ evaluations, session }: Looking): readonly JointValue[] {
+  const skeleton = evaluations.selected()?.state.character.skeleton;
+  const joint = session.selectedJoint.value;
+  if (!skeleton || joint === null) return [];
+  const { qMin, qMax } = skeleton;
+  return jointValues(skeleton, joint).filter(
+    ({ index, ofBall }) => ofBall || qMin[index]! < qMax[index]!,
+  );
+}
+
+function activate({ session, evaluations }: Looking, value: JointValue): void {
+  const { names } = evaluations.selected()!.state.character.skeleton;
+  const { index, isAngle, axis, ofBall } = value;
+  session.activeDof.value = {
+    name: `${names[session.selectedJoint.value!]!} ${valueName(value)}`,
+    isChosen: false,
+    ...{ index, isAngle },
+    ...(ofBall ? { ballAxis: axis } : {}),
+  };
+}
