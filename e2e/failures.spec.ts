@@ -2,9 +2,9 @@ import { expect, type Page } from '@playwright/test';
 import { convertTargets, labelOf } from '../src/formats/registry.ts';
 import { choose, controlRow, openApp, openTab } from './support/app.ts';
 import { madeCharacter } from './support/made-character.ts';
-import { failureTest as test } from './support/test.ts';
+import { coarse, failureTest as test } from './support/test.ts';
 
-test.use({ viewport: { width: 1000, height: 480 } });
+test.use({ ...coarse, viewport: { width: 1000, height: 480 } });
 
 const notice = (page: Page) => page.locator('.status .notice');
 

@@ -1,13 +1,13 @@
 import { expect, type Page } from '@playwright/test';
 import { drop, type NamedFile, openApp } from './support/app.ts';
-import { violations } from './support/axe.ts';
+import { onlyColors, violations } from './support/axe.ts';
 import { catalogue, scenes } from './support/catalogue.ts';
 import { madeCharacter } from './support/made-character.ts';
-import { sharedPage, test } from './support/test.ts';
+import { coarse, sharedPage, test } from './support/test.ts';
 
 // The gallery adds characters beside one another, or in place of a scene that nobody touched.
 const size = { width: 1000, height: 600 };
-test.use({ viewport: size });
+test.use({ ...coarse, viewport: size });
 /** The pictures that the page asked for. */
 const requested: string[] = [];
 const page = sharedPage(async (page) => {
@@ -54,10 +54,10 @@ test('pictures are requested when the gallery opens, and the search filters card
 
 test('the gallery has no violations in light and dark colors, and fits a phone', async () => {
   await openGallery(page());
-  expect(await violations(page())).toEqual([]);
+  expect(await violations(page(), { within: 'dialog' })).toEqual([]);
   await page().emulateMedia({ colorScheme: 'dark' });
   await expect(gallery(page()).locator('img').first()).toHaveAttribute('src', /-dark\.jpg$/);
-  expect(await violations(page())).toEqual([]);
+  expect(await violations(page(), { within: 'dialog', ...onlyColors })).toEqual([]);
   await page().setViewportSize({ width: 390, height: 700 });
   const box = (await gallery(page()).boundingBox())!;
   expect(box.x).toBeGreaterThanOrEqual(0);
@@ -166,7 +166,7 @@ test('files of an earlier visit are offered again, by handle or by name', async 
   await openApp(page, 'model=tube');
   await openGallery(page);
   await expect(recent).toHaveText(['kept', 'chosenchoose it again', 'Forget these']);
-  expect(await violations(page)).toEqual([]);
+  expect(await violations(page, { within: 'dialog' })).toEqual([]);
   await recent.first().click();
   await expect.poll(() => names(page)).toEqual(['kept']);
   expect(await page.evaluate(() => window.sinew.problems)).toEqual([]);

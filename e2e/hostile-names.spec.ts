@@ -1,10 +1,10 @@
 import { expect } from '@playwright/test';
 import { drop, openApp } from './support/app.ts';
 import { madeCharacter } from './support/made-character.ts';
-import { test } from './support/test.ts';
+import { coarse, test } from './support/test.ts';
 
 // A small view is drawn faster, and its size does not matter here.
-test.use({ viewport: { width: 960, height: 420 } });
+test.use({ ...coarse, viewport: { width: 960, height: 420 } });
 
 const names = [
   '<img src=x onerror=alert(1)>',

@@ -1,9 +1,9 @@
 import { expect, type BrowserContext, type Page } from '@playwright/test';
 import { capture, drop, getPose, setPose } from './support/app.ts';
 import { madeCharacter } from './support/made-character.ts';
-import { failureTest, test } from './support/test.ts';
+import { coarse, failureTest, test } from './support/test.ts';
 
-test.use({ viewport: { width: 760, height: 360 } });
+test.use({ ...coarse, viewport: { width: 760, height: 360 } });
 test.describe.configure({ timeout: 90_000 });
 
 async function visit(context: BrowserContext, query = ''): Promise<Page> {

@@ -1,9 +1,9 @@
 import { expect } from '@playwright/test';
 import { capture, getPose, openApp, openJoint, setPose } from './support/app.ts';
 import { cameraOf, drawnOf } from './support/controls.ts';
-import { sharedPage, test } from './support/test.ts';
+import { coarse, sharedPage, test } from './support/test.ts';
 
-test.use({ viewport: { width: 960, height: 440 } });
+test.use({ ...coarse, viewport: { width: 960, height: 440 } });
 const page = sharedPage(openApp);
 const press = (...keys: string[]) =>
   keys.reduce((before, key) => before.then(() => page().keyboard.press(key)), Promise.resolve());

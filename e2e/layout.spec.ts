@@ -2,7 +2,7 @@ import { expect, type Page } from '@playwright/test';
 import { drop, openApp, openTab } from './support/app.ts';
 import { expectGoodBoxes } from './support/boxes.ts';
 import { courseCharacter } from './support/course-character.ts';
-import { test } from './support/test.ts';
+import { coarse, test } from './support/test.ts';
 
 // Everything is in the window, nothing lies over a control, and targets are large enough, at the
 // sizes of a large and a small screen, a tablet and a phone.
@@ -11,7 +11,7 @@ const mouseTarget = 24;
 const touchTarget = 44;
 
 test.describe('by mouse', () => {
-  test.use({ viewport: { width: 1440, height: 900 } });
+  test.use({ ...coarse, viewport: { width: 1440, height: 900 } });
 
   test('controls have their own places, and all angles of a course’s character are in view', async ({
     page,
@@ -45,7 +45,7 @@ test.describe('by mouse', () => {
 });
 
 test.describe('by touch', () => {
-  test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+  test.use({ ...coarse, viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
 
   test('controls have their own places, with the sheets open and closed', async ({ page }) => {
     test.setTimeout(90_000);

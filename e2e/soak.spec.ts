@@ -10,11 +10,11 @@ import {
   restingHoldings,
 } from './support/soak/checks.ts';
 import { answerFileDialogs, type Dice, steps } from './support/soak/steps.ts';
-import { test } from './support/test.ts';
+import { coarse, test } from './support/test.ts';
 
 // This uses the page at random. `npm run test:long -- soak --seed 3 --minutes 2` sets the seeds and
 // the length.
-test.use({ viewport: { width: 960, height: 420 } });
+test.use({ ...coarse, viewport: { width: 960, height: 420 } });
 
 const seeds = (process.env['SOAK_SEEDS'] ?? '1').split(',').map(Number);
 const seconds = 60 * Number(process.env['SOAK_MINUTES'] ?? 20 / 60);

@@ -2,12 +2,12 @@ import { readFileSync } from 'node:fs';
 import { expect, type Page } from '@playwright/test';
 import { PNG } from 'pngjs';
 import { capture, openApp } from './support/app.ts';
-import { test } from './support/test.ts';
+import { coarse, test } from './support/test.ts';
 
 // These walks open, pose and capture a character with only one kind of input.
 
 // A small view is drawn faster, and its size does not matter here.
-test.use({ viewport: { width: 960, height: 420 } });
+test.use({ ...coarse, viewport: { width: 960, height: 420 } });
 
 async function focused(page: Page): Promise<string> {
   return page.evaluate(() => {
@@ -62,7 +62,7 @@ test('the keyboard alone opens, poses and saves', async ({ page }) => {
 });
 
 test.describe('with fingers only', () => {
-  test.use({ viewport: { width: 390, height: 800 }, hasTouch: true, isMobile: true });
+  test.use({ ...coarse, viewport: { width: 390, height: 800 }, hasTouch: true, isMobile: true });
 
   test('one finger orbits, two pan and pinch, and taps do the rest', async ({ page }) => {
     await page.goto('./');

@@ -89,7 +89,9 @@ export async function openTab(page: Page, tab: TabId): Promise<void> {
 export async function expectFittingCanvas(page: Page): Promise<void> {
   await page.waitForFunction(() => {
     const { width, height, clientWidth, clientHeight } = document.querySelector('canvas')!;
-    return width === clientWidth && height === clientHeight;
+    const isFitting = (pixels: number, size: number): boolean =>
+      Math.abs(pixels - size * devicePixelRatio) <= 1;
+    return isFitting(width, clientWidth) && isFitting(height, clientHeight);
   });
 }
 

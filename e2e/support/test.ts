@@ -33,6 +33,12 @@ export const failureTest = base.extend({
   },
 });
 
+/**
+ * The view has a quarter of its pixels. It is for tests of what a user can do, in which the drawing
+ * would take most of the time.
+ */
+export const coarse = { deviceScaleFactor: 0.5 } as const;
+
 /** A page that the tests of a file use one after the other, with the same checks. */
 export function sharedPage(prepare: (page: Page) => Promise<void>): () => Page {
   let page: Page | undefined;
