@@ -14,8 +14,8 @@ const leastGap = 22;
 /** Where values stand in the plot of residuals by steps. Both of its scales are logarithmic. */
 export interface Plot {
   readonly area: typeof area;
-  across(step: number): number;
-  down(part: number): number;
+  readonly across: (step: number) => number;
+  readonly down: (part: number) => number;
   /** The marks of the axes. */
   readonly steps: readonly number[];
   readonly parts: readonly number[];

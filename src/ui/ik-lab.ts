@@ -16,6 +16,7 @@ import {
 import { manipulability } from '../posing/ik/lab-ellipsoid.ts';
 import { labTask, type LabTask, type TargetKind } from '../posing/ik/lab-targets.ts';
 import type { IkMethod, IkMethodId, IkSolver, Vector3 } from '../posing/ik/problem.ts';
+import { naturesOf } from '../posing/natural/natures.ts';
 import type { Editor } from './editor.ts';
 
 /** The parts of the editor that the lab uses. */
@@ -51,6 +52,8 @@ const ellipsoidPart = 0.18;
 export class IkLab {
   readonly methods: readonly LabMethod[];
   readonly methodId = signal<IkMethodId>('dls');
+  /** Whether joints keep to how they move by nature, by the methods that know of it. */
+  readonly isNatural = signal(false);
   /** Whether the steps are being shown one after the other. */
   readonly playing = signal(false);
   private readonly editor: LabEditor;
@@ -65,11 +68,20 @@ export class IkLab {
   /** Why there is no task, for the user. */
   readonly refusal = computed(() => (typeof this.found.value === 'string' ? this.found.value : ''));
 
+  /** How the joints of the chain move by nature, as far as it is known. */
+  readonly natures = computed(() => {
+    const subject = this.subject.value;
+    if (!subject) return [];
+    const { actor, chain } = subject;
+    return naturesOf(actor.character).filter(({ joint }) => chain.moving.includes(joint));
+  });
+
   /** What each method does, in their order; empty without a task. */
   readonly runs = computed((): readonly MethodRun[] => {
     const subject = this.subject.value;
     if (!subject) return [];
-    const problem = problemOf(subject.chain, subject.q, subject.target);
+    const natures = this.isNatural.value ? this.natures.value : [];
+    const problem = problemOf(subject.chain, subject.q, subject.target, natures);
     return this.methods.map((method) => ({ method, ...runLab(method.solver, problem) }));
   });
 
@@ -93,7 +105,7 @@ export class IkLab {
   /** Whether the shown pose is another one than that from which the methods start. */
   readonly isPoseNew = computed(() => {
     const [subject, shown] = [this.subject.value, this.editor.evaluations.selected()];
-    return subject !== null && shown !== undefined && !sameValue(subject.shownThen, shown.pose.q);
+    return subject !== null && shown !== undefined && !sameValue(subject.shownThen, shown.poseToEdit.q);
   });
 
   constructor(editor: LabEditor, methods: readonly LabMethod[]) {
@@ -143,7 +155,7 @@ export class IkLab {
   startFromShown(): void {
     const [subject, shown] = [this.subject.peek(), this.editor.evaluations.selected()];
     if (!subject || !shown) return;
-    const q = shown.pose.q.slice();
+    const q = shown.poseToEdit.q.slice();
     this.begin({ ...subject, q, shownThen: q });
   }
 
@@ -220,7 +232,7 @@ function subjectFor(
 ): Subject | string {
   const shown = evaluations.selected();
   if (!shown) return 'There is no character.';
-  const { state: actor, pose } = shown;
+  const { state: actor, poseToEdit } = shown;
   const { skeleton } = actor.character;
   if (joint === null) return 'Select a joint, such as a hand or a foot; here it gets a target.';
   const name = skeleton.names[joint]!;
@@ -232,7 +244,7 @@ function subjectFor(
   if (chain.moving.length === 0) {
     return `No joint between ${skeleton.names[from]!} and ${name} can turn, so nothing brings it to a target. Select one further out.`;
   }
-  const shownThen = pose.q.slice();
+  const shownThen = poseToEdit.q.slice();
   return { actor, chain, kind, shownThen, ...labTask(kind, chain, shownThen, solver) };
 }
 

@@ -41,6 +41,16 @@ export function Target({ lab, subject }: TargetProperties) {
           ))}
         </select>
       </label>
+      {lab.natures.value.length > 0 && (
+        <label class="natural">
+          <input
+            type="checkbox"
+            checked={lab.isNatural.value}
+            onChange={({ currentTarget }) => (lab.isNatural.value = currentTarget.checked)}
+          />
+          Natural joints
+        </label>
+      )}
       {lab.isPoseNew.value && (
         <p class="hint">
           The methods start from an earlier pose.{' '}
