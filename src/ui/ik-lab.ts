@@ -105,7 +105,9 @@ export class IkLab {
   /** Whether the shown pose is another one than that from which the methods start. */
   readonly isPoseNew = computed(() => {
     const [subject, shown] = [this.subject.value, this.editor.evaluations.selected()];
-    return subject !== null && shown !== undefined && !sameValue(subject.shownThen, shown.poseToEdit.q);
+    return (
+      subject !== null && shown !== undefined && !sameValue(subject.shownThen, shown.poseToEdit.q)
+    );
   });
 
   constructor(editor: LabEditor, methods: readonly LabMethod[]) {
