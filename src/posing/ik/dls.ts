@@ -1,12 +1,12 @@
-import { assert } from '../../core/assert.ts';
 import { natural } from '../natural/natural-solver.ts';
 import { Descent } from './descent.ts';
 import { IkObjective } from './objective.ts';
 import type { IkOptions, IkProblem, IkSolution, IkSolver, IkStep } from './problem.ts';
 import { StepBounds } from './step-bounds.ts';
 import { singularValues } from './singular-values.ts';
-import { startPose } from './starts.ts';
-import { isWithinReach, reachedFraction, statusOf, valuesAtLimits } from './status.ts';
+import { startOf, startPose } from './starts.ts';
+import { solutionAt, stepAt, worstResidual } from './outcome.ts';
+import { isWithinReach, reachedFraction } from './status.ts';
 import { sameValues } from './tangent-space.ts';
 
 const defaults = { iterations: 60, restarts: 11, tolerance: 1e-4 } as const;
@@ -30,7 +30,7 @@ export const dls: IkSolver = natural({
     for (let isMore = true; isMore;) {
       const values = run.singularValues();
       isMore = run.advance();
-      if (run.text !== '') yield { ...run.report(run.text), singularValues: values };
+      if (run.text !== '') yield run.report(run.text, values);
     }
   },
 });
@@ -57,10 +57,8 @@ class Run {
 
   constructor(problem: IkProblem, options: IkOptions) {
     const { skeleton, reference, joints } = problem;
-    const from = options.from ?? reference;
-    assert(from.length === skeleton.qRest.length, 'a start with all values of the skeleton');
     this.#problem = problem;
-    this.#from = withOthers(problem, from);
+    this.#from = startOf(problem, options);
     this.#iterations = options.iterations ?? defaults.iterations;
     this.#restarts = options.restarts ?? defaults.restarts;
     this.#tolerance = options.tolerance ?? defaults.tolerance;
@@ -68,7 +66,7 @@ class Run {
     const length = Math.max(...this.#objective.chains.map((chain) => chain.length));
     const { space } = this.#objective;
     const bounds = new StepBounds(space, this.#from, options.mostTurn ?? Infinity, length);
-    const isAtReference = sameValues(skeleton, joints, from, reference);
+    const isAtReference = sameValues(skeleton, joints, this.#from, reference);
     this.#descent = new Descent(this.#objective, bounds, this.#from, isAtReference ? 0 : 1);
     this.#best = this.#from;
     this.#bestResidual = this.#measure(this.#from);
@@ -93,27 +91,12 @@ class Run {
   }
 
   solution(): IkSolution {
-    const { goals, skeleton, joints } = this.#problem;
-    const objective = this.#objective;
-    objective.kinematics.update(this.#best);
-    const residuals = goals.map((_, goal) => objective.residual(goal));
-    const turns = goals.map((_, goal) => objective.turn(goal));
-    const atLimits = valuesAtLimits(skeleton, joints, this.#best);
-    return {
-      ...{ q: this.#best.slice(), residuals, turns, iterations: this.#iterationCount, atLimits },
-      status: statusOf(goals, objective.chains, residuals, turns, atLimits),
-    };
+    const { chains, kinematics } = this.#objective;
+    return solutionAt(this.#problem, chains, kinematics, this.#best, this.#iterationCount);
   }
 
-  report(text: string): IkStep {
-    const { goals, skeleton, joints } = this.#problem;
-    const { q } = this.#descent;
-    this.#objective.kinematics.update(q);
-    return {
-      ...{ q: q.slice(), text, singularValues: this.singularValues() },
-      residuals: goals.map((_, goal) => this.#objective.residual(goal)),
-      atLimits: valuesAtLimits(skeleton, joints, q),
-    };
+  report(text: string, values = this.singularValues()): IkStep {
+    return stepAt(this.#problem, this.#objective.kinematics, this.#descent.q, text, values);
   }
 
   singularValues(): number[] {
@@ -125,12 +108,7 @@ class Run {
   #measure(q: Float64Array): number {
     const objective = this.#objective;
     objective.kinematics.update(q);
-    let worst = 0;
-    for (let goal = 0; goal < this.#problem.goals.length; goal++) {
-      const residual = objective.residual(goal) / objective.chains[goal]!.length;
-      worst = Math.max(worst, residual, 0.1 * objective.turn(goal));
-    }
-    return worst;
+    return worstResidual(objective.chains, objective.kinematics);
   }
 
   /** Of poses that are equally near to the goals, the one that is nearer to the reference is kept. */
@@ -157,20 +135,6 @@ class Run {
     this.#descent.restart(startPose(this.#objective.space, reference, this.#start));
     return true;
   }
-}
-
-/** The start, with the reference's values in the joints that may not change. */
-function withOthers({ skeleton, joints, reference }: IkProblem, from: Float64Array): Float64Array {
-  const q = reference.slice();
-  for (const joint of joints) {
-    for (let dof = skeleton.dofStart[joint]!; dof < skeleton.dofStart[joint + 1]!; dof++) {
-      const at = skeleton.dofQ[dof]!;
-      const end = skeleton.dofQ[dof + 1] ?? q.length;
-      for (let i = at; i < end; i++)
-        q[i] = Math.min(Math.max(from[i]!, skeleton.qMin[i]!), skeleton.qMax[i]!);
-    }
-  }
-  return q;
 }
 
 function describe({ damping, lastMove }: Descent, start: number): string {

@@ -2,6 +2,7 @@ import { forwardKinematics } from '../../core/forward-kinematics.ts';
 import { applyDof, applyRest } from '../../core/joint-transforms.ts';
 import { DofKind, noParent, type Skeleton } from '../../core/skeleton.ts';
 import type { IkGoal } from './problem.ts';
+import { turnBetween } from './quaternions.ts';
 import type { TangentSpace } from './tangent-space.ts';
 
 /**
@@ -27,6 +28,7 @@ export class GoalKinematics {
   /** (visited) the first column of each visited joint. */
   readonly #firstColumn: Uint16Array;
   readonly #world = new Float64Array(16);
+  readonly #turn = new Float64Array(3);
 
   /** @param q (qCount) what the joints that never move are computed from */
   constructor(skeleton: Skeleton, goals: readonly IkGoal[], space: TangentSpace, q: Float64Array) {
@@ -80,6 +82,24 @@ export class GoalKinematics {
       for (let k = 0; k < 16; k++) matrices[joint * 16 + k] = world[k]!;
     }
     for (let goal = 0; goal < this.goals.length; goal++) this.#writePoint(goal);
+  }
+
+  /** The distance of a goal's point from its target, in model units. */
+  residual(goal: number): number {
+    const { target } = this.goals[goal]!;
+    const x = this.points[goal * 3]! - target[0];
+    const y = this.points[goal * 3 + 1]! - target[1];
+    const z = this.points[goal * 3 + 2]! - target[2];
+    return Math.sqrt(x * x + y * y + z * z);
+  }
+
+  /** The angle from a goal's orientation in radians; 0 if it has none. */
+  turn(goal: number): number {
+    const { joint, rotation } = this.goals[goal]!;
+    if (!rotation) return 0;
+    const turn = this.#turn;
+    turnBetween(rotation, this.characterFromJoint, joint * 16, turn);
+    return Math.sqrt(turn[0]! * turn[0]! + turn[1]! * turn[1]! + turn[2]! * turn[2]!);
   }
 
   #writeColumn(column: number): void {

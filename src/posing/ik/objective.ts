@@ -85,35 +85,16 @@ export class IkObjective {
     let sum = 0;
     for (let goal = 0; goal < this.goals.length; goal++) {
       const { weight, rotation } = this.goals[goal]!;
-      const distance = this.residual(goal) / this.chains[goal]!.length;
+      const distance = this.kinematics.residual(goal) / this.chains[goal]!.length;
       const cap = this.#caps[goal]!;
       let twice = distance <= cap ? distance * distance : cap * (2 * distance - cap);
       if (rotation) {
-        const turn = lengthPerRadian * this.turn(goal);
+        const turn = lengthPerRadian * this.kinematics.turn(goal);
         twice += turn * turn;
       }
       sum += 0.5 * weight * weight * twice;
     }
     return sum;
-  }
-
-  /** The distance of a goal's point from its target, where the kinematics is. */
-  residual(goal: number): number {
-    const { target } = this.goals[goal]!;
-    const { points } = this.kinematics;
-    const x = points[goal * 3]! - target[0];
-    const y = points[goal * 3 + 1]! - target[1];
-    const z = points[goal * 3 + 2]! - target[2];
-    return Math.sqrt(x * x + y * y + z * z);
-  }
-
-  /** The angle from a goal's orientation in radians, where the kinematics is; 0 if it has none. */
-  turn(goal: number): number {
-    const { joint, rotation } = this.goals[goal]!;
-    if (!rotation) return 0;
-    const [turn, at] = [this.#turn, joint * 16];
-    turnBetween(rotation, this.kinematics.characterFromJoint, at, turn);
-    return Math.sqrt(turn[0]! * turn[0]! + turn[1]! * turn[1]! + turn[2]! * turn[2]!);
   }
 
   /** What the reference and the soft tasks cost in a pose, before `pull`. */

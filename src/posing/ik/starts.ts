@@ -1,10 +1,27 @@
+import { assert } from '../../core/assert.ts';
+import { jointRange } from '../../core/pose.ts';
 import { DofKind } from '../../core/skeleton.ts';
+import type { IkOptions, IkProblem } from './problem.ts';
 import type { TangentSpace } from './tangent-space.ts';
 
 /** The part of a range, from its start, inside which random starts are. */
 const inside = [0.15, 0.85] as const;
 /** Values without limits start at most this far from the reference, in radians. */
 const farthest = 2;
+
+/** Where a solve starts: within the limits, and in the other joints as the reference. */
+export function startOf(
+  { skeleton, joints, reference }: IkProblem,
+  { from = reference }: IkOptions,
+): Float64Array {
+  assert(from.length === skeleton.qRest.length, 'a start with all values of the skeleton');
+  const q = reference.slice();
+  for (const joint of joints) {
+    const [first, end] = jointRange(skeleton, joint);
+    for (let i = first; i < end; i++) q[i] = clamp(from[i]!, skeleton.qMin[i]!, skeleton.qMax[i]!);
+  }
+  return q;
+}
 
 /**
  * Other poses from which a solve that stalled can start: the first is the middle of the limits, and
