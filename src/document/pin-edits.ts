@@ -1,3 +1,4 @@
+import { quat, type ReadonlyQuat } from 'gl-matrix';
 import { assert } from '../core/assert.ts';
 import type { Quaternion, Vector3 } from '../posing/ik/problem.ts';
 import { type Followed, noPins, type Pin } from '../posing/pins/pin.ts';
@@ -89,6 +90,28 @@ export function followJoint(
     const pin = old ? { ...old, point, place, follows: followed } : held;
     return { ...actor, pins: [...actor.pins.filter((each) => each !== old), pin] };
   });
+}
+
+/** The rotation between two joints of different characters as they are shown, for `Followed`. */
+export function rotationBetween(
+  own: ShownJoints,
+  joint: number,
+  other: ShownJoints,
+  otherJoint: number,
+): Quaternion {
+  const sceneFromOther = sceneRotation(other, otherJoint);
+  quat.conjugate(sceneFromOther, sceneFromOther);
+  const between = quat.multiply(sceneFromOther, sceneFromOther, sceneRotation(own, joint));
+  return [between[0], between[1], between[2], between[3]];
+}
+
+function sceneRotation({ state, characterFromJoint }: ShownJoints, joint: number): quat {
+  const rotation = [...jointRotation(joint, characterFromJoint)] as const;
+  return quat.multiply(
+    new Float64Array(4),
+    state.transform.rotation,
+    rotation,
+  );
 }
 
 /** Lets a pin hold its place instead of following another character. */

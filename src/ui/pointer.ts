@@ -2,6 +2,7 @@ import { zoom } from '../view/camera.ts';
 import { selectActor } from '../document/reconcile.ts';
 import { selectJoint, toggleJoint } from '../document/selected-joints.ts';
 import { boneAt } from '../view/pick.ts';
+import { pinAt } from '../view/pick-pin.ts';
 import { handleAt } from '../view/pick-gizmo.ts';
 import type { Looking } from './editor.ts';
 import { hoverAt, showHover, weightPointAt } from './hover.ts';
@@ -110,6 +111,12 @@ export function listenToPointer(canvas: HTMLCanvasElement, editor: Looking): voi
   }
 
   function click(place: ToolPlace): void {
+    const pin = pinAt(editor, place);
+    if (pin) {
+      selectActor(session, editor.store.scene.value, pin.actorId);
+      session.selectedJoint.value = pin.joint;
+      return;
+    }
     if (handleAt(editor, place) !== null) return;
     const target = boneAt(editor, place);
     const { activeDof, placeTool, selectsSeveral } = session;

@@ -89,6 +89,14 @@ export const sections: readonly Section[] = [
     load: async () => (await loadPart(import('./panels/ik-lab.tsx'))).IkLabPanel,
   },
   {
+    id: 'pins',
+    place: 'right',
+    tabs: ['pose'],
+    when: (editor) => jointCount(editor) > 0,
+    load: async () =>
+      guiSection((await loadPart(import('./controls/pins-folder.ts'))).addPinsFolder),
+  },
+  {
     id: 'method',
     place: 'right',
     tabs: ['deform'],

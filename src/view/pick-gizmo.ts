@@ -13,6 +13,7 @@ import {
   viewHandle,
 } from './place-gizmo.ts';
 import { lightAt } from './pick-light.ts';
+import { pinAt } from './pick-pin.ts';
 import { gizmoLines } from './ring-lines.ts';
 import { sessionOptionsOf } from './view-options.ts';
 
@@ -58,7 +59,9 @@ export function bodyHandleAt(look: Looking, place: PickPlace): PlaceHandle | nul
 
 /** Returns the id of the handle at a place of the view, or null. */
 export function handleAt(look: Looking, place: PickPlace): HandleId | null {
-  return (lightAt(look, place) ?? ringAt(look, place) ?? placeHandleAt(look, place))?.id ?? null;
+  const handle =
+    lightAt(look, place) ?? pinAt(look, place) ?? ringAt(look, place) ?? placeHandleAt(look, place);
+  return handle?.id ?? null;
 }
 
 function nearest<T extends { readonly id: HandleId }>(

@@ -2,35 +2,45 @@ import { noParent, type Skeleton } from '../../core/skeleton.ts';
 import { naturalLength, pathTo } from '../ik/chain.ts';
 import type { Pin } from './pin.ts';
 
+/** Joints that may move, and the pins for which they do. */
+export interface Freed {
+  /** Ascending. */
+  readonly joints: readonly number[];
+  readonly pins: readonly number[];
+}
+
 /**
- * Returns the sets of joints that pins may move, each with the one before: the limbs alone, from
- * each pin to where the body branches or to another pin; then all joints on the way to the root;
- * then the roots too, so that pelvis and legs work together. What a small set can hold, no larger
- * one touches. All are ascending.
+ * Returns what pins may move, in the order in which it is tried: the limb of each pin, from where the
+ * body branches or from another pin; then, for all pins together, the joints on the way to the
+ * root; then the roots too, so that pelvis and legs work together. What a limb can hold, nothing else
+ * moves for.
  */
-export function freedJoints(skeleton: Skeleton, pins: readonly Pin[]): readonly number[][] {
-  const limbs = new Set<number>();
-  const paths = new Set<number>();
-  const held = pins.map(({ joint, rotation }) => ({ joint, isTurned: rotation !== null }));
-  for (const pin of pins) {
-    const path = pathTo(skeleton, pin.joint);
-    const others = held.filter(({ joint }) => joint !== pin.joint);
-    const limb = path.slice(-naturalLength(skeleton, pin.joint, others));
-    // A joint whose origin alone is held does not move it by turning.
-    if (!pin.rotation && pin.point.every((value) => value === 0)) {
-      path.pop();
-      limb.pop();
-    }
-    for (const joint of limb) limbs.add(joint);
-    for (const joint of path) paths.add(joint);
-  }
+export function freedJoints(
+  skeleton: Skeleton,
+  pins: readonly Pin[],
+): {
+  readonly limbs: readonly Freed[];
+  readonly bodies: readonly Freed[];
+} {
   const isRoot = (joint: number): boolean => skeleton.parents[joint] === noParent;
-  const sets = [
-    [...limbs].filter((joint) => !isRoot(joint)),
-    [...limbs, ...paths].filter((joint) => !isRoot(joint)),
-    [...limbs, ...paths],
-  ];
-  return sets
-    .map((joints) => [...new Set(joints)].sort((a, b) => a - b))
-    .filter((joints, at, all) => joints.length > (all[at - 1]?.length ?? 0));
+  const held = pins.map(({ joint, rotation }) => ({ joint, isTurned: rotation !== null }));
+  const paths = pins.map((pin) => {
+    const path = pathTo(skeleton, pin.joint);
+    // A joint whose origin alone is held does not move it by turning.
+    return pin.rotation || pin.point.some((value) => value !== 0) ? path : path.slice(0, -1);
+  });
+  const limbs = pins.map(({ joint }, at): Freed => {
+    const others = held.filter((each) => each.joint !== joint);
+    const first = skeleton.depths[joint]! + 1 - naturalLength(skeleton, joint, others);
+    const joints = paths[at]!.slice(first).filter((each) => !isRoot(each));
+    return { joints, pins: [at] };
+  });
+  const all = pins.map((_, at) => at);
+  const whole = ascending(paths.flat());
+  const below = whole.filter((joint) => !isRoot(joint));
+  return { limbs, bodies: [below, whole].map((joints) => ({ joints, pins: all })) };
+}
+
+function ascending(joints: readonly number[]): number[] {
+  return [...new Set(joints)].sort((a, b) => a - b);
 }

@@ -1,16 +1,22 @@
 import { forwardKinematics } from '../../core/forward-kinematics.ts';
 import type { Skeleton } from '../../core/skeleton.ts';
 import { dls } from '../ik/dls.ts';
-import type { IkGoal } from '../ik/problem.ts';
+import type { IkGoal, IkOptions, IkSolver } from '../ik/problem.ts';
+import { natural } from '../natural/natural-solver.ts';
+import { naturesOf } from '../natural/natures.ts';
 import type { LayerFunction } from '../pose-layer.ts';
-import { freedJoints } from './freed-joints.ts';
+import { type Freed, freedJoints } from './freed-joints.ts';
+import { pathLength } from './pin-miss.ts';
 import { jointRotation, pinnedPoint, pinTarget } from './pin-target.ts';
 
 /** Pins are held to this part of their limb's length, and to ten times as many radians. */
 const tolerance = 1e-4;
 /** A pose that does not lower the error by this part is no better, so that the end is a fixed point. */
-const leastGain = 0.02;
+const leastGain = 0.1;
 const mostRounds = 8;
+
+/** Keeps knees and elbows to how they bend by nature, at a cost that only a limb is worth. */
+const careful = natural(dls);
 
 /**
  * Moves joints so that all pins hold. It begins with the limbs, and frees more of the body only if
@@ -27,25 +33,27 @@ export const applyPins: LayerFunction = ({ character, pins, followed }, q) => {
     return [{ joint, point, target: place, weight, ...(rotation && { rotation }) }];
   });
   if (goals.length === 0) return;
-  const sets = freedJoints(
+  const { limbs, bodies } = freedJoints(
     skeleton,
     pins.filter(({ weight }) => weight > 0),
   );
+  const natures = naturesOf(character);
   const measure = new Measure(skeleton, goals);
   let error = measure.of(q);
+  const tryTo = (solver: IkSolver, freed: Freed, options: IkOptions): void => {
+    if (freed.pins.every((pin) => error.holds[pin])) return;
+    const own = freed.pins.map((pin) => goals[pin]!);
+    const problem = { skeleton, goals: own, joints: freed.joints, reference: q, natures };
+    const solved = solver.solve(problem, { ...options, tolerance: tolerance / 2 });
+    const found = measure.of(solved.q);
+    if (found.cost > error.cost * (1 - leastGain)) return;
+    q.set(solved.q);
+    error = found;
+  };
   for (let round = 0; round < mostRounds; round++) {
     const before = error;
-    for (const [size, joints] of sets.entries()) {
-      if (error.isHeld) return;
-      const hasRoot = size === sets.length - 1;
-      const problem = { skeleton, goals, joints, reference: q, natures: [] };
-      // Where a root may slide without limits, everything is within reach, and other starts are vain.
-      const solved = dls.solve(problem, { restarts: hasRoot ? 0 : 4, tolerance: tolerance / 2 });
-      const found = measure.of(solved.q);
-      if (found.cost > error.cost * (1 - leastGain)) continue;
-      q.set(solved.q);
-      error = found;
-    }
+    for (const limb of limbs) tryTo(careful, limb, { restarts: 1, iterations: 30 });
+    for (const body of bodies) tryTo(dls, body, { restarts: 0, iterations: 20 });
     if (error === before) return;
   }
 };
@@ -53,8 +61,8 @@ export const applyPins: LayerFunction = ({ character, pins, followed }, q) => {
 interface PinError {
   /** The weighted sum of squared errors, in lengths of the limbs. */
   readonly cost: number;
-  /** Whether every pin holds. */
-  readonly isHeld: boolean;
+  /** Whether each pin holds. */
+  readonly holds: readonly boolean[];
 }
 
 /** Measures how far a pose is from holding its pins. */
@@ -75,25 +83,16 @@ class Measure {
     const matrices = this.#characterFromJoint;
     forwardKinematics(this.#skeleton, q, matrices);
     let cost = 0;
-    let isHeld = true;
+    const holds: boolean[] = [];
     for (const [at, { joint, point, target, rotation, weight }] of this.#goals.entries()) {
       const [x, y, z] = pinnedPoint({ joint, point }, matrices);
       const distance = Math.hypot(x - target[0], y - target[1], z - target[2]) / this.#lengths[at]!;
       const turn = rotation ? angleBetween(jointRotation(joint, matrices), rotation) / 10 : 0;
       cost += weight * (distance ** 2 + turn ** 2);
-      if (distance > tolerance || turn > tolerance) isHeld = false;
+      holds.push(distance <= tolerance && turn <= tolerance);
     }
-    return { cost, isHeld };
+    return { cost, holds };
   }
-}
-
-/** The length of the links from the root to a joint, without that to the root; at least a little. */
-function pathLength({ parents, restOffsets }: Skeleton, joint: number): number {
-  let length = 0;
-  for (let each = joint; parents[each]! >= 0; each = parents[each]!) {
-    length += Math.hypot(...restOffsets.subarray(each * 3, each * 3 + 3));
-  }
-  return length || 1;
 }
 
 /** In radians; accurate for small angles too. */

@@ -7,6 +7,7 @@ import { fileCommands } from './file-commands.ts';
 import { ikCommands } from './ik-commands.ts';
 import { ikLabCommands } from './ik-lab-commands.ts';
 import { jointCommands } from './joint-commands.ts';
+import { pinCommands } from './pin-commands.ts';
 import { shotCommands } from './shot-commands.ts';
 import { placeCommands } from './place-commands.ts';
 import { turnCommands } from './turn-commands.ts';
@@ -21,6 +22,7 @@ const groups = [
   { label: 'Character', commands: placeCommands },
   { label: 'Joints', commands: [...jointCommands, ...turnCommands] },
   { label: 'Inverse kinematics', commands: [...ikCommands, ...ikLabCommands] },
+  { label: 'Pins', commands: pinCommands },
   { label: 'Clip', commands: clipCommands },
   { label: 'Weights', commands: weightCommands },
   { label: 'Camera', commands: [...cameraCommands, ...axisCommands] },

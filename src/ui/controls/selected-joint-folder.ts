@@ -43,6 +43,7 @@ export function addSelectedJointFolder(gui: GUI, editor: Editor): () => void {
         values.domElement.dataset['joint'] = String(joint);
         lock = addNote(values, '');
         addNote(values, rotationOrder(state.character.skeleton));
+        addCommandRow(values, editor, 'pin');
         addCommandRow(values, editor, 'reset-joint');
         addCommandRow(values, editor, 'reset-branch');
       }

@@ -7,7 +7,9 @@ import type { ActiveDof } from '../../document/session.ts';
 import { kernelById, kernelOf } from '../../skinning/registry.ts';
 import { axisViewOf } from '../../view/axis-views.ts';
 import { lightOfHandle } from '../../view/light-handles.ts';
+import { pinHandles } from '../../view/pin-handles.ts';
 import { ancestorsOf } from '../joint-rows.ts';
+import { formatSize } from '../number-text.ts';
 import { formatDegrees } from '../angle-text.ts';
 import type { Editor, Looking, Posing } from '../editor.ts';
 import { gimbalText } from '../gimbal-text.ts';
@@ -39,6 +41,7 @@ export function ViewOverlay({ editor }: { readonly editor: Editor }) {
       <GimbalText editor={editor} />
       <Spoken editor={editor} />
       <LightText editor={editor} />
+      <PinText editor={editor} />
       <LitBoneLabel editor={editor} />
       {editor.session.showWeights.value && <Loaded editor={editor} load={loadWeights} />}
     </>
@@ -152,6 +155,22 @@ function LightText({ editor: { session, store } }: { readonly editor: Looking })
   return (
     <output class="active-dof">
       {name} light {azimuth.toFixed(1)}° around, {elevation.toFixed(1)}° above
+    </output>
+  );
+}
+
+/** The pin under the pointer, in the same corner: what it holds, and how far it is from that. */
+function PinText({ editor: { session, evaluations } }: { readonly editor: Looking }) {
+  const id = session.hoveredHandle.value;
+  const pins = id === null ? [] : evaluations.visible().flatMap(pinHandles);
+  const handle = pins.find((each) => each.id === id);
+  const shown = handle && evaluations.visible().find(({ state }) => state.id === handle.actorId);
+  if (!shown) return null;
+  return (
+    <output class="active-dof">
+      {printable(shown.state.character.skeleton.names[handle.joint]!, 40)}{' '}
+      {handle.follows ? 'follows another character' : 'stays in its place'}
+      {handle.miss > 0 && `, ${formatSize(handle.miss)} away from it`}
     </output>
   );
 }

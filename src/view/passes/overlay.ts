@@ -15,6 +15,7 @@ import {
   type OverlayView,
 } from '../overlay.ts';
 import type { Pass } from '../pass.ts';
+import { pinHandles, pinShapes, showsPins } from '../pin-handles.ts';
 import { placeGizmoOf, placeHandles, placeShapes } from '../place-gizmo.ts';
 import { gizmoLines, gizmoSectors } from '../ring-lines.ts';
 
@@ -35,6 +36,7 @@ export const overlayPass: Pass = {
     gizmoOf(options) !== null ||
     placeGizmoOf(options) !== null ||
     showsLights(options) ||
+    showsPins(options) ||
     showsSketch(options),
   create(gpu, programs) {
     const { gl } = gpu;
@@ -79,11 +81,16 @@ function overlayOf({ characters, options, camera, viewport }: Frame, cssScale: n
     sketched && showsSketch(options)
       ? sketchShapes(options.ikSketch!, sketched.evaluation.display, view)
       : [];
-  if (!character) return [...lights, ...sketch];
+  const handles = showsPins(options)
+    ? characters.flatMap(({ evaluation }) => pinHandles(evaluation))
+    : [];
+  const pins = pinShapes(handles, view, options.hoveredHandle);
+  if (!character) return [...lights, ...pins, ...sketch];
   const { evaluation } = character;
   const [joint, place] = [gizmoOf(options), placeGizmoOf(options)];
   return [
     ...lights,
+    ...pins,
     ...sketch,
     ...(joint ? ringShapes(evaluation, view, joint) : []),
     ...(place ? placeShapes(placeHandles(evaluation.state, view, place), place) : []),
