@@ -1,4 +1,4 @@
-import { quat, type ReadonlyQuat } from 'gl-matrix';
+import { quat } from 'gl-matrix';
 import { assert } from '../core/assert.ts';
 import type { Quaternion, Vector3 } from '../posing/ik/problem.ts';
 import { type Followed, noPins, type Pin } from '../posing/pins/pin.ts';
