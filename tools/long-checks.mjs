@@ -60,6 +60,36 @@ export const longChecks = [
       },
     },
   },
+  {
+    name: 'natural',
+    what: 'elbows and knees of the human after inverse kinematics',
+    kind: 'unit',
+    tests: 'tests/posing/natural',
+    reads: 'tests/support/natural-limbs.ts',
+    options: {
+      targets: {
+        variable: 'NATURAL_TARGETS',
+        usual: '300',
+        form: /^\d+$/,
+        what: 'how many a limb, from rest and in rows of twelve',
+      },
+    },
+  },
+  {
+    name: 'natural-files',
+    what: 'the same of Model1 and KAITO, where ../shared is',
+    kind: 'unit',
+    tests: 'tests/compat/natural-limbs.test.ts',
+    reads: 'tests/support/natural-limbs.ts',
+    options: {
+      targets: {
+        variable: 'NATURAL_TARGETS',
+        usual: '300',
+        form: /^\d+$/,
+        what: 'how many a limb, from rest and in rows of twelve',
+      },
+    },
+  },
 ];
 
 /**

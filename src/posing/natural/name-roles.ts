@@ -18,7 +18,10 @@ const meanings: readonly (readonly [RegExp, Meaning])[] = [
   [/twist|roll|捩|捻/u, 'twist'],
   [/metacarpal|palm|hair|eye|jaw|mouth|tail|wing|antenna|mandible|abdomen/, null],
   [/thumb|親指/u, 'thumb'],
-  [/index|middle|(^|hand)ring|pinky|pinkie|little|finger|knuckle|[小薬中示]指|人差?指/u, 'finger'],
+  [
+    /index|middle|(^f?|hand)ring|pinky|pinkie|little|finger|knuckle|[小薬中示]指|人差?指/u,
+    'finger',
+  ],
   [/toe|^ball$/, 'toe'],
   [/ankle|foot|feet|足首/u, 'ankle'],
   [/knee|shin|calf|(lower|lo)leg|ひざ|膝/u, 'knee'],

@@ -38,6 +38,7 @@ export interface NaturalSkeleton {
   /** The character's. */
   readonly own: Skeleton;
   readonly skeleton: Skeleton;
+  readonly natures: readonly JointNature[];
   readonly joints: readonly NaturalJoint[];
   /** (qCount of `skeleton`) the index of the same value in the character's q, or -1. */
   readonly sources: Int32Array;
@@ -74,7 +75,13 @@ export function naturalSkeleton(own: Skeleton, natures: readonly JointNature[]):
     qMin: Float64Array.from(values, ({ min }) => min),
     qMax: Float64Array.from(values, ({ max }) => max),
   };
-  return { own, skeleton, joints, sources: Int32Array.from(values, ({ source }) => source) };
+  return {
+    own,
+    skeleton,
+    natures,
+    joints,
+    sources: Int32Array.from(values, ({ source }) => source),
+  };
 
   function addHinges(nature: JointNature, rotation: OwnRotation): void {
     const axes = new Float64Array(9);

@@ -1,4 +1,5 @@
 import { jointRange } from '../../core/pose.ts';
+import { sameValue } from '../../core/same-value.ts';
 import type { Skeleton } from '../../core/skeleton.ts';
 import type {
   IkOptions,
@@ -94,16 +95,29 @@ interface Task {
 /** Null where no joint of the problem has a nature. */
 function runOf(problem: IkProblem, options: IkOptions): Run | null {
   const { skeleton, joints, reference } = problem;
-  const own = problem.natures.filter(({ joint }) => joints.includes(joint));
-  if (own.length === 0) return null;
+  const natural = naturalOf(problem);
+  if (natural.natures.length === 0) return null;
   const from = reference.slice();
   for (const joint of joints) {
     const [first, end] = jointRange(skeleton, joint);
     from.set((options.from ?? reference).subarray(first, end), first);
   }
-  const natures = own.map((nature) => widened(nature, swingAngles(skeleton, nature, from)));
-  const natural = naturalSkeleton(skeleton, natures);
+  const natures = natural.natures.map((nature) =>
+    widened(nature, swingAngles(skeleton, nature, from)),
+  );
   return { problem: { ...problem, natures }, options, natural, from };
+}
+
+const known = new WeakMap<readonly JointNature[], [readonly number[], NaturalSkeleton]>();
+
+/** A drag asks for the same natures and joints in every frame. */
+function naturalOf({ skeleton, joints, natures }: IkProblem): NaturalSkeleton {
+  const [knownJoints, found] = known.get(natures) ?? [];
+  if (found?.own === skeleton && sameValue(knownJoints, joints)) return found;
+  const own = natures.filter(({ joint }) => joints.includes(joint));
+  const natural = naturalSkeleton(skeleton, own);
+  known.set(natures, [joints, natural]);
+  return natural;
 }
 
 function widened(nature: JointNature, [bend, side, twist]: readonly number[]): JointNature {
