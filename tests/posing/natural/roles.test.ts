@@ -19,7 +19,7 @@ function skeletonOf(lines: string): Skeleton {
       const parent = depth === 0 ? -1 : above[depth - 1]!;
       return { name: line.trim(), parent, restOffset: [0, 1, 0] as const, dofs: [] };
     });
-  return buildSkeleton({ file: 'made', joints }, new DiagnosticLog())!;
+  return buildSkeleton({ file: 'made', joints }, new DiagnosticLog('made'))!;
 }
 
 /** "name: role" of every joint that has one. */
