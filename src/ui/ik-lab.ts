@@ -16,7 +16,7 @@ import {
 import { manipulability } from '../posing/ik/lab-ellipsoid.ts';
 import { labTask, type LabTask, type TargetKind } from '../posing/ik/lab-targets.ts';
 import type { IkMethod, IkMethodId, IkSolver, Vector3 } from '../posing/ik/problem.ts';
-import { naturesOf } from '../posing/natural/natures.ts';
+import { naturesInUse } from '../posing/natural/natures-in-use.ts';
 import type { Editor } from './editor.ts';
 
 /** The parts of the editor that the lab uses. */
@@ -52,11 +52,10 @@ const ellipsoidPart = 0.18;
 export class IkLab {
   readonly methods: readonly LabMethod[];
   readonly methodId = signal<IkMethodId>('dls');
-  /** Whether joints keep to how they move by nature, by the methods that know of it. */
-  readonly isNatural = signal(false);
   /** Whether the steps are being shown one after the other. */
   readonly playing = signal(false);
   private readonly editor: LabEditor;
+  private readonly wantsNatural = signal<boolean | null>(null);
   private readonly wantedStep = signal(0);
   private readonly found = signal<Subject | string>('');
   private readonly ends: readonly (() => void)[];
@@ -73,8 +72,14 @@ export class IkLab {
     const subject = this.subject.value;
     if (!subject) return [];
     const { actor, chain } = subject;
-    return naturesOf(actor.character).filter(({ joint }) => chain.moving.includes(joint));
+    const all = naturesInUse(actor.character, { ...actor.natures, isOn: true });
+    return all.filter(({ joint }) => chain.moving.includes(joint));
   });
+
+  /** Whether methods that know of natures keep to them: as the character does, or as chosen here. */
+  readonly isNatural = computed(
+    () => this.wantsNatural.value ?? this.subject.value?.actor.natures.isOn ?? false,
+  );
 
   /** What each method does, in their order; empty without a task. */
   readonly runs = computed((): readonly MethodRun[] => {
@@ -135,6 +140,14 @@ export class IkLab {
   chooseMethod(id: IkMethodId): void {
     this.playing.value = false;
     this.methodId.value = id;
+  }
+
+  setNatural(isNatural: boolean): void {
+    batch(() => {
+      this.playing.value = false;
+      this.wantedStep.value = 0;
+      this.wantsNatural.value = isNatural;
+    });
   }
 
   /** Starts from the pose that is shown now, to a target of a kind. */

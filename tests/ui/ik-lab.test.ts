@@ -155,11 +155,16 @@ describe('the IK lab', () => {
     expect(ikSketch.value).toBeNull();
   });
 
-  it('knows how the joints of a human arm move by nature', () => {
-    const without = lab.run.value!.solution.q;
+  it('keeps to how the joints move by nature as the character does, or as chosen', () => {
+    const solved = (): Float64Array => lab.run.value!.solution.q;
+    const natural = solved();
     expect(lab.natures.value.map(({ joint }) => joint)).toContain(jointOf('Left forearm'));
-    lab.isNatural.value = true;
-    expect(lab.run.value!.solution.q).not.toEqual(without);
+    expect(lab.isNatural.value).toBe(true);
+    lab.setNatural(false);
+    expect(solved()).not.toEqual(natural);
+    expect(actor().natures.isOn).toBe(true);
+    lab.setNatural(true);
+    expect(solved()).toEqual(natural);
   });
 });
 

@@ -12,6 +12,7 @@ import { manipulability } from '../../../src/posing/ik/lab-ellipsoid.ts';
 import { labTask, type TargetKind } from '../../../src/posing/ik/lab-targets.ts';
 import { ikMethods } from '../../../src/posing/ik/methods.ts';
 import type { IkSolver, IkStep, Vector3 } from '../../../src/posing/ik/problem.ts';
+import { naturesOf } from '../../../src/posing/natural/natures.ts';
 import { readBundled } from '../../support/bundled.ts';
 import { ball, hinge, leg, placeOf, sixBalls, skeletonOf, slide } from './ik-rigs.ts';
 
@@ -202,6 +203,19 @@ describe('the steps of the lab', () => {
     const { steps } = runLab(counting(5, 3), problem());
     expect(steps).toHaveLength(7);
     expect(steps.at(-1)!.q).toEqual(Float64Array.of(3));
+  });
+
+  it('begin with the pose and end with the solution where joints keep to their natures', async () => {
+    const arm = chains.get('arm')!;
+    const { qRest } = arm.skeleton;
+    const { target } = labTask('close', arm, qRest, dls());
+    const natures = naturesOf(await readBundled('human'));
+    const { steps, solution } = runLab(dls(), problemOf(arm, qRest, target, natures));
+    expect(steps[0]!.q).toEqual(qRest);
+    expect(steps.at(-1)!.q).toEqual(solution.q);
+    for (const { q, residuals } of steps) {
+      expect(Math.abs(residuals[0]! - distance(effectorAt(arm, q), target))).toBeLessThan(rounding);
+    }
   });
 
   it('start a chain below the next branch, or with the parent where that branches', async () => {

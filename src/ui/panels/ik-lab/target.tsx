@@ -46,7 +46,7 @@ export function Target({ lab, subject }: TargetProperties) {
           <input
             type="checkbox"
             checked={lab.isNatural.value}
-            onChange={({ currentTarget }) => (lab.isNatural.value = currentTarget.checked)}
+            onChange={({ currentTarget }) => lab.setNatural(currentTarget.checked)}
           />
           Natural joints
         </label>
