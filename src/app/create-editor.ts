@@ -16,9 +16,7 @@ import { sceneBounds } from '../evaluation/scene-bounds.ts';
 import { readableExtensions, sceneExtension } from '../formats/extensions.ts';
 import { writeObj } from '../formats/obj/write-obj.ts';
 import { poseFormats } from '../formats/pose-formats.ts';
-import { poseToJson } from '../formats/write-pose-json.ts';
 import { attempt } from '../ui/attempt.ts';
-import { copyText } from '../ui/copy-text.ts';
 import type { Drawer, Editor, Keeping } from '../ui/editor.ts';
 import { createHints } from '../ui/hints.ts';
 import { focusJoint } from '../ui/focus-joint.ts';
@@ -152,11 +150,6 @@ export function createEditor(
       focusJoint(joint);
     },
 
-    async copyPose() {
-      const copied = await copyText(poseText());
-      notice.value = copied ? 'Pose copied' : 'The browser did not let the pose be copied';
-    },
-
     async savePose(format = poseFormats[0]!) {
       const shown = evaluations.selected();
       if (!shown) return;
@@ -240,11 +233,5 @@ export function createEditor(
   async function keepScenes(): Promise<void> {
     const { SceneKeeper } = await loadPart(import('./scenes/keep-scene.ts'));
     new SceneKeeper(opening.parts, keeping);
-  }
-
-  function poseText(): string {
-    const shown = evaluations.selected();
-    const json = shown ? poseToJson(shown.state.character.skeleton, shown.poseToEdit) : {};
-    return `${JSON.stringify(json, null, 2)}\n`;
   }
 }

@@ -50,6 +50,7 @@ function fitActor(session: Session, old?: Actor, now?: Actor): void {
 export function dropJoints(session: Session): void {
   session.selectedJoint.value = null;
   session.jointGroup.value = [];
+  session.mirroredJoints.value = [];
   session.hoveredLimb.value = null;
   session.hoveredHandle.value = null;
   session.hoverPlace.value = null;

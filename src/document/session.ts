@@ -48,6 +48,9 @@ export type SkeletonStyle = 'sticks' | 'boxes' | 'both' | 'lines';
  */
 export type PosesBy = 'selection' | 'mode';
 
+/** Joints of a character: all, those below the selected ones with them, or these alone. */
+export type PoseScope = 'whole' | 'branch' | 'selected';
+
 /** A limb under the pointer. */
 export interface HoveredLimb {
   readonly actorId: ActorId;
@@ -118,6 +121,12 @@ export class Session {
   /** The tool that places the whole selected character, while no joint is selected, or null. */
   readonly placeTool = signal<PlaceTool | null>(null);
   readonly placeAxes = signal<PlaceAxes>('world');
+  /** Whether an edit of one side of a character shows on its other side too. */
+  readonly liveSymmetry = signal(false);
+  /** The joints that mirror the selected ones while it is on. */
+  readonly mirroredJoints = signal<readonly number[]>([]);
+  /** Which joints are copied and mirrored. */
+  readonly poseScope = signal<PoseScope>('whole');
   /** The axes about which the rings of a joint turn it: its own, or the scene's. */
   readonly ringAxes = signal<PlaceAxes>('local');
   /** What the present drag of a handle has done so far, for the text in the view, or null. */

@@ -37,6 +37,11 @@ export class Store {
 
   readonly scene: ReadonlySignal<Scene> = this.current;
   readonly history: ReadonlySignal<History> = this.steps;
+  /**
+   * What every gesture's scenes pass through before they are shown, such as live symmetry, or null.
+   * It is called with the scene at which a gesture begins.
+   */
+  completion: ((before: Scene) => (edited: Scene) => Scene) | null = null;
   /** Whether the scene is somebody's work although no step led to it, as one that was restored. */
   readonly isMade = signal(false);
   /** The labels of the steps that Undo and Redo would apply, or null. */
@@ -70,6 +75,7 @@ export class Store {
   begin(label: string): Gesture {
     this.open?.commit();
     const before = this.current.value;
+    const complete = this.completion?.(before);
     const isOpen = (): boolean => this.open === gesture;
     let entry: HistoryEntry | undefined;
     const gesture: Gesture = {
@@ -77,7 +83,9 @@ export class Store {
         return isOpen();
       },
       preview: (edit) => {
-        if (isOpen()) this.show(edit.apply(before));
+        if (!isOpen()) return;
+        const edited = edit.apply(before);
+        this.show(complete ? complete(edited) : edited);
       },
       commit: () => {
         if (!isOpen()) return;

@@ -1,6 +1,6 @@
 import { DiagnosticLog, type Parsed } from '../core/diagnostics.ts';
 import { defaultLimits } from '../core/limits.ts';
-import { type AxisDof, type Pose, restPose } from '../core/pose.ts';
+import type { AxisDof, Pose } from '../core/pose.ts';
 import { setAxisValues } from './axis-values.ts';
 import { ballValue, type BallJson, quaternionOf } from './ball-values.ts';
 import { checkVersion, display, JsonValue } from './json/decoder.ts';
@@ -33,10 +33,18 @@ export function poseFromJson(file: string, value: unknown, skeleton: Skeleton): 
 /** The consequence of an error in a pose. */
 export const unused = 'the pose is not used';
 
-/** Like `poseFromJson`, from a value that knows its place in the text. */
-export function decodePose(json: JsonValue, skeleton: Skeleton): Parsed<Pose> {
+/**
+ * Like `poseFromJson`, from a value that knows its place in the text.
+ *
+ * @param onto (qCount) the pose that joints keep which it does not name; the file's, if absent
+ */
+export function decodePose(
+  json: JsonValue,
+  skeleton: Skeleton,
+  onto = skeleton.qRest,
+): Parsed<Pose> {
   const { log } = json.source;
-  const pose = restPose(skeleton);
+  const pose: Pose = { q: onto.slice() };
   const members = json.record('an object with "joints" and "root"');
   if (!members || !checkVersion(members)) return log.finish<Pose>(undefined);
   for (const [name, member] of members) {

@@ -226,7 +226,6 @@ export interface Actions {
   resetAll(): void;
   /** Selects a joint and moves the keyboard focus to its first slider. */
   editJoint(joint: number): void;
-  copyPose(): Promise<void>;
   /** Saves the pose that the selected character shows; as POSE.json, if no other form is given. */
   savePose(format?: PoseFormat): Promise<void>;
   /** Saves the character in a course's format, converted as far as that format allows. */

@@ -26,7 +26,12 @@ export function listenToKeys(editor: Editor): void {
 export function runKey(editor: Editor, event: KeyboardEvent, ids: readonly ContextId[]): void {
   if (event.defaultPrevented) return;
   const binding = ids.flatMap(keysOf).find(({ press }) => matches(press, event));
-  if (!binding || (isLetter(binding.press) && !editor.letterKeys.value)) return;
+  if (
+    !binding ||
+    binding.command.byBrowser ||
+    (isLetter(binding.press) && !editor.letterKeys.value)
+  )
+    return;
   event.preventDefault();
   runCommand(binding.command, editor);
 }

@@ -18,6 +18,8 @@ type Color = readonly number[];
 /** The joints that are highlighted. */
 export interface JointMarks {
   readonly selected: readonly number[];
+  /** Those that mirror the selected ones, in a fainter color. */
+  readonly mirrored: readonly number[];
   readonly hovered: number | null;
   /** (jointCount × 3) the bytes of the joints' own colors where weights are shown, or null. */
   readonly colors: Uint8Array | null;
@@ -25,9 +27,10 @@ export interface JointMarks {
 
 /** Returns the marks of a view. */
 export function marksOf({ state }: CharacterView, options: ViewOptions): JointMarks {
-  const { selectedActorId, selectedJoints, hoveredLimb } = options;
+  const { selectedActorId, selectedJoints, mirroredJoints, hoveredLimb } = options;
   return {
     selected: state.id === selectedActorId ? selectedJoints : [],
+    mirrored: state.id === selectedActorId ? mirroredJoints : [],
     hovered: state.id === hoveredLimb?.actorId ? hoveredLimb.joint : null,
     colors: showsWeights(state.id, options) ? jointColorsOf(state.character.skeleton).bytes : null,
   };
@@ -40,8 +43,9 @@ export function marksOf({ state }: CharacterView, options: ViewOptions): JointMa
 export function keyOf(views: readonly CharacterView[], options?: ViewOptions): string {
   const keys = views.map((view) => {
     const { pose, display } = view.evaluation.revisions;
-    const { selected, hovered, colors } = options ? marksOf(view, options) : noMarks;
-    return `${pose} ${display} ${selected.join()} ${hovered} ${colors !== null}`;
+    const { selected, mirrored, hovered, colors } = options ? marksOf(view, options) : noMarks;
+    const marked = `${selected.join()} ${mirrored.join()} ${hovered}`;
+    return `${pose} ${display} ${marked} ${colors !== null}`;
   });
   return keys.join();
 }
@@ -49,16 +53,19 @@ export function keyOf(views: readonly CharacterView[], options?: ViewOptions): s
 /** The gray to which colors are dimmed, in linear light. */
 const dimmedLight = 0.2;
 
-const noMarks: JointMarks = { selected: [], hovered: null, colors: null };
+const noMarks: JointMarks = { selected: [], mirrored: [], hovered: null, colors: null };
 
-function colorOf(joint: number, { selected, hovered, colors }: JointMarks, plain: Color): Color {
+function colorOf(joint: number, marks: JointMarks, plain: Color): Color {
+  const { selected, mirrored, hovered, colors } = marks;
   if (colors) {
     const own = [0, 1, 2].map((i) => linearChannel(colors[joint * 3 + i]! / 255));
     const isDimmed = hovered !== null && hovered !== joint;
     return isDimmed ? own.map((channel) => 0.15 * channel + 0.85 * dimmedLight) : own;
   }
   if (selected.includes(joint)) return palette.selected;
-  return joint === hovered ? palette.hovered : plain;
+  if (joint === hovered) return palette.hovered;
+  const isMirrored = mirrored.includes(joint);
+  return isMirrored ? plain.map((light, i) => (light + palette.selected[i]!) / 2) : plain;
 }
 
 /** Creates a sphere at every joint. */

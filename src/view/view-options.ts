@@ -37,6 +37,8 @@ export interface SessionOptions {
   readonly selectedJoint: number | null;
   /** All that are selected together, that one first. */
   readonly selectedJoints: readonly number[];
+  /** Those that mirror the selected ones while live symmetry is on. */
+  readonly mirroredJoints: readonly number[];
   readonly hoveredLimb: HoveredLimb | null;
   /** Shows what belongs to the page and not to the picture: handles and the light on a limb. */
   readonly showOverlay: boolean;
@@ -89,6 +91,7 @@ export function sessionOptionsOf(session: Session): SessionOptions {
     selectedActorId: session.selectedActorId.value,
     selectedJoint: session.selectedJoint.value,
     selectedJoints: selectedJoints(session),
+    mirroredJoints: session.mirroredJoints.value,
     hoveredLimb: session.hoveredLimb.value,
     showOverlay: true,
     hoveredHandle: session.hoveredHandle.value,

@@ -24,7 +24,8 @@ export type ContextId =
   | 'joint'
   | 'character'
   | 'everywhere'
-  | 'control';
+  | 'control'
+  | 'clipboard';
 
 /**
  * Something that a user can do. Keys, buttons, rows of the controls, the help sheet and
@@ -37,6 +38,8 @@ export interface Command {
   /** The text of a button or a row, if the label is too long. */
   readonly short?: string;
   readonly keys?: readonly KeyPress[];
+  /** Whether the browser makes events of these keys, such as `paste`, to which the page listens. */
+  readonly byBrowser?: boolean;
   /** Whether it is only a key for what other commands do; the palette then leaves it out. */
   readonly keyOnly?: boolean;
   /** Everywhere if absent; keys with Ctrl or Cmd also apply in text fields. */

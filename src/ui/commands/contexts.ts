@@ -16,6 +16,7 @@ export interface KeyContext {
  */
 export const contexts: readonly KeyContext[] = [
   { id: 'control', label: 'With Ctrl or Cmd, also in text fields', isActive: () => true },
+  { id: 'clipboard', label: 'With Ctrl or Cmd, outside of text', isActive: () => true },
   {
     id: 'first person',
     label: 'With the first-person camera',

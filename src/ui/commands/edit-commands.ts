@@ -75,12 +75,6 @@ export const editCommands = [
     run: (editor) => resetSelected(editor, branchOf),
   },
   {
-    id: 'copy-pose',
-    label: 'Copy the pose as text',
-    short: 'Copy pose',
-    run: (editor) => editor.copyPose(),
-  },
-  {
     id: 'cancel',
     label:
       'Cancel a drag, lay down the tool, keep one joint selected, or deselect the active value',

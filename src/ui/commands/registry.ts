@@ -8,6 +8,7 @@ import { ikCommands } from './ik-commands.ts';
 import { ikLabCommands } from './ik-lab-commands.ts';
 import { jointCommands } from './joint-commands.ts';
 import { pinCommands } from './pin-commands.ts';
+import { poseCommands } from './pose-commands.ts';
 import { shotCommands } from './shot-commands.ts';
 import { placeCommands } from './place-commands.ts';
 import { turnCommands } from './turn-commands.ts';
@@ -23,6 +24,7 @@ const groups = [
   { label: 'Joints', commands: [...jointCommands, ...turnCommands] },
   { label: 'Inverse kinematics', commands: [...ikCommands, ...ikLabCommands] },
   { label: 'Pins', commands: pinCommands },
+  { label: 'Pose', commands: poseCommands },
   { label: 'Clip', commands: clipCommands },
   { label: 'Weights', commands: weightCommands },
   { label: 'Camera', commands: [...cameraCommands, ...axisCommands] },

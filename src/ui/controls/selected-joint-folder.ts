@@ -6,6 +6,7 @@ import { gimbalText } from '../gimbal-text.ts';
 import { addCommandRow } from './command-row.ts';
 import { addJointValues, jointName, type JointValueRow } from './joint-values.ts';
 import { addNote } from './note.ts';
+import { addPartnerNote } from './partner-note.ts';
 import { rotationOrder } from './rotation-order.ts';
 
 /** Adds the numbers of the selected joint, and the way to the next one. Returns what ends it. */
@@ -43,6 +44,7 @@ export function addSelectedJointFolder(gui: GUI, editor: Editor): () => void {
         values.domElement.dataset['joint'] = String(joint);
         lock = addNote(values, '');
         addNote(values, rotationOrder(state.character.skeleton));
+        addPartnerNote(values, editor, state.character.skeleton, joint);
         addCommandRow(values, editor, 'pin');
         addCommandRow(values, editor, 'reset-joint');
         addCommandRow(values, editor, 'reset-branch');

@@ -12,6 +12,7 @@ export function ViewControls({ editor }: { readonly editor: Editor }) {
         <CommandButton editor={editor} command="look-tool" icon="look" />
         <CommandButton editor={editor} command="bone-mode" icon="pose" />
         <CommandButton editor={editor} command="ik-mode" icon="chain" />
+        <CommandButton editor={editor} command="live-symmetry" icon="symmetry" />
         <CommandButton editor={editor} command="move-tool" icon="move" />
         <CommandButton editor={editor} command="turn-tool" icon="turn" />
         <CommandButton editor={editor} command="scale-tool" icon="scale" />

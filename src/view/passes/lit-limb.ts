@@ -68,6 +68,10 @@ function lightsOf(options: ViewOptions): LimbLight[] {
       const limb = { actorId: selectedActorId, joint };
       lights.push({ ...limb, lightColor: palette.selected, faceLight: 0.1, rimLight: 0.6 });
     }
+    for (const joint of options.mirroredJoints) {
+      const limb = { actorId: selectedActorId, joint };
+      lights.push({ ...limb, lightColor: palette.selected, faceLight: 0.05, rimLight: 0.3 });
+    }
   }
   if (hoveredLimb && !showsWeights(hoveredLimb.actorId, options)) {
     const { actorId, joint } = hoveredLimb;
