@@ -52,6 +52,7 @@ export class Evaluator implements Evaluation {
         boundClip(this.now),
         this.isStill ? 0 : this.time,
         this.now.pins,
+        this.now.natures,
         this.followed,
         ...this.layers,
       ],

@@ -1,5 +1,6 @@
 import type { Character } from '../core/character.ts';
 import type { ClipParts } from '../core/character-parts.ts';
+import type { NatureSettings } from './natural/nature-settings.ts';
 import type { Pin } from './pins/pin.ts';
 
 /** What determines whether a layer is active; an actor has it all. */
@@ -8,6 +9,7 @@ export interface LayerUse {
   /** The clip that is bound, or its index, or null. */
   readonly clip: ClipParts | number | null;
   readonly pins: readonly Pin[];
+  readonly natures: NatureSettings;
 }
 
 /** The input of pose layers. */

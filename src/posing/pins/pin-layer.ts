@@ -3,7 +3,7 @@ import type { Skeleton } from '../../core/skeleton.ts';
 import { dls } from '../ik/dls.ts';
 import type { IkGoal, IkOptions, IkSolver } from '../ik/problem.ts';
 import { natural } from '../natural/natural-solver.ts';
-import { naturesOf } from '../natural/natures.ts';
+import { naturesInUse } from '../natural/natures-in-use.ts';
 import type { LayerFunction } from '../pose-layer.ts';
 import { type Freed, freedJoints } from './freed-joints.ts';
 import { pathLength } from './pin-miss.ts';
@@ -24,7 +24,7 @@ const careful = natural(dls);
  * to it, the layer changes no bit. That is so because each round is a function of the pose, and the
  * last one has found nothing better.
  */
-export const applyPins: LayerFunction = ({ character, pins, followed }, q) => {
+export const applyPins: LayerFunction = ({ character, pins, natures: settings, followed }, q) => {
   const { skeleton } = character;
   const goals = pins.flatMap((pin, at): IkGoal[] => {
     if (pin.weight === 0) return [];
@@ -37,7 +37,7 @@ export const applyPins: LayerFunction = ({ character, pins, followed }, q) => {
     skeleton,
     pins.filter(({ weight }) => weight > 0),
   );
-  const natures = naturesOf(character);
+  const natures = naturesInUse(character, settings);
   const measure = new Measure(skeleton, goals);
   let error = measure.of(q);
   const tryTo = (solver: IkSolver, freed: Freed, options: IkOptions): void => {
