@@ -7,6 +7,7 @@ import { listenToClipboard } from '../ui/clipboard.ts';
 import { followCursor } from '../ui/cursor.ts';
 import { listenToDrops } from '../ui/drop-zone.ts';
 import { listenToKeys } from '../ui/keys.ts';
+import { followChains } from '../ui/lit-chain.ts';
 import { nameView } from '../ui/name-view.ts';
 import { keepOneTool } from '../ui/one-tool.ts';
 import { Dialogs } from '../ui/panels/dialogs.tsx';
@@ -61,6 +62,7 @@ export function startInterface(
   listenToPointer(layout.canvas, editor);
   nameView(layout.canvas, editor);
   followCursor(layout.canvas, editor);
+  followChains(editor);
   followShots(editor);
   keepOneTool(editor.session);
   effect(() => {

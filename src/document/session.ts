@@ -3,6 +3,7 @@ import type { Bone } from '../core/bones.ts';
 import type { Diagnostic } from '../core/diagnostics.ts';
 import type { ActorId } from './scene.ts';
 import type { KernelId } from '../skinning/method.ts';
+import type { ChainLength } from '../posing/ik/chain.ts';
 import type { IkMethodId, Vector3 } from '../posing/ik/problem.ts';
 import type { PlayMode } from '../posing/playhead.ts';
 import type { ShotId } from './shots.ts';
@@ -70,12 +71,6 @@ export interface ShownChain {
   readonly target: Vector3 | null;
   /** Whether the point is not at the target, and a line shows how far it is. */
   readonly isApart: boolean;
-}
-
-/** How many joints a chain that ends at a joint has. */
-export interface ChainLength {
-  readonly joint: number;
-  readonly count: number;
 }
 
 /** Which parts of characters are shown, and how. */

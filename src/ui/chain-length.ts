@@ -1,4 +1,4 @@
-import { naturalLength, pathTo } from '../posing/ik/chain.ts';
+import { chainLength, pathTo } from '../posing/ik/chain.ts';
 import type { Looking } from './editor.ts';
 
 type Reading = Pick<Looking, 'session' | 'evaluations'>;
@@ -9,15 +9,13 @@ export interface LengthOfChain {
   readonly most: number;
 }
 
-/** How long the chain to a joint of the selected character is, by nature or by the user's choice. */
+/** How long the chain to a joint of the selected character is. */
 export function chainLengthOf({ session, evaluations }: Reading, joint: number): LengthOfChain {
-  const shown = evaluations.selected();
-  if (!shown) return { count: 1, most: 1 };
-  const { skeleton } = shown.state.character;
-  const most = pathTo(skeleton, joint).length;
-  const chosen = session.chainLength.value;
-  const count = chosen?.joint === joint ? chosen.count : naturalLength(skeleton, joint);
-  return { count: Math.min(most, count), most };
+  const state = evaluations.selected()?.state;
+  if (!state) return { count: 1, most: 1 };
+  const { skeleton } = state.character;
+  const count = chainLength(skeleton, joint, session.chainLength.value, state.pins);
+  return { count, most: pathTo(skeleton, joint).length };
 }
 
 /** Lengthens or shortens the chain to a joint, as far as that is possible. */

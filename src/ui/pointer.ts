@@ -4,7 +4,7 @@ import { selectJoint, toggleJoint } from '../document/selected-joints.ts';
 import { boneAt } from '../view/pick.ts';
 import { pinAt } from '../view/pick-pin.ts';
 import { handleAt } from '../view/pick-gizmo.ts';
-import type { Looking } from './editor.ts';
+import type { Looking, Telling } from './editor.ts';
 import { hoverAt, showHover, weightPointAt } from './hover.ts';
 import { onceAFrame } from './once-a-frame.ts';
 import {
@@ -18,6 +18,8 @@ import { tools } from './tools/registry.ts';
 
 const zoomPerWheelPixel = 0.0012;
 const pixelsPerLine = 24;
+/** How far the wheel turns for one step of a drag. */
+const pixelsPerStep = 40;
 const panButton = 1;
 const mouseTolerance = 6;
 const touchTolerance = 20;
@@ -34,13 +36,15 @@ const withoutRing: FocusOptions & { readonly focusVisible: boolean } = {
  * drags like the left button. Two fingers pan with their midpoint and zoom with their distance,
  * whatever the first finger had begun.
  */
-export function listenToPointer(canvas: HTMLCanvasElement, editor: Looking): void {
+export function listenToPointer(canvas: HTMLCanvasElement, editor: Looking & Telling): void {
   const { camera } = editor.viewer;
   const { session } = editor;
   const places = new Map<number, ToolPlace>();
   let drag: ToolDrag | null = null;
   let tool: Tool | null = null;
   let pressed: ToolPlace | null = null;
+  /** How far the wheel has turned since the last step of a drag. */
+  let turned = 0;
   // Picking tests triangles, so that one pick a frame is enough.
   const hover = onceAFrame((place: ToolPlace | null) => {
     if (places.size === 0) hoverAt(editor, place);
@@ -96,6 +100,14 @@ export function listenToPointer(canvas: HTMLCanvasElement, editor: Looking): voi
     (event) => {
       event.preventDefault();
       const pixels = event.deltaMode === 0 ? event.deltaY : event.deltaY * pixelsPerLine;
+      if (drag?.wheel) {
+        turned += pixels;
+        // A notch of a wheel is one step at once, and a touchpad's many small turns make one.
+        if (Math.abs(turned) < pixelsPerStep) return;
+        drag.wheel(turned < 0 ? 1 : -1);
+        turned = 0;
+        return;
+      }
       camera.value = zoom(camera.value, Math.exp(pixels * zoomPerWheelPixel));
       hover(placeOf(event, canvas, editor.viewer.contents.length));
     },

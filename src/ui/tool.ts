@@ -1,5 +1,5 @@
 import type { PickPlace } from '../view/pick.ts';
-import type { Looking } from './editor.ts';
+import type { Looking, Telling } from './editor.ts';
 
 /** A position of the pointer on the view. */
 export interface ToolPlace extends PickPlace {
@@ -31,6 +31,8 @@ export interface ToolMove {
 export interface ToolDrag {
   move(move: ToolMove): void;
   end(): void;
+  /** What the wheel does during the drag, by one step up or down, instead of zooming. */
+  wheel?(step: 1 | -1): void;
   /** Undoes the whole drag, because the pointer was lost or a second finger touched. */
   cancel(): void;
 }
@@ -46,5 +48,5 @@ export interface Tool {
    * Begins a drag, or returns null to leave it to the next tool. @param button 0 left, 1 middle, 2
    * right
    */
-  press(place: ToolPlace, button: number, editor: Looking): ToolDrag | null;
+  press(place: ToolPlace, button: number, editor: Looking & Telling): ToolDrag | null;
 }

@@ -1,6 +1,7 @@
 import type { HandleId } from '../document/session.ts';
 import type { Evaluation } from '../evaluation/evaluation.ts';
 import { gizmoOf, type GizmoRing, gizmoRings } from './gizmo.ts';
+import { moveGizmoOf, type MoveHandle, moveHandles } from './move-gizmo.ts';
 import { type Overlay, type OverlayView, pickOverlay } from './overlay.ts';
 import { overlayViewAt, pixelsAt } from './overlay-place.ts';
 import { boneAt, type Looking, type PickPlace } from './pick.ts';
@@ -19,12 +20,24 @@ import { sessionOptionsOf } from './view-options.ts';
 
 /** Returns the ring of the selected joint at a place of the view, or null. */
 export function ringAt(look: Looking, place: PickPlace): GizmoRing | null {
-  const gizmo = gizmoOf(sessionOptionsOf(look.session));
+  const options = sessionOptionsOf(look.session);
+  const gizmo = gizmoOf(options);
   const shown = selectedInView(look);
-  if (!gizmo || !shown) return null;
+  // With inverse kinematics the handles of the target stand there instead.
+  if (!gizmo || !shown || moveGizmoOf(options)?.isTarget) return null;
   const view = overlayViewAt(look, place);
   const rings = gizmoRings(shown, view, gizmo);
   return nearest(rings, gizmoLines(rings, gizmo), view, place);
+}
+
+/** Returns the handle that moves the selected joint at a place of the view, or null. */
+export function moveHandleAt(look: Looking, place: PickPlace): MoveHandle | null {
+  const gizmo = moveGizmoOf(sessionOptionsOf(look.session));
+  const shown = selectedInView(look);
+  if (!gizmo || !shown) return null;
+  const view = overlayViewAt(look, place);
+  const handles = moveHandles(shown, view, gizmo);
+  return nearest(handles, placeShapes(handles, gizmo), view, place);
 }
 
 /** Returns all handles of the whole selected character that a view shows. */
@@ -60,7 +73,11 @@ export function bodyHandleAt(look: Looking, place: PickPlace): PlaceHandle | nul
 /** Returns the id of the handle at a place of the view, or null. */
 export function handleAt(look: Looking, place: PickPlace): HandleId | null {
   const handle =
-    lightAt(look, place) ?? pinAt(look, place) ?? ringAt(look, place) ?? placeHandleAt(look, place);
+    lightAt(look, place) ??
+    pinAt(look, place) ??
+    ringAt(look, place) ??
+    moveHandleAt(look, place) ??
+    placeHandleAt(look, place);
   return handle?.id ?? null;
 }
 

@@ -14,13 +14,19 @@ import {
 import { palette } from './theme.ts';
 import type { SessionOptions } from './view-options.ts';
 
-/** How the handles of the whole selected character look. */
-export interface PlaceGizmo {
-  readonly tool: PlaceTool;
-  readonly axes: PlaceAxes;
+/** How handles look. */
+export interface HandleLook {
   /** In CSS pixels. */
   readonly radius: number;
   readonly hovered: HandleId | null;
+  /** Where the lines of arrows begin, as a part of the radius; near the center, if absent. */
+  readonly lineStart?: number;
+}
+
+/** How the handles of the whole selected character look. */
+export interface PlaceGizmo extends HandleLook {
+  readonly tool: PlaceTool;
+  readonly axes: PlaceAxes;
 }
 
 /** A handle by which a whole character is moved, turned or scaled. */
@@ -35,7 +41,7 @@ export interface PlaceHandle extends RingPlace {
 }
 
 /** The handle for the floor, by which also the character itself is dragged. */
-export const floorHandle: HandleId = 'place floor';
+export const floorHandle: HandleId = 'place plane 1';
 /** The handle for the plane that faces the viewer. */
 export const viewHandle: HandleId = 'place view';
 
@@ -44,7 +50,7 @@ const [mouseRadius, touchRadius] = [84, 112];
 /** In CSS pixels. */
 const [lineWidth, hoveredWidth, headWidth] = [2.5, 3.5, 14];
 /** Where an arrow's line begins, and its head begins and ends, as parts of the radius. */
-const [lineStart, headStart, headEnd] = [0.2, 0.82, 1.08];
+const [innerStart, headStart, headEnd] = [0.2, 0.82, 1.08];
 /** Where the square of the floor begins and ends, as parts of the radius. */
 const [squareStart, squareEnd] = [0.28, 0.52];
 /** The radius of the ring about the center, as a part of the whole. */
@@ -100,18 +106,53 @@ export function placeHandles(
     }));
   }
   if (tool === 'scale') return [{ id: 'place size', kind: 'size', direction: toEye, ...facing }];
-  const sineTo = (direction: ReadonlyVec3): number => Math.abs(vec3.dot(direction, toEye));
-  const lines = coordinates
-    .filter((axis) => sineTo(directions[axis]!) < atViewer)
-    .map((axis): PlaceHandle => ({
-      ...{ id: `place line ${axis}`, kind: 'line' },
-      ...about(axis),
-    }));
-  const floor: PlaceHandle = { id: floorHandle, kind: 'plane', ...about(1) };
+  const axesOfHandles = { lines: coordinates, planes: [1] } as const;
+  return slideHandles('place', { center, directions, radius, ...axesOfHandles }, view);
+}
+
+/** Where handles move a point, in scene space. */
+export interface SlidePlace {
+  readonly center: ReadonlyVec3;
+  /** Three unit vectors at right angles. */
+  readonly directions: readonly ReadonlyVec3[];
+  /** In CSS pixels. */
+  readonly radius: number;
+  /** The axes that have arrows, and those that have squares across them. */
+  readonly lines: readonly (0 | 1 | 2)[];
+  readonly planes: readonly (0 | 1 | 2)[];
+}
+
+/**
+ * Returns the handles that move a point: arrows, squares, and the ring for the plane that faces the
+ * viewer. Arrows and squares that can't be dragged as they are seen are left out.
+ *
+ * @param prefix the beginning of their ids
+ */
+export function slideHandles(
+  prefix: string,
+  { center, directions, radius, lines, planes }: SlidePlace,
+  view: OverlayView,
+): PlaceHandle[] {
+  const length = radius * pixelSizeAt(view, center);
+  if (length <= 0) return [];
+  const toEye = vec3.subtract(new Float64Array(3), eyeOf(view.camera), center);
+  vec3.normalize(toEye, toEye);
+  const sineTo = (axis: 0 | 1 | 2): number => Math.abs(vec3.dot(directions[axis]!, toEye));
+  const scaled = (vector: ReadonlyVec3): vec3 => vec3.scale(new Float64Array(3), vector, length);
+  const about = (kind: 'line' | 'plane', axis: 0 | 1 | 2): PlaceHandle => ({
+    ...{ id: `${prefix} ${kind} ${axis}`, kind, axis, center },
+    direction: directions[axis]!,
+    first: scaled(directions[(axis + 1) % 3]!),
+    second: scaled(directions[(axis + 2) % 3]!),
+  });
+  const { right, up } = axesOf(view.camera);
   return [
-    ...lines,
-    ...(sineTo(directions[1]!) > edgeOn ? [floor] : []),
-    { id: viewHandle, kind: 'plane', direction: toEye, ...facing },
+    ...lines.filter((axis) => sineTo(axis) < atViewer).map((axis) => about('line', axis)),
+    ...planes.filter((axis) => sineTo(axis) > edgeOn).map((axis) => about('plane', axis)),
+    {
+      ...{ id: `${prefix} view`, kind: 'plane', axis: null, center, direction: toEye },
+      ...{ first: scaled(right), second: scaled(up) },
+    },
   ];
 }
 
@@ -127,12 +168,13 @@ export function axisOf(
 }
 
 /** Returns what is drawn of handles, and picked: in the colors of their axes, the hovered lighter. */
-export function placeShapes(handles: readonly PlaceHandle[], { hovered }: PlaceGizmo): Overlay {
+export function placeShapes(handles: readonly PlaceHandle[], look: HandleLook): Overlay {
+  const { hovered, lineStart = innerStart } = look;
   const sorted = [...handles].sort((a, b) => Number(a.id === hovered) - Number(b.id === hovered));
-  return sorted.flatMap((handle) => shapesOf(handle, handle.id === hovered));
+  return sorted.flatMap((handle) => shapesOf(handle, handle.id === hovered, lineStart));
 }
 
-function shapesOf(handle: PlaceHandle, isHovered: boolean): Overlay {
+function shapesOf(handle: PlaceHandle, isHovered: boolean, lineStart: number): Overlay {
   const { id, kind, axis } = handle;
   const plain = axis === null ? palette.selected : palette.axes[axis];
   const color = isHovered ? lighter(plain) : plain;

@@ -1,3 +1,4 @@
+import type { ChainLength } from '../posing/ik/chain.ts';
 import type { WeightViewId } from '../skinning/weights/views.ts';
 import type { IkSketch } from '../document/ik-sketch.ts';
 import type { Environment } from '../document/environment.ts';
@@ -11,6 +12,7 @@ import type {
   PlaceTool,
   PosesBy,
   Session,
+  ShownChain,
   SkeletonStyle,
 } from '../document/session.ts';
 
@@ -50,6 +52,10 @@ export interface SessionOptions {
   readonly ringAxes: PlaceAxes;
   readonly posesBy: PosesBy;
   readonly playing: boolean;
+  readonly ikMode: boolean;
+  readonly chainLength: ChainLength | null;
+  readonly shownChain: ShownChain | null;
+  readonly showTargets: boolean;
   readonly byTouch: boolean;
   readonly ikSketch: IkSketch | null;
 }
@@ -102,6 +108,10 @@ export function sessionOptionsOf(session: Session): SessionOptions {
     ringAxes: session.ringAxes.value,
     posesBy: session.posesBy.value,
     playing: session.playing.value,
+    ikMode: session.ikMode.value,
+    chainLength: session.chainLength.value,
+    shownChain: session.shownChain.value,
+    showTargets: session.showTargets.value,
     byTouch: session.byTouch.value,
     ikSketch: session.ikSketch.value,
   };

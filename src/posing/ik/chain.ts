@@ -7,11 +7,31 @@ export interface HeldJoint {
   readonly isTurned: boolean;
 }
 
+/** The user's choice of how many joints a chain that ends at a joint has. */
+export interface ChainLength {
+  readonly joint: number;
+  readonly count: number;
+}
+
 /** The joints from a root to a joint, which is the last one. */
 export function pathTo({ parents }: Skeleton, joint: number): number[] {
   const path: number[] = [];
   for (let each = joint; each !== noParent; each = parents[each]!) path.unshift(each);
   return path;
+}
+
+/** How many joints the chain to a joint has: by the user's choice for that joint, or by nature. */
+export function chainLength(
+  skeleton: Skeleton,
+  joint: number,
+  chosen: ChainLength | null,
+  pins: readonly { readonly joint: number; readonly rotation: unknown }[],
+): number {
+  if (chosen?.joint !== joint) {
+    const held = pins.map((pin) => ({ joint: pin.joint, isTurned: pin.rotation !== null }));
+    return naturalLength(skeleton, joint, held);
+  }
+  return Math.max(1, Math.min(chosen.count, pathTo(skeleton, joint).length));
 }
 
 /**

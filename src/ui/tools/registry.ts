@@ -1,7 +1,9 @@
 import type { Tool } from '../tool.ts';
 import { boneTool } from './bone.ts';
+import { ikTool } from './ik.ts';
 import { lightTool } from './light.ts';
 import { lookTool } from './look.ts';
+import { moveJointTool } from './move-joint.ts';
 import { orbitTool } from './orbit.ts';
 import { placeTool } from './place.ts';
 import { ringTool } from './ring.ts';
@@ -10,7 +12,9 @@ import { ringTool } from './ring.ts';
 export const tools: readonly Tool[] = [
   lightTool,
   ringTool,
+  moveJointTool,
   placeTool,
+  ikTool,
   boneTool,
   lookTool,
   orbitTool,

@@ -4,9 +4,11 @@ import type { Gpu } from '../../gl/gpu.ts';
 import type { Program } from '../../gl/program.ts';
 import { type Attribute, VertexArray } from '../../gl/vertex-array.ts';
 import type { Frame } from '../frame.ts';
+import { chainOf, chainShapes } from '../chain-shapes.ts';
 import { type Gizmo, gizmoOf, gizmoRings } from '../gizmo.ts';
-import { lightLines, showsLights } from '../light-handles.ts';
 import { showsSketch, sketchShapes } from '../ik-sketch-shapes.ts';
+import { lightLines, showsLights } from '../light-handles.ts';
+import { moveGizmoOf, moveHandles } from '../move-gizmo.ts';
 import {
   isFace,
   type Overlay,
@@ -35,6 +37,7 @@ export const overlayPass: Pass = {
   isShown: (options) =>
     gizmoOf(options) !== null ||
     placeGizmoOf(options) !== null ||
+    chainOf(options) !== null ||
     showsLights(options) ||
     showsPins(options) ||
     showsSketch(options),
@@ -88,11 +91,15 @@ function overlayOf({ characters, options, camera, viewport }: Frame, cssScale: n
   if (!character) return [...lights, ...pins, ...sketch];
   const { evaluation } = character;
   const [joint, place] = [gizmoOf(options), placeGizmoOf(options)];
+  const move = moveGizmoOf(options);
+  const chain = chainOf(options);
   return [
     ...lights,
     ...pins,
     ...sketch,
-    ...(joint ? ringShapes(evaluation, view, joint) : []),
+    ...(chain?.actorId === character.state.id ? chainShapes(evaluation, view, chain) : []),
+    ...(move ? placeShapes(moveHandles(evaluation, view, move), move) : []),
+    ...(joint && !move?.isTarget ? ringShapes(evaluation, view, joint) : []),
     ...(place ? placeShapes(placeHandles(evaluation.state, view, place), place) : []),
   ];
 }

@@ -1,0 +1,192 @@
+import { vec3 } from 'gl-matrix';
+import { blendPoses } from '../blend-poses.ts';
+import { type ChainParts, type ChainProblem, chainProblem } from './chain-problem.ts';
+import type { IkSolution, IkSolver, Vector3 } from './problem.ts';
+import { pullPose } from './pull-pose.ts';
+import { SmoothTarget } from './smooth-target.ts';
+
+/** How long easing to another pose takes, in seconds. */
+const easeTime = 0.12;
+/** The most iterations of a frame, and the most frames' worth of them at the end of a drag. */
+const [frameIterations, lastFrames] = [10, 5];
+/** The time constant of the pull to the pose of the start, in seconds. */
+const pullTime = 0.15;
+/** A hand that passes this part of the reach in a second is followed first; the rest waits. */
+const fastPart = 0.5;
+/**
+ * As parts of the reach: where a point is at its target, where it is apart from it, and where it is
+ * so far that other starts are tried.
+ */
+const [tolerance, apartPart, stuckPart] = [1e-4, 5e-3, 0.02];
+/** How many other starts are tried, with how many iterations each. */
+const [restarts, restartIterations] = [10, 60];
+/** They are tried again when the target has moved by this part of the reach. */
+const retryPart = 0.05;
+/** A drag rests when nothing moves by more than these in a frame: parts of the reach, and q. */
+const [stillPart, stillValue] = [1e-4, 1e-5];
+/** In seconds after the last move of the hand; then it rests in any case. */
+const longestSettling = 1.5;
+
+/** What a drag of a chain starts from. */
+export interface ChainDragStart extends ChainParts {
+  readonly solver: IkSolver;
+  /** The time of the start, by any clock. */
+  readonly seconds: number;
+}
+
+/** A drag at a moment. */
+export interface ChainMoment {
+  /** (qCount) the pose to show, which the caller may keep. */
+  readonly q: Float64Array;
+  /** Where the hand wants the point, in the character's space. */
+  readonly target: Vector3;
+  /** How far the point is from its target. */
+  readonly residual: number;
+  /** Whether that is so far that it should be said. */
+  readonly isApart: boolean;
+  /** Whether later moments are the same, as long as the hand rests. */
+  readonly isAtRest: boolean;
+}
+
+/**
+ * A drag that moves a point of a chain to where the hand is. Its moments depend only on the start
+ * and on where the hand was when.
+ *
+ * The target follows the hand through a low-pass, and each moment is solved from the one before.
+ * While the hand is slow, the chain is first pulled a little to the pose of the start: to first
+ * order that moves it in the null space of the goals, by any method, so that a hand that returns
+ * brings the pose back. If a slow hand's point is stuck apart from a target within reach, other
+ * starts are tried, and a better pose is eased into.
+ */
+export class ChainDrag {
+  private readonly start: ChainDragStart;
+  private readonly problem: ChainProblem;
+  private readonly target: SmoothTarget;
+  private seconds: number;
+  private movedAt: number;
+  /** Where the target is at this moment. */
+  private place: Vector3;
+  /** The solved pose, which is shown unless it is eased into. */
+  private solved: Float64Array;
+  private residual = 0;
+  private shown: Float64Array;
+  private easing: { readonly from: Float64Array; readonly since: number } | null = null;
+  /** The target for which other starts were tried last. */
+  private triedAt: Vector3 | null = null;
+
+  /** @param present the pose that is shown, from which the drag eases if it is not the start's */
+  constructor(start: ChainDragStart, present = start.q) {
+    this.start = start;
+    this.problem = chainProblem(start);
+    this.place = this.problem.placeIn(present);
+    this.target = new SmoothTarget(this.place, start.seconds);
+    this.seconds = start.seconds;
+    this.movedAt = start.seconds;
+    this.shown = present;
+    this.solved = start.q;
+    if (present !== start.q) this.easing = { from: present, since: start.seconds };
+  }
+
+  /** The joints of the chain, from the one that begins it to the one that is dragged. */
+  get joints(): readonly number[] {
+    return this.problem.chain;
+  }
+
+  /** Tells where the hand is, in the character's space. */
+  aim(place: Vector3, seconds: number): void {
+    if (place.every((value, i) => value === this.target.aim[i])) return;
+    this.target.tell(place, seconds);
+    this.movedAt = seconds;
+  }
+
+  /** Advances to a moment, which is not before the last one. */
+  advance(seconds: number): ChainMoment {
+    const time = Math.max(0, seconds - this.seconds);
+    const [before, former] = [this.shown, this.place];
+    this.seconds += time;
+    this.place = this.target.at(this.seconds);
+    const speed = time > 0 ? distance(former, this.place) / time : Infinity;
+    const calm = Math.max(0, 1 - speed / (fastPart * this.problem.reach));
+    this.take(this.solve(this.pulled(calm * time), frameIterations));
+    if (calm > 0) this.tryOthers();
+    this.show();
+    const isStill =
+      distance(this.place, this.target.aim) <= stillPart * this.problem.reach &&
+      this.shown.every((value, i) => Math.abs(value - before[i]!) <= stillValue);
+    const isLong = this.seconds - this.movedAt > longestSettling;
+    return this.moment(time > 0 && this.easing === null && (isStill || isLong));
+  }
+
+  /** Ends at once where the hand is. */
+  finish(): ChainMoment {
+    this.place = this.target.arrive();
+    for (let i = 0; i < lastFrames; i++) {
+      const former = this.residual;
+      this.take(this.solve(this.solved, frameIterations));
+      if (this.residual <= tolerance * this.problem.reach || this.residual === former) break;
+    }
+    this.tryOthers();
+    this.easing = null;
+    this.show();
+    return this.moment(true);
+  }
+
+  /** A point that is apart from its target needs all of the chain's freedom to come nearer. */
+  private pulled(time: number): Float64Array {
+    if (time === 0 || this.residual > apartPart * this.problem.reach) return this.solved;
+    const { skeleton, q } = this.start;
+    return pullPose(skeleton, this.solved, q, 1 - Math.exp(-time / pullTime));
+  }
+
+  private tryOthers(): void {
+    const { reach, begin } = this.problem;
+    const isStuck = this.residual > stuckPart * reach && distance(this.place, begin) < reach;
+    const isTried = this.triedAt && distance(this.triedAt, this.place) < retryPart * reach;
+    if (!isStuck || isTried) return;
+    this.triedAt = this.place;
+    const found = this.solve(this.start.q, restartIterations, restarts);
+    if (found.residuals[0]! > this.residual - apartPart * reach) return;
+    this.easing = { from: this.shown, since: this.seconds };
+    this.take(found);
+  }
+
+  /** Solves from the present pose, and stays as near to the reference as the goals allow. */
+  private solve(reference: Float64Array, iterations: number, others = 0): IkSolution {
+    const problem = this.problem.toward(this.place, reference);
+    const options = { from: this.solved, iterations, restarts: others, tolerance };
+    return this.start.solver.solve(problem, options);
+  }
+
+  private take({ q, residuals }: IkSolution): void {
+    this.solved = q;
+    this.residual = residuals[0]!;
+  }
+
+  private show(): void {
+    if (this.easing) {
+      const part = (this.seconds - this.easing.since) / easeTime;
+      if (part >= 1) this.easing = null;
+      else {
+        this.shown = this.mix(this.easing.from, this.solved, part * part * (3 - 2 * part));
+        return;
+      }
+    }
+    this.shown = this.solved;
+  }
+
+  private mix(from: Float64Array, to: Float64Array, part: number): Float64Array {
+    const morphWeights = new Float64Array(0);
+    const [a, b] = [from, to].map((q) => ({ q, morphWeights }));
+    return blendPoses(this.start.skeleton, a!, b!, part).q;
+  }
+
+  private moment(isAtRest: boolean): ChainMoment {
+    const { residual } = this;
+    const isApart = residual > apartPart * this.problem.reach;
+    return { q: this.shown.slice(), target: this.target.aim, residual, isApart, isAtRest };
+  }
+}
+
+function distance(a: Vector3, b: Vector3): number {
+  return vec3.distance([...a], [...b]);
+}
