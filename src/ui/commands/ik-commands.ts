@@ -1,3 +1,4 @@
+import { resetNature, setNatural } from '../../document/nature-edits.ts';
 import { selectedActor } from '../../document/selected-actor.ts';
 import { chainLengthOf, changeChainLength } from '../chain-length.ts';
 import type { Editor } from '../editor.ts';
@@ -33,7 +34,42 @@ export const ikCommands = [
     isEnabled: hasJoint,
     run: (editor) => stepLength(editor, -1),
   },
+  {
+    id: 'natural-joints',
+    label: 'Natural joints: inverse kinematics bends elbows, knees and others as they do by nature',
+    short: 'Natural joints',
+    isEnabled: (editor) => selectedActor(editor.store, editor.session) !== undefined,
+    isOn: ({ store, session }) => selectedActor(store, session)?.natures.isOn ?? true,
+    run: toggleNatural,
+  },
+  {
+    id: 'reset-nature',
+    label: 'Give the joint the soft ranges again that were found for it',
+    short: 'Reset what it moves like',
+    isEnabled: (editor) => ownNature(editor) !== undefined,
+    run: (editor) => {
+      const state = selectedActor(editor.store, editor.session);
+      const own = ownNature(editor);
+      if (state && own) editor.store.dispatch(resetNature(state, own.joint));
+    },
+  },
 ] as const satisfies readonly Command[];
+
+/** The nature that a user gave to the selected joint. */
+function ownNature({ store, session }: Editor) {
+  const own = selectedActor(store, session)?.natures.own ?? [];
+  return own.find(({ joint }) => joint === session.selectedJoint.value);
+}
+
+function toggleNatural({ store, session, notice }: Editor): void {
+  const state = selectedActor(store, session);
+  if (!state) return;
+  const isOn = !state.natures.isOn;
+  store.dispatch(setNatural(state.id, isOn));
+  notice.value = isOn
+    ? 'Inverse kinematics bends joints as they do by nature'
+    : 'Inverse kinematics bends joints in any way that the file allows';
+}
 
 function toggleMode({ session, notice }: Editor): void {
   toggle(session.ikMode);

@@ -3,6 +3,7 @@ import type { GUI } from 'lil-gui';
 import { chainLengthOf } from '../chain-length.ts';
 import type { Editor } from '../editor.ts';
 import { addCommandRow } from './command-row.ts';
+import { addNaturalRows } from './natural-rows.ts';
 import { field, signalField } from './signal-field.ts';
 
 /** Adds the controls of inverse kinematics. Returns what ends its effects. */
@@ -21,13 +22,18 @@ export function addIkFolder(gui: GUI, editor: Editor): () => void {
   addCommandRow(folder, editor, 'longer-chain');
   addCommandRow(folder, editor, 'shorter-chain');
   folder.add(signalField(session.showTargets), 'value').name("The file's targets");
-  return effect(() => {
+  const endNatural = addNaturalRows(folder, editor);
+  const endChain = effect(() => {
     const { most } = lengthNow();
     chain
       .max(most)
       .show(session.selectedJoint.value !== null)
       .updateDisplay();
   });
+  return () => {
+    endNatural();
+    endChain();
+  };
 
   function lengthNow() {
     const joint = session.selectedJoint.value;
