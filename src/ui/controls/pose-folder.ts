@@ -23,20 +23,20 @@ const mostNames = 8;
 export function addPoseFolder(gui: GUI, editor: Editor): () => void {
   const { session } = editor;
   const folder = gui.addFolder('Pose');
-  addCommandRow(folder, editor, 'reset-pose');
   addCommandRow(folder, editor, 'copy-pose');
   addCommandRow(folder, editor, 'paste-pose');
   addCommandRow(folder, editor, 'paste-mirrored');
-  addCommandRow(folder, editor, 'open-pose');
-  addCommandRow(folder, editor, 'save-pose');
+  addCommandRow(folder, editor, 'mirror-pose');
   addCommandRow(folder, editor, 'left-onto-right');
   addCommandRow(folder, editor, 'right-onto-left');
-  addCommandRow(folder, editor, 'mirror-pose');
-  addCommandRow(folder, editor, 'export-mesh');
-  const scope = folder.add(signalField(session.poseScope), 'value', scopes).name('Copy, mirror');
+  const scope = folder.add(signalField(session.poseScope), 'value', scopes).name('Applies to');
   scope.domElement.title = 'The joints that are copied and mirrored, of those that are selected';
   addCommandRow(folder, editor, 'live-symmetry');
   const alone = addNote(folder, '');
+  addCommandRow(folder, editor, 'reset-pose');
+  addCommandRow(folder, editor, 'export-mesh');
+  addCommandRow(folder, editor, 'open-pose');
+  addCommandRow(folder, editor, 'save-pose');
   return effect(() => {
     scope.enable(session.selectedJoint.value !== null).updateDisplay();
     alone.textContent = aloneText(editor);

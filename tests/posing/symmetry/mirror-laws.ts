@@ -1,6 +1,8 @@
 import { vec3 } from 'gl-matrix';
 import type { Character } from '../../../src/core/character.ts';
+import { jointMatrices } from '../../../src/core/forward-kinematics.ts';
 import { DofKind, type Skeleton } from '../../../src/core/skeleton.ts';
+import type { Symmetry } from '../../../src/posing/symmetry/symmetry.ts';
 import { linearBlend } from '../../../src/skinning/linear-blend.ts';
 import { readBundled } from '../../support/bundled.ts';
 import { randomBetween, randomRotation, randomSource } from '../../support/random.ts';
@@ -78,4 +80,21 @@ export function mirroredPoints(
     }
     return best;
   });
+}
+
+/** The largest distance of a joint of a pose from the mirror image of its partner in another one. */
+export function largestPairOffset(
+  { skeleton, partners, plane }: Symmetry,
+  q: Float64Array,
+  image: Float64Array,
+  joints: readonly number[],
+): number {
+  const [posed, other] = [q, image].map((each) => jointMatrices(skeleton, each));
+  const place = (matrices: Float64Array, joint: number) =>
+    matrices.subarray(joint * 16 + 12, joint * 16 + 15);
+  const offsets = joints.map((joint) => {
+    const [x, y, z] = place(posed!, joint);
+    return vec3.distance([2 * plane - x!, y!, z!], [...place(other!, partners[joint]!)] as vec3);
+  });
+  return Math.max(...offsets);
 }

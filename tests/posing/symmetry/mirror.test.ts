@@ -25,6 +25,9 @@ const everyJoint = ({ jointCount }: Skeleton) => Array.from({ length: jointCount
 const mirrored = (skeleton: Skeleton, q: Float64Array): Float64Array =>
   mirrorJoints(symmetryOf(skeleton), q, q, everyJoint(skeleton)).q;
 
+/** The bits as text, which is much faster to compare than numbers. */
+const bitsOf = ({ buffer }: Float64Array): string => Buffer.from(buffer).toString('base64');
+
 describe.each(['human', 'insect', 'hand', 'mannequin'])('a mirrored pose of %s', (id) => {
   it('is bit by bit the pose when it is mirrored again', async () => {
     const { skeleton } = await bundled(id);
@@ -33,7 +36,7 @@ describe.each(['human', 'insect', 'hand', 'mannequin'])('a mirrored pose of %s',
         const q = randomPose(skeleton, seed, angle);
         const { stopped } = mirrorJoints(symmetryOf(skeleton), q, q, everyJoint(skeleton));
         expect(stopped).toEqual([]);
-        expect(mirrored(skeleton, mirrored(skeleton, q))).toEqual(q);
+        expect(bitsOf(mirrored(skeleton, mirrored(skeleton, q)))).toBe(bitsOf(q));
       }),
       { numRuns: 25 },
     );
