@@ -32,8 +32,11 @@ async function findLimb(limb: string, from: Place): Promise<Place> {
   return find(page(), await placeAt(from.x, from.y), await placeAt(0.75, 0.8), 10, { limb });
 }
 
-/** A place on a ring of the selected joint, near one on its limb: what poses and is no limb. */
-function findRing({ x, y }: Place, step = 9, reach = 100): Promise<Place> {
+/**
+ * A place on one of the three inner rings of the selected joint, near one on its limb: what poses and
+ * is no limb.
+ */
+function findRing({ x, y }: Place, step = 5, reach = 45): Promise<Place> {
   const [from, to] = [
     { x: x - reach, y: y - reach },
     { x: x + reach, y: y + reach },
@@ -162,7 +165,8 @@ test('a ring stops at the limits of its value, and nothing is highlighted while 
   const head = await findLimb('head', { x: 0.25, y: 0.36 });
   await click(head);
   const before = await getPose(page());
-  const from = await findRing(head);
+  // The joint is behind the face, so that its inner rings are there.
+  const from = await findRing({ x: head.x + 25, y: head.y });
   await press(from);
   const name = (await active().textContent())!;
   const axis = 'XYZ'.indexOf(/head ([XYZ])/.exec(name)![1]!);

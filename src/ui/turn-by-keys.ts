@@ -17,7 +17,8 @@ const fine = 0.1;
 export function turnByKey(editor: Looking & Posing, sign: 1 | -1, isFine: boolean): void {
   const { store, session, evaluations } = editor;
   const shown = evaluations.selected();
-  const value = activeValue(editor);
+  const values = valuesOf(editor);
+  const value = values[activeIndex(values, session.activeDof.value)];
   if (!shown || !value) return;
   const { id, character } = shown.state;
   const { skeleton } = character;
@@ -35,22 +36,23 @@ export function turnByKey(editor: Looking & Posing, sign: 1 | -1, isFine: boolea
 /** Makes the angle before or after the active one of the selected joint the active one. */
 export function stepAxis(editor: Looking, step: 1 | -1): void {
   const values = valuesOf(editor);
-  const active = activeValue(editor);
-  if (!active) return;
-  const isFirst = editor.session.activeDof.value === null;
-  const at = values.indexOf(active) + (isFirst ? 0 : step);
-  activate(editor, values.at(at % values.length)!);
+  if (values.length === 0) return;
+  const { activeDof } = editor.session;
+  const at = activeIndex(values, activeDof.value);
+  // The first press shows which one is active.
+  const isShown = values.some((value) => isActive(value, activeDof.value));
+  activate(editor, values.at((at + (isShown ? step : 0)) % values.length)!);
 }
 
-/** The active value of the selected joint; if none is active, its first angle. */
-function activeValue(editor: Looking): JointValue | undefined {
-  const active = editor.session.activeDof.value;
-  const values = valuesOf(editor);
-  return (
-    values.find((value) => isActive(value, active)) ??
-    values.find(({ isAngle }) => isAngle) ??
-    values[0]
-  );
+/** The index of the active value of the selected joint; if none is active, of its first angle. */
+function activeIndex(values: readonly JointValue[], active: ActiveDof | null): number {
+  const at = values.findIndex((value) => isActive(value, active));
+  return at >= 0
+    ? at
+    : Math.max(
+        0,
+        values.findIndex(({ isAngle }) => isAngle),
+      );
 }
 
 function isActive({ index, axis, ofBall }: JointValue, active: ActiveDof | null): boolean {

@@ -16,11 +16,11 @@ const [beyondOpacity, farOpacity] = [0.35, 0.4];
  * from the joint that is in the picture, as a part of the radius. The ring that is used is not
  * faint there.
  */
-const [coverOpacity, coverRadius] = [0.5, 0.6];
+const [coverOpacity, coverRadius] = [0.55, 0.6];
 /** Where the mark of the present value begins and ends, as parts of the radius. */
 const [markStart, markEnd] = [0.86, 1.14];
 /** The opacity of what a ring can reach, and of that of the hovered or active ring. */
-const [sectorOpacity, markedOpacity] = [0.07, 0.2];
+const [sectorOpacity, markedOpacity] = [0.12, 0.3];
 /** A face has to be convex. */
 const widestFace = fullTurn / 6;
 /** The length of a dash, and of the gap after it. */
@@ -103,7 +103,7 @@ function paintOf(each: GizmoRing, gizmo: Gizmo) {
 
 /**
  * Cuts a row of points where it goes behind the center of its ring, as the viewer sees it, and where
- * it comes near to the center.
+ * it is in front of what is around the center.
  */
 function partsOf(points: readonly vec3[], { center, toEye }: GizmoRing, isMarked: boolean) {
   const parts: { part: vec3[]; faintness: number }[] = [];
@@ -114,9 +114,9 @@ function partsOf(points: readonly vec3[], { center, toEye }: GizmoRing, isMarked
     vec3.normalize(away, away);
     const toward = vec3.dot(away, toEye);
     // The ring about the line of sight has no side that is farther.
-    const sideFaintness = toward < -0.02 ? farOpacity : 1;
-    const isNear = 1 - toward * toward < coverRadius ** 2;
-    const faintness = sideFaintness * (isNear && !isMarked ? coverOpacity : 1);
+    const isFar = toward < -0.02;
+    const covers = !isMarked && 1 - toward * toward < coverRadius ** 2;
+    const faintness = isFar ? farOpacity : covers ? coverOpacity : 1;
     const last = parts.at(-1);
     if (last?.faintness === faintness) last.part.push(to);
     else parts.push({ part: [from, to], faintness });

@@ -94,7 +94,9 @@ function showHistory(editor: Editor): void {
   // On narrow pages the inspector is a sheet.
   editor.drawer.value = 'right';
   requestAnimationFrame(() => {
-    document.querySelector<HTMLElement>('.history [aria-current]')?.focus();
+    const list = document.querySelector('.history');
+    list?.scrollIntoView({ block: 'end' });
+    list?.querySelector<HTMLElement>('[aria-current]')?.focus();
   });
 }
 

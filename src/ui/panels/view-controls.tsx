@@ -1,7 +1,10 @@
 import type { Editor } from '../editor.ts';
 import { CommandButton } from './command-button.tsx';
 
-/** The tools at the left edge of the view, the switches at its top right, the camera below them. */
+/**
+ * The tools at the left edge of the view, the switches at its top right, the camera and the
+ * selected joints below them.
+ */
 export function ViewControls({ editor }: { readonly editor: Editor }) {
   const { placeTool, selectedJoint, posesBy } = editor.session;
   const hasRings = selectedJoint.value !== null && posesBy.value === 'selection';
@@ -18,8 +21,6 @@ export function ViewControls({ editor }: { readonly editor: Editor }) {
         <CommandButton editor={editor} command="scale-tool" icon="scale" />
         <CommandButton editor={editor} command="first-person" icon="walk" />
         {isPlacing && <CommandButton editor={editor} command="place-axes" icon="own-axes" />}
-        {hasRings && <CommandButton editor={editor} command="ring-axes" icon="own-axes" />}
-        {hasRings && <CommandButton editor={editor} command="select-several" icon="several" />}
       </div>
       <div class="view-switches" role="group" aria-label="What is shown">
         <CommandButton editor={editor} command="skin" icon="skin" />
@@ -29,6 +30,12 @@ export function ViewControls({ editor }: { readonly editor: Editor }) {
         <CommandButton editor={editor} command="weights" icon="weights" />
         <CommandButton editor={editor} command="compare" icon="compare" />
       </div>
+      {hasRings && (
+        <div class="view-joint" role="group" aria-label="Selected joints">
+          <CommandButton editor={editor} command="ring-axes" icon="own-axes" />
+          <CommandButton editor={editor} command="select-several" icon="several" />
+        </div>
+      )}
       <div class="view-camera" role="group" aria-label="Camera">
         <CommandButton editor={editor} command="add-shot" icon="shot" />
         <CommandButton editor={editor} command="frame" icon="frame" />
