@@ -1,8 +1,9 @@
 import type { Command } from './command.ts';
 import { convert } from './convert.ts';
+import { ik } from './ik.ts';
 import { info } from './info.ts';
 import { pose } from './pose.ts';
 import { sample } from './sample.ts';
 
 /** Every command of the command line. */
-export const commands: readonly Command[] = [info, pose, convert, sample];
+export const commands: readonly Command[] = [info, pose, convert, sample, ik];

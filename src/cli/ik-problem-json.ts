@@ -10,6 +10,8 @@ import type { IkGoal, IkProblem } from '../posing/ik/problem.ts';
 
 /** A problem as its file states it, whose angles are in the file's order. */
 export interface IkProblemFile {
+  /** The problem's name, for messages; null if it has none. */
+  readonly name: string | null;
   readonly problem: IkProblem;
   /** (dofs of the file) the index in q of each. */
   readonly values: readonly number[];
@@ -72,7 +74,9 @@ function readProblem(json: JsonValue, log: DiagnosticLog): IkProblemFile | undef
   if (!axes || !joints || !dofs || !goals || hasDuplicates(json, dofs)) return undefined;
   const skeleton = skeletonOf(joints, dofs, axes, log);
   if (!skeleton) return undefined;
+  const { value: name } = json.member('name');
   return {
+    name: typeof name === 'string' ? name : null,
     problem: {
       skeleton,
       goals: goals.map((goal) => ({ ...goal, joint: skeleton.jointOfSource[goal.joint]! })),
