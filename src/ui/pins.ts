@@ -8,6 +8,7 @@ import {
   whyNoFollowing,
 } from '../document/pin-edits.ts';
 import { type ActorId, actorById } from '../document/scene.ts';
+import { selectedActor } from '../document/selected-actor.ts';
 import { selectedJoints } from '../document/selected-joints.ts';
 import { gripPoint } from '../posing/pins/grip-point.ts';
 import type { Editor } from './editor.ts';
@@ -20,8 +21,8 @@ export interface FollowChoice {
 }
 
 /** Whether every selected joint is pinned. */
-export function arePinned({ session, evaluations }: Editor): boolean {
-  const state = evaluations.selected()?.state;
+export function arePinned({ store, session }: Editor): boolean {
+  const state = selectedActor(store, session);
   const joints = selectedJoints(session);
   return state !== undefined && joints.length > 0 && joints.every((joint) => pinOf(state, joint));
 }

@@ -1,3 +1,4 @@
+import { selectedActor } from '../../document/selected-actor.ts';
 import { arePinned, togglePins, unpinAll } from '../pins.ts';
 import type { Command } from './command.ts';
 
@@ -16,7 +17,7 @@ export const pinCommands = [
     id: 'unpin-all',
     label: 'Let all pinned joints go',
     short: 'Unpin all',
-    isEnabled: ({ evaluations }) => (evaluations.selected()?.state.pins.length ?? 0) > 0,
+    isEnabled: ({ store, session }) => (selectedActor(store, session)?.pins.length ?? 0) > 0,
     run: unpinAll,
   },
 ] as const satisfies readonly Command[];
