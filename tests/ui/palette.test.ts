@@ -1,7 +1,9 @@
+import type { Actor } from '../../src/document/scene.ts';
 import { signal } from '@preact/signals-core';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { setInfluences } from '../../src/document/weight-edits.ts';
+import { editActor } from '../../src/document/edit.ts';
 import { bindClip } from '../../src/document/edits.ts';
 import { openCharacter } from '../../src/document/open-characters.ts';
 import { reconcile } from '../../src/document/reconcile.ts';
@@ -52,6 +54,12 @@ function entriesOf(...labels: readonly string[]): Findable[] {
   return labels.map((label, index) => ({ id: `${index}`, label, isCommand: true }));
 }
 
+function withPin(actor: Actor): Actor {
+  const [point, place] = [[0, 0, 0] as const, [0, 1, 0] as const];
+  const pin = { joint: 0, point, place, rotation: null, weight: 1, follows: null };
+  return { ...actor, pins: [pin] };
+}
+
 describe('the palette', () => {
   it('has each command among its first eight after the first two letters of its name', () => {
     const { session, store } = editor;
@@ -93,6 +101,9 @@ describe('the palette', () => {
     // What is done to the whole character may deselect its joint.
     expect(listed()).toContain('move-tool');
     expect(listed()).not.toContain('place-axes');
+    expect(listed()).not.toContain('unpin-all');
+    store.amend(editActor(session.selectedActorId.value!, 'Pin', withPin));
+    expect(listed()).toContain('unpin-all');
     expect(listed()).not.toContain('release-clip');
     store.amend(bindClip(session.selectedActorId.value!, 0));
     expect(listed()).toContain('release-clip');

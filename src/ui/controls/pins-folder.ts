@@ -58,6 +58,7 @@ function addPin(parent: GUI, editor: Editor, { id }: Actor, joint: number): () =
   };
   const name = jointName(stateNow()!, joint);
   const folder = parent.addFolder(name);
+  folder.open(session.selectedJoint.peek() === joint);
   folder.onOpenClose((changed) => {
     if (changed === folder) session.selectedJoint.value = joint;
   });
