@@ -18,8 +18,8 @@ const anglesOf = (pose: PoseJson, name: string) => pose.joints?.[name] ?? [0, 0,
 async function expectMirrored(joint: string): Promise<void> {
   const pose = await getPose(page());
   const [x, y, z] = anglesOf(pose, `Left ${joint}`);
-  expect(Math.abs(x!) + Math.abs(y!) + Math.abs(z!)).toBeGreaterThan(0.05);
-  expect(anglesOf(pose, `Right ${joint}`)).toEqual([x, 0 - y!, 0 - z!]);
+  expect(Math.abs(x) + Math.abs(y) + Math.abs(z)).toBeGreaterThan(0.05);
+  expect(anglesOf(pose, `Right ${joint}`)).toEqual([x, 0 - y, 0 - z]);
 }
 
 test('keys copy a branch and paste it mirrored, which is one step', async () => {
