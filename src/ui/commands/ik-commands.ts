@@ -45,7 +45,7 @@ export const ikCommands = [
   {
     id: 'reset-nature',
     label: 'Give the joint the soft ranges again that were found for it',
-    short: 'Reset what it moves like',
+    short: 'Reset ranges',
     isEnabled: (editor) => ownNature(editor) !== undefined,
     run: (editor) => {
       const state = selectedActor(editor.store, editor.session);
