@@ -1,6 +1,6 @@
 import { zoom } from '../view/camera.ts';
 import { selectActor } from '../document/reconcile.ts';
-import { selectJoint, toggleJoint } from '../document/selected-joints.ts';
+import { selectJoint, toggleJoint } from '../document/select-joints.ts';
 import { boneAt } from '../view/pick.ts';
 import { pinAt } from '../view/pick-pin.ts';
 import { handleAt } from '../view/pick-gizmo.ts';

@@ -4,7 +4,7 @@ import { jointRange } from '../../src/core/pose.ts';
 import { setPose } from '../../src/document/edits.ts';
 import { openCharacter } from '../../src/document/open-characters.ts';
 import { reconcile } from '../../src/document/reconcile.ts';
-import { selectJoint, selectJoints } from '../../src/document/selected-joints.ts';
+import { selectJoint, selectJoints } from '../../src/document/select-joints.ts';
 import { Session } from '../../src/document/session.ts';
 import { Store } from '../../src/document/store.ts';
 import { Evaluations } from '../../src/evaluation/evaluations.ts';

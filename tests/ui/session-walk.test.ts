@@ -1,7 +1,8 @@
 import fc from 'fast-check';
 import { bonesOf } from '../../src/core/bones.ts';
 import { describe, expect, it } from 'vitest';
-import { selectedJoints, toggleJoint } from '../../src/document/selected-joints.ts';
+import { selectedJoints } from '../../src/document/selected-joints.ts';
+import { toggleJoint } from '../../src/document/select-joints.ts';
 import { removeActor, resetJoints, setPose } from '../../src/document/edits.ts';
 import { openCharacter } from '../../src/document/open-characters.ts';
 import type { Scene } from '../../src/document/scene.ts';

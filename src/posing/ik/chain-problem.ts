@@ -1,4 +1,4 @@
-import { mat4, vec3 } from 'gl-matrix';
+import { mat3, quat, vec3 } from 'gl-matrix';
 import { jointMatrices } from '../../core/forward-kinematics.ts';
 import { DofKind, type Skeleton, subtreeEnd } from '../../core/skeleton.ts';
 import { pathTo } from './chain.ts';
@@ -42,7 +42,8 @@ export function chainProblem(parts: ChainParts): ChainProblem {
   const first = chain[0]!;
   const matrices = jointMatrices(skeleton, q);
   const hanging = parts.held.filter(
-    (goal) => goal.joint > first && goal.joint < subtreeEnd(skeleton, first) && goal.joint !== joint,
+    (goal) =>
+      goal.joint > first && goal.joint < subtreeEnd(skeleton, first) && goal.joint !== joint,
   );
   const isAlone = chain.length === 1 && slidesOf(skeleton, joint).length > 0;
   const joints = new Set(chain);
@@ -102,7 +103,9 @@ function originOf(matrices: Float64Array, joint: number): Vector3 {
 
 function rotationOf(matrices: Float64Array, joint: number): Quaternion {
   const matrix = matrices.subarray(joint * 16, joint * 16 + 16);
-  const [x, y, z, w] = mat4.getRotation(new Float64Array(4), matrix) as Float64Array;
+  // Not `mat4.getRotation`, which alone would make the first scripts larger.
+  const rotation = mat3.fromMat4(new Float64Array(9), matrix);
+  const [x, y, z, w] = quat.fromMat3(new Float64Array(4), rotation) as Float64Array;
   return [x!, y!, z!, w!];
 }
 

@@ -1,7 +1,8 @@
 import { resetJoints } from '../../document/edits.ts';
 import { subtreeEnd, type Skeleton } from '../../core/skeleton.ts';
 import { selectedActor } from '../../document/selected-actor.ts';
-import { selectedJoints, selectJoint } from '../../document/selected-joints.ts';
+import { selectedJoints } from '../../document/selected-joints.ts';
+import { selectJoint } from '../../document/select-joints.ts';
 import type { Editor } from '../editor.ts';
 import { hasSteps, takeStep } from '../take-step.ts';
 import type { Command } from './command.ts';

@@ -1,7 +1,8 @@
 import type { GUI } from 'lil-gui';
 import type { Actor } from '../../document/scene.ts';
 import { resetJoints } from '../../document/edits.ts';
-import { selectedJoints, selectJoints } from '../../document/selected-joints.ts';
+import { selectedJoints } from '../../document/selected-joints.ts';
+import { selectJoints } from '../../document/select-joints.ts';
 import type { Looking, Posing } from '../editor.ts';
 import { jointValues } from '../joint-values.ts';
 import { addJointValues, fullNameOf, jointName, type JointValueRow } from './joint-values.ts';

@@ -2,12 +2,8 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 import type { Skeleton } from '../../core/skeleton.ts';
 import { jointColorsOf } from '../../skinning/weights/joint-colors.ts';
 import { selectedActor } from '../../document/selected-actor.ts';
-import {
-  selectedJoints,
-  selectJoint,
-  selectJoints,
-  toggleJoint,
-} from '../../document/selected-joints.ts';
+import { selectedJoints } from '../../document/selected-joints.ts';
+import { selectJoint, selectJoints, toggleJoint } from '../../document/select-joints.ts';
 import { cssColor } from '../css-color.ts';
 import type { Actions, Looking } from '../editor.ts';
 import { hoveredOf } from '../hovered-limb.ts';
