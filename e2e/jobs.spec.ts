@@ -204,7 +204,7 @@ test('an artist lets two people shake hands and saves the picture: 25 presses', 
   await page.evaluate(() => window.sinew.settled());
   expect((await page.evaluate(() => window.sinew.pose())).joints).not.toEqual(before.joints);
   await expect(page.locator('[data-section="pins"]'), 'all feet stay').not.toContainText('away');
-  expectPicture('handshake', await capture(page));
+  expectPicture('handshake', await capture(page, 'png', { width: 320, height: 320 }));
   const download = page.waitForEvent('download');
   await user.click(page.getByRole('button', { name: 'Save a picture' }));
   await download;
