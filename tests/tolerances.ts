@@ -26,4 +26,6 @@ export const tolerances = {
   turn: 1e-9,
   /** Vertices of a mirrored pose against the mirrored vertices, model units. */
   mirrored: 1e-5,
+  /** Residuals of inverse kinematics that count as reached, × the length of the chain. */
+  reached: 1e-3,
 } as const;

@@ -18,12 +18,7 @@ export interface Played {
 }
 
 /** Plays a path at a rate of frames, and then lets the hand rest until the drag does. */
-export function play(
-  start: ChainDragStart,
-  path: Path,
-  duration: number,
-  rate: number,
-): Played {
+export function play(start: ChainDragStart, path: Path, duration: number, rate: number): Played {
   const drag = new ChainDrag(start);
   const moments: ChainMoment[] = [];
   for (let frame = 1; frame <= Math.round(duration * rate); frame++) {
