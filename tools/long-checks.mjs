@@ -46,6 +46,21 @@ export const longChecks = [
     },
   },
   {
+    name: 'ik',
+    what: 'damped least squares for many targets within reach and limits',
+    kind: 'unit',
+    tests: 'tests/posing/ik/targets.test.ts',
+    reads: 'tests/posing/ik/targets.test.ts',
+    options: {
+      targets: {
+        variable: 'IK_TARGETS',
+        usual: '200',
+        form: /^\d+$/,
+        what: 'how many for each of three set-ups',
+      },
+    },
+  },
+  {
     name: 'million',
     what: 'a character of a million vertices in the built page, and its main thread meanwhile',
     kind: 'browser',

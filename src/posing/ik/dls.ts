@@ -46,8 +46,10 @@ class Run {
   readonly #restarts: number;
   readonly #tolerance: number;
   #best: Float64Array;
-  /** The worst residual of the best pose, in lengths of its chain, and its distance. */
+  /** The worst residual of the best pose, in lengths of its chain. */
   #bestResidual: number;
+  /** The root of its weighted squares, by which poses are compared, and how far from the reference. */
+  #bestMiss: number;
   #bestDistance: number;
   /** The number of the present start, -1 for the first. */
   #start = -1;
@@ -70,6 +72,7 @@ class Run {
     this.#descent = new Descent(this.#objective, bounds, this.#from, isAtReference ? 0 : 1);
     this.#best = this.#from;
     this.#bestResidual = this.#measure(this.#from);
+    this.#bestMiss = this.#miss();
     this.#bestDistance = this.#objective.secondaryCost(this.#from);
     const canMove = this.#objective.space.columnCount > 0 && problem.goals.length > 0;
     this.#isDone = !canMove || (isAtReference && this.#bestResidual <= this.#tolerance);
@@ -115,12 +118,19 @@ class Run {
   #keepIfBetter(): void {
     const { q } = this.#descent;
     const residual = this.#measure(q);
+    const miss = this.#miss();
     const distance = this.#objective.secondaryCost(q);
-    const isAsGood = residual < this.#bestResidual + notable && distance < this.#bestDistance;
-    if (!(residual < this.#bestResidual - notable || isAsGood)) return;
+    const isAsGood = miss < this.#bestMiss + notable && distance < this.#bestDistance;
+    if (!(miss < this.#bestMiss - notable || isAsGood)) return;
     this.#best = q.slice();
     this.#bestResidual = residual;
+    this.#bestMiss = miss;
     this.#bestDistance = distance;
+  }
+
+  /** How far the goals are missed where the kinematics is, heavy ones counting more. */
+  #miss(): number {
+    return Math.sqrt(2 * this.#objective.goalCost());
   }
 
   /** Begins another start if the solve stalled within reach. */

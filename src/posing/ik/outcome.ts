@@ -47,3 +47,13 @@ export function worstResidual(chains: readonly GoalChain[], kinematics: GoalKine
   }
   return worst;
 }
+
+/** The root of the weighted squares of all residuals, in lengths of their chains. */
+export function weightedMiss(chains: readonly GoalChain[], kinematics: GoalKinematics): number {
+  let sum = 0;
+  for (let goal = 0; goal < chains.length; goal++) {
+    const residual = kinematics.residual(goal) / chains[goal]!.length;
+    sum += (kinematics.goals[goal]!.weight * residual) ** 2;
+  }
+  return Math.sqrt(sum);
+}

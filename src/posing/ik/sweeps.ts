@@ -2,7 +2,7 @@ import { DofKind, type Skeleton } from '../../core/skeleton.ts';
 import { natural } from '../natural/natural-solver.ts';
 import { type GoalChain, goalChains } from './goal-chains.ts';
 import { GoalKinematics } from './goal-kinematics.ts';
-import { solutionAt, stepAt, worstResidual } from './outcome.ts';
+import { solutionAt, stepAt, weightedMiss, worstResidual } from './outcome.ts';
 import type { IkOptions, IkProblem, IkSolver } from './problem.ts';
 import { startOf } from './starts.ts';
 import { integrate, sameValues, type TangentSpace, tangentSpace } from './tangent-space.ts';
@@ -117,18 +117,18 @@ function sweepingSolver(sweep: (sweeper: Sweeper) => Generator<Move>): IkSolver 
     const tolerance = options.tolerance ?? defaults.tolerance;
     const most = options.iterations ?? defaults.iterations;
     const best = q.slice();
-    let least = worstResidual(chains, kinematics);
+    let least = weightedMiss(chains, kinematics);
     let idle = 0;
-    for (let count = 0; count < most && least > tolerance && idle < mostIdle; count++) {
+    const isReached = (): boolean => worstResidual(chains, kinematics) <= tolerance;
+    for (let count = 0; count < most && idle < mostIdle && !isReached(); count++) {
       yield* sweep(sweeper);
       yield null;
       kinematics.update(q);
-      const residual = worstResidual(chains, kinematics);
-      idle = residual < least - leastGain ? 0 : idle + 1;
-      if (residual < least) {
-        best.set(q);
-        least = residual;
-      }
+      const miss = weightedMiss(chains, kinematics);
+      idle = miss < least - leastGain ? 0 : idle + 1;
+      if (miss >= least) continue;
+      best.set(q);
+      least = miss;
     }
     if (!sameValues(problem.skeleton, problem.joints, best, q)) q.set(best);
   }
