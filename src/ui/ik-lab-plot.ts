@@ -1,11 +1,11 @@
 /** The size of the plot's picture; its width fits the inspector. */
 export const plotSize = { width: 300, height: 168 };
 /** Where the axes are in it. */
-const area = { left: 46, right: 292, top: 10, bottom: 134 };
+const area = { left: 50, right: 288, top: 10, bottom: 134 };
 /** The least residual that is drawn, as a part of the chain's length; lesser ones stand on it. */
 const least = 1e-5;
 /** The numbers of steps that are written under the plot, as far as they fit. */
-const niceSteps = [0, 1, 2, 5, 10, 20, 50, 100, 200];
+const niceSteps = [0, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000];
 /** The parts of the chain's length that are written beside it. */
 const niceParts = [1, 0.1, 0.01, 0.001, 1e-4, 1e-5];
 /** Texts under the plot are at least so far apart. */

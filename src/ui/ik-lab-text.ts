@@ -2,6 +2,7 @@ import { jointOfValue } from '../core/pose.ts';
 import { DofKind, type Skeleton } from '../core/skeleton.ts';
 import { type LabChain, pathPlaces } from '../posing/ik/lab-chain.ts';
 import type { EllipsoidAxis } from '../posing/ik/lab-ellipsoid.ts';
+import { numberOf } from '../posing/ik/lab.ts';
 import type { TargetKind } from '../posing/ik/lab-targets.ts';
 import type { IkStatus } from '../posing/ik/problem.ts';
 import { formatDegrees } from './angle-text.ts';
@@ -33,12 +34,12 @@ export const targetKinds: readonly {
   {
     id: 'close',
     label: 'Too close',
-    note: 'The limb would have to fold flat, which the lengths of its bones or its limits forbid.',
+    note: 'The limb has to fold, as far as the lengths of its bones and its limits allow.',
   },
   {
     id: 'straight',
     label: 'Straight limb',
-    note: 'The limb starts stretched out, and the target lies on its line: no small turn leads there.',
+    note: 'It starts stretched out, and the target lies on its line: no small turn leads there.',
   },
 ];
 
@@ -57,8 +58,9 @@ const endings: Readonly<Record<IkStatus, string>> = {
 };
 
 /** How a method ends: "reached it after 4 steps, with 0.02 % left." */
-export function endText({ solution, steps, leftOut }: MethodRun): string {
-  const count = steps.length - 1 + leftOut;
+export function endText(run: MethodRun): string {
+  const { solution, steps } = run;
+  const count = numberOf(run, steps.length - 1);
   const counted = count === 1 ? '1 step' : `${count} steps`;
   const left = partText(steps.at(-1)!.error);
   return `${endings[solution.status]} after ${counted}, with ${left} left.`;

@@ -82,19 +82,19 @@ export const sections: readonly Section[] = [
     load: async () => guiSection((await loadPart(import('./controls/ik-folder.ts'))).addIkFolder),
   },
   {
-    id: 'ik-lab',
-    place: 'right',
-    tabs: ['pose'],
-    when: (editor) => jointCount(editor) > 0,
-    load: async () => (await loadPart(import('./panels/ik-lab.tsx'))).IkLabPanel,
-  },
-  {
     id: 'pins',
     place: 'right',
     tabs: ['pose'],
     when: (editor) => jointCount(editor) > 0,
     load: async () =>
       guiSection((await loadPart(import('./controls/pins-folder.ts'))).addPinsFolder),
+  },
+  {
+    id: 'ik-lab',
+    place: 'right',
+    tabs: ['pose'],
+    when: (editor) => jointCount(editor) > 0,
+    load: async () => (await loadPart(import('./panels/ik-lab.tsx'))).IkLabPanel,
   },
   {
     id: 'method',

@@ -46,3 +46,8 @@ export function runLab(solver: IkSolver, problem: IkProblem, options: IkOptions 
   }
   return { steps, leftOut, solution };
 }
+
+/** The number of a kept step among all steps; the start is step 0. */
+export function numberOf({ steps, leftOut }: LabRun, index: number): number {
+  return index === steps.length - 1 ? index + leftOut : index;
+}

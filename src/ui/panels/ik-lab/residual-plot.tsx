@@ -1,4 +1,5 @@
 import { useState } from 'preact/hooks';
+import { numberOf } from '../../../posing/ik/lab.ts';
 import type { IkLab, MethodRun } from '../../ik-lab.ts';
 import { plotOf, plotSize } from '../../ik-lab-plot.ts';
 import { endText, partText } from '../../ik-lab-text.ts';
@@ -9,11 +10,13 @@ const reached = 1e-3;
 /** What is left after each step, by all methods, as a plot and as a table. */
 export function ResidualPlot({ lab }: { readonly lab: IkLab }) {
   const [runs, at, shown] = [lab.runs.value, lab.at.value, lab.step.value];
-  const lengths = runs.map(({ steps }) => steps.length - 1);
+  const lengths = runs.map((run) => numberOf(run, run.steps.length - 1));
   const errors = runs.flatMap(({ steps }) => steps.map(({ error }) => error));
   const plot = plotOf(Math.max(...lengths), Math.max(...errors));
   const { left, right, top, bottom } = plot.area;
   const goal = plot.down(reached);
+  const open = lab.run.value;
+  const now = plot.across(open ? numberOf(open, at) : 0);
   // The method of the open tab is drawn over the others.
   const id = lab.methodId.value;
   const sorted = [...runs].sort((a, b) => Number(a.method.id === id) - Number(b.method.id === id));
@@ -45,18 +48,21 @@ export function ResidualPlot({ lab }: { readonly lab: IkLab }) {
         <text class="goal" x={right} y={goal - 4} text-anchor="end">
           reached
         </text>
-        {sorted.map(({ method, steps }) => {
-          const points = steps.map(({ error }, i) => `${plot.across(i)},${plot.down(error)}`);
-          const last = steps.length - 1;
+        {sorted.map((run) => {
+          const { method, steps } = run;
+          const points = steps.map(
+            ({ error }, i) => [plot.across(numberOf(run, i)), plot.down(error)] as const,
+          );
+          const [x, y] = points.at(-1)!;
           return (
             <g key={method.id} class={`method-${method.id}`}>
               <polyline points={points.join(' ')} />
-              <circle cx={plot.across(last)} cy={plot.down(steps[last]!.error)} r={2.5} />
+              <circle cx={x} cy={y} r={2.5} />
             </g>
           );
         })}
-        <path class="now" d={`M${plot.across(at)} ${top}V${bottom}`} />
-        {shown && <circle class="now" cx={plot.across(at)} cy={plot.down(shown.error)} r={4.5} />}
+        <path class="now" d={`M${now} ${top}V${bottom}`} />
+        {shown && <circle class="now" cx={now} cy={plot.down(shown.error)} r={4.5} />}
       </svg>
       <ul class="ends">
         {runs.map((run) => (
@@ -72,7 +78,6 @@ export function ResidualPlot({ lab }: { readonly lab: IkLab }) {
 
 function ResidualTable({ runs }: { readonly runs: readonly MethodRun[] }) {
   const [isOpen, setOpen] = useState(false);
-  const count = Math.max(...runs.map(({ steps }) => steps.length));
   return (
     <details open={isOpen} onToggle={({ currentTarget }) => setOpen(currentTarget.open)}>
       <summary>As a table</summary>
@@ -90,12 +95,13 @@ function ResidualTable({ runs }: { readonly runs: readonly MethodRun[] }) {
               </tr>
             </thead>
             <tbody>
-              {Array.from({ length: count }, (_, i) => (
-                <tr key={i}>
-                  <th scope="row">{i}</th>
-                  {runs.map(({ method, steps }) => (
-                    <td key={method.id}>{steps[i] ? partText(steps[i].error) : ''}</td>
-                  ))}
+              {tableSteps(runs).map((number) => (
+                <tr key={number}>
+                  <th scope="row">{number}</th>
+                  {runs.map((run) => {
+                    const step = run.steps.find((_, i) => numberOf(run, i) === number);
+                    return <td key={run.method.id}>{step ? partText(step.error) : ''}</td>;
+                  })}
                 </tr>
               ))}
             </tbody>
@@ -104,4 +110,14 @@ function ResidualTable({ runs }: { readonly runs: readonly MethodRun[] }) {
       )}
     </details>
   );
+}
+
+/** The first steps, then each tenth, and the last one of every method. */
+function tableSteps(runs: readonly MethodRun[]): number[] {
+  const numbers = runs.flatMap((run) =>
+    run.steps
+      .map((_, i) => numberOf(run, i))
+      .filter((n, i) => n < 20 || n % 10 === 0 || !run.steps[i + 1]),
+  );
+  return [...new Set(numbers)].sort((a, b) => a - b);
 }

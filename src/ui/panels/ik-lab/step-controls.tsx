@@ -1,4 +1,5 @@
 import { useEffect } from 'preact/hooks';
+import { numberOf } from '../../../posing/ik/lab.ts';
 import type { IkLab, MethodRun } from '../../ik-lab.ts';
 
 /** How long a whole run plays and a step stays at most, in milliseconds; and no step is shorter. */
@@ -18,6 +19,7 @@ export function StepControls({ lab, run }: StepControlsProperties) {
     const timer = setInterval(() => lab.goTo(lab.at.peek() + 1), time);
     return () => clearInterval(timer);
   }, [lab, playing, last]);
+  const [number, count] = [numberOf(run, at), numberOf(run, last)];
   const isFirst = at === 0;
   const isLast = at === last;
   return (
@@ -39,7 +41,7 @@ export function StepControls({ lab, run }: StepControlsProperties) {
       <input
         type="range"
         aria-label="Step"
-        aria-valuetext={`Step ${at} of ${last}`}
+        aria-valuetext={`Step ${number} of ${count}`}
         min={0}
         max={Math.max(1, last)}
         step={1}
@@ -51,7 +53,7 @@ export function StepControls({ lab, run }: StepControlsProperties) {
         }}
       />
       <output>
-        {at} of {last + run.leftOut}
+        {number} of {count}
       </output>
     </div>
   );
