@@ -11,6 +11,12 @@ type Following = Pick<Editor, 'store' | 'session' | 'evaluations'>;
 
 const end = new WeakMap<Following['store'], () => void>();
 
+/** Whether the selected character has a left and a right. */
+export function hasSides({ store, session }: Following): boolean {
+  const skeleton = selectedActor(store, session)?.character.skeleton;
+  return skeleton !== undefined && symmetryOf(skeleton).sides.includes(1);
+}
+
 /** Lets every gesture that edits one side of a character edit its other side, or ends that. */
 export function setLiveSymmetry(editor: Following, isOn: boolean): void {
   const { store, session } = editor;

@@ -85,10 +85,10 @@ function mirroring() {
 }
 
 async function toggleSymmetry(editor: Editor): Promise<void> {
-  const { setLiveSymmetry } = await loadPart(import('../live-symmetry.ts'));
+  const { hasSides, setLiveSymmetry } = await loadPart(import('../live-symmetry.ts'));
   const isOn = !editor.session.liveSymmetry.value;
   setLiveSymmetry(editor, isOn);
-  editor.notice.value = isOn
-    ? 'Live symmetry: what poses one side poses the other one too'
-    : 'Each side is posed alone';
+  if (!isOn) editor.notice.value = 'Each side is posed alone';
+  else if (hasSides(editor)) editor.notice.value = 'Live symmetry: both sides are posed alike';
+  else editor.notice.value = 'Live symmetry is on, but no left and right were found here';
 }
