@@ -7,7 +7,7 @@ import { chainLengthOf, changeChainLength } from './chain-length.ts';
 import type { Looking, Telling } from './editor.ts';
 import { type FrameClock, pageClock } from './frame-clock.ts';
 import { heldGoals } from './held-goals.ts';
-import { ikSolver } from './ik-solvers.ts';
+import { ikSolver, natureFinder } from './ik-solvers.ts';
 import { fixedText } from './number-text.ts';
 
 /** A point of the selected character that is held by the pointer. */
@@ -49,14 +49,15 @@ export function holdChain(
   const start = {
     skeleton: state.character.skeleton,
     q: shown.poseToEdit.q.slice(),
-    ...{ joint, point, held: heldGoals(shown), natures: [] },
+    ...{ joint, point, held: heldGoals(shown) },
   };
   const gesture = store.begin(label);
   let hand: Vector3 | null = null;
   let drag: ChainDrag | null = null;
   let present: Float64Array = start.q;
   let stopFrames: (() => void) | null = null;
-  attempt(editor, part.load());
+  const load = () => Promise.all([part.load(), natureFinder.load()]);
+  attempt(editor, load());
   // A longer or shorter chain moves on although the pointer rests.
   const stopWatching = effect(() => {
     if (session.chainLength.value) wake();
@@ -72,9 +73,9 @@ export function holdChain(
     },
     lengthen: (step) => changeChainLength(editor, joint, step),
     end() {
-      if (!hand || part.value) complete();
+      if (!hand || (part.value && natureFinder.value)) complete();
       // The code arrives after a first drag that was short.
-      else attempt(editor, part.load().then(complete, cancel));
+      else attempt(editor, load().then(complete, cancel));
     },
     cancel,
   };
@@ -100,10 +101,11 @@ export function holdChain(
   /** The drag with the chain's present length, as soon as there is code for it. */
   function dragNow(seconds: number): ChainDrag | null {
     const solver = part.value;
-    if (!solver || !hand) return null;
+    const natures = natureFinder.value?.(state.character, state.natures);
+    if (!solver || !natures || !hand) return null;
     const { count } = chainLengthOf(editor, joint);
     if (drag?.joints.length !== count) {
-      drag = new ChainDrag({ ...start, count, solver, seconds }, drag ? present : start.q);
+      drag = new ChainDrag({ ...start, natures, count, solver, seconds }, drag ? present : start.q);
       drag.aim(hand, seconds);
     }
     return drag;

@@ -48,7 +48,7 @@ export function natural(solver: IkSolver): IkSolver {
         iterations += found.iterations;
         if (!best || missOf(found, problem) < missOf(best, problem)) best = found;
         run.from = best.q;
-        if (isDone(found)) break;
+        if (isDone(found) || isCut(found, options)) break;
       }
       return { ...best!, iterations };
     },
@@ -68,7 +68,7 @@ export function natural(solver: IkSolver): IkSolver {
         }
         const found = task.back(solver.solve(task.problem, task.options));
         run.from = found.q;
-        if (isDone(found)) return;
+        if (isDone(found) || isCut(found, options)) return;
       }
     },
   };
@@ -190,6 +190,11 @@ function missOf({ residuals, turns }: IkSolution, { goals }: IkProblem): number 
   return goals.reduce((sum, { weight }, goal) => {
     return sum + weight * (residuals[goal]! ** 2 + turns[goal]! ** 2);
   }, 0);
+}
+
+/** Whether a drag's frame ended before it could tell that the ranges have to give way. */
+function isCut({ iterations }: IkSolution, { iterations: most, restarts }: IkOptions): boolean {
+  return restarts === 0 && most !== undefined && iterations >= most;
 }
 
 function isDone({ status }: IkSolution): boolean {
