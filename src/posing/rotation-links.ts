@@ -1,5 +1,6 @@
 import { quat } from 'gl-matrix';
 import { DofKind, type Skeleton } from '../core/skeleton.ts';
+import { slerp } from './joint-rotation.ts';
 import type { LayerFunction } from './pose-layer.ts';
 
 /**
@@ -12,13 +13,10 @@ export const applyRotationLinks: LayerFunction = ({ character }, q) => {
   for (const { joint, source, ratio } of rotationLinks) {
     const [to, from] = [ballOf(skeleton, joint), ballOf(skeleton, source)];
     if (to < 0 || from < 0) continue;
-    for (let i = 0; i < 4; i++) {
-      own[i] = q[to + i]!;
-      copied[i] = q[from + i]!;
-    }
-    quat.slerp(copied, identity, copied, ratio);
+    const [x, y, z, w] = q.subarray(from, from + 4);
+    const copied = slerp([0, 0, 0, 1], [x!, y!, z!, w!], ratio);
+    const own = q.subarray(to, to + 4);
     quat.normalize(own, quat.multiply(own, own, copied));
-    for (let i = 0; i < 4; i++) q[to + i] = own[i]!;
   }
 };
 
@@ -29,7 +27,3 @@ function ballOf({ dofStart, dofKind, dofQ }: Skeleton, joint: number): number {
   }
   return -1;
 }
-
-const identity: quat = Float64Array.of(0, 0, 0, 1);
-const own: quat = new Float64Array(4);
-const copied: quat = new Float64Array(4);

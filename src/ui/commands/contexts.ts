@@ -103,6 +103,10 @@ export const pointerRows: readonly HelpRow[] = [
     'Left drag on an arrow, a square or a ring of the whole character',
     'Move, turn or scale it (Shift: a tenth; Ctrl/Cmd: in steps of 0.1 or 15°); while it is moved, the character is a handle too',
   ],
+  [
+    'Left drag on the diamond of a pin',
+    'Move its place, and the joint with it; a click selects it',
+  ],
   ['Double-click on a name', 'Rename the character'],
   [
     'Left drag on a light, while they have handles',

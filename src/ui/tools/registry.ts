@@ -5,12 +5,14 @@ import { lightTool } from './light.ts';
 import { lookTool } from './look.ts';
 import { moveJointTool } from './move-joint.ts';
 import { orbitTool } from './orbit.ts';
+import { pinTool } from './pin.ts';
 import { placeTool } from './place.ts';
 import { ringTool } from './ring.ts';
 
 /** Every tool; the first one that accepts a drag gets it. */
 export const tools: readonly Tool[] = [
   lightTool,
+  pinTool,
   ringTool,
   moveJointTool,
   placeTool,
