@@ -22,10 +22,10 @@ describeWithShared('the reference problems of inverse kinematics', [path], () =>
   it.each(ikMethods.map((method) => [method.id, method] as const))(
     'are solved as well as the best known, within the limits: %s',
     async (_, method) => {
-      const { solve } = await method.load();
+      const solver = await method.load();
       expect(read).toHaveLength(problems.length);
       read.forEach(({ problem, name }, index) => {
-        const { q, residuals } = solve(problem);
+        const { q, residuals } = solver.solve(problem);
         const chains = goalChains(problem);
         problems[index]!.best_residual_per_effector.forEach((best, goal) => {
           const most = best + tolerances.reached * chains[goal]!.length;

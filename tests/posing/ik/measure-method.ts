@@ -24,7 +24,7 @@ export async function measureMethod(
   rig: IkRig,
   count: number,
 ): Promise<MethodFigures> {
-  const { solve } = await ikMethod(id).load();
+  const solver = await ikMethod(id).load();
   const random = randomSource(5);
   const { qMin, qMax } = rig.skeleton;
   const [iterations, times, worsts]: [number[], number[], number[]] = [[], [], []];
@@ -33,7 +33,7 @@ export async function measureMethod(
     const problem = problemOf(rig, reachableGoals(rig, random));
     const lengths = goalChains(problem).map(({ length }) => length);
     const began = performance.now();
-    const found = solve(problem);
+    const found = solver.solve(problem);
     times.push(performance.now() - began);
     iterations.push(found.iterations);
     worsts.push(Math.max(...found.residuals.map((residual, goal) => residual / lengths[goal]!)));

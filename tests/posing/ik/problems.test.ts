@@ -153,15 +153,15 @@ describe('damped least squares', () => {
 
 describe.each(ikMethods.map((method) => [method.id, method] as const))('%s', (_, method) => {
   it('stays within the limits, moves no other joint, and always finds the same', async () => {
-    const { solve } = await method.load();
+    const solver = await method.load();
     fc.assert(
       fc.property(randomProblems(true), ({ problem, q: from }) => {
         const { skeleton, reference } = problem;
         const joints = problem.joints.filter((joint) => joint % 3 !== 1);
         const some = { ...problem, joints };
         const options = { from, restarts: 1, iterations: 20 };
-        const { q, atLimits } = solve(some, options);
-        expect(solve(some, options).q).toEqual(q);
+        const { q, atLimits } = solver.solve(some, options);
+        expect(solver.solve(some, options).q).toEqual(q);
         skeleton.dofKind.forEach((kind, dof) => {
           const at = skeleton.dofQ[dof]!;
           const joint = skeleton.dofStart.findLastIndex((start) => start <= dof);
@@ -178,12 +178,12 @@ describe.each(ikMethods.map((method) => [method.id, method] as const))('%s', (_,
   });
 
   it('shows the steps of the way that it goes', async () => {
-    const { solve, steps } = await method.load();
+    const solver = await method.load();
     const random = randomSource(8);
     const problem = problemOf(leg(), reachableGoals(leg(), random));
     const options = { restarts: 0 };
-    const all = [...steps(problem, options)];
-    const found = solve(problem, options);
+    const all = [...solver.steps(problem, options)];
+    const found = solver.solve(problem, options);
     expect(all[0]!.q).toEqual(problem.reference);
     expect(all.some(({ q }) => q.every((value, i) => value === found.q[i]))).toBe(true);
     for (const { text, singularValues } of all) {
@@ -194,7 +194,7 @@ describe.each(ikMethods.map((method) => [method.id, method] as const))('%s', (_,
   });
 
   it('does not get worse than its start', async () => {
-    const { solve } = await method.load();
+    const solver = await method.load();
     fc.assert(
       fc.property(randomProblems(true), ({ problem }) => {
         const goals = problem.goals.slice(0, 1).map(({ joint, point, target }) => {
@@ -202,8 +202,8 @@ describe.each(ikMethods.map((method) => [method.id, method] as const))('%s', (_,
         });
         const one = { ...problem, goals };
         const { length } = goalChains(one)[0]!;
-        const before = solve(one, { iterations: 0, restarts: 0 }).residuals[0]!;
-        const after = solve(one, { restarts: 1 }).residuals[0]!;
+        const before = solver.solve(one, { iterations: 0, restarts: 0 }).residuals[0]!;
+        const after = solver.solve(one, { restarts: 1 }).residuals[0]!;
         expect(after).toBeLessThanOrEqual(before + 1e-3 * length);
       }),
       { numRuns: 40 },

@@ -3,7 +3,7 @@ import { buildSkeleton } from '../../../src/core/build-skeleton.ts';
 import type { DofParts, JointParts } from '../../../src/core/character-parts.ts';
 import { DiagnosticLog } from '../../../src/core/diagnostics.ts';
 import { DofKind, type Skeleton } from '../../../src/core/skeleton.ts';
-import type { IkProblem, Quaternion, Vector3 } from '../../../src/posing/ik/problem.ts';
+import type { IkProblem, Quaternion } from '../../../src/posing/ik/problem.ts';
 import {
   randomBetween,
   randomRotation,
@@ -39,7 +39,7 @@ function randomProblem(random: () => number, limited: boolean): RandomProblem {
   const goals = Array.from({ length: Math.floor(number(1, 4)) }, (_, index) => ({
     joint: Math.floor(number(0, count)),
     point: vector(),
-    target: vector() as Vector3,
+    target: vector(),
     weight: number(0.5, 3),
     ...(index === 1 && { rotation: randomRotation(random, 1) as unknown as Quaternion }),
   }));
