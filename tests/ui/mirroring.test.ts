@@ -10,7 +10,7 @@ import { Store } from '../../src/document/store.ts';
 import { Evaluations } from '../../src/evaluation/evaluations.ts';
 import type { Editor } from '../../src/ui/editor.ts';
 import { setLiveSymmetry } from '../../src/ui/live-symmetry.ts';
-import { mirrorInPlace, mirrorOnto } from '../../src/ui/mirroring.ts';
+import { mirrorInPlace, mirrorOnto, mirrorRemarks } from '../../src/ui/mirroring.ts';
 import { pasteText } from '../../src/ui/paste-pose.ts';
 import { copiedPose } from '../../src/ui/pose-clipboard.ts';
 import { bundled, randomPose } from '../posing/symmetry/mirror-laws.ts';
@@ -65,6 +65,23 @@ it('pastes what is at rest too, and only that of the root which is named', async
   pasteText(editor, JSON.stringify({ root: [0.1, 0.2, 0.3] }), true);
   const turn = pose.subarray(...jointRange(skeleton, 0)).subarray(3);
   expect([...valuesOf('Root')]).toEqual([-0.1, 0.2, 0.3, ...turn]);
+});
+
+it('leaves the pose as it is where a text names a joint that is not there', async () => {
+  const { editor, session, actor, pose } = await start('human');
+  for (const isMirrored of [false, true]) {
+    pasteText(editor, JSON.stringify({ joints: { Head: [1, 0, 0], Tail: [1, 0, 0] } }), isMirrored);
+    expect(actor().q).toEqual(pose);
+    expect(editor.notice.value).toBe('The pose was not pasted; Problems says why');
+    expect(session.problems.value.map(({ code }) => code)).toEqual(['pose/unknown-joint']);
+  }
+});
+
+it('says what could not be mirrored', () => {
+  expect(mirrorRemarks({ alone: [], stopped: [] })).toBe('');
+  expect(mirrorRemarks({ alone: [4], stopped: [2, 3] })).toBe(
+    '; 1 joint has no partner; 2 joints stopped at a limit',
+  );
 });
 
 it('mirrors one hand onto the other from whichever is selected, and says so', async () => {
