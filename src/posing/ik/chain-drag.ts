@@ -1,8 +1,8 @@
 import { vec3 } from 'gl-matrix';
 import { blendPoses } from '../blend-poses.ts';
+import { pullNaturally } from '../natural/natural-solver.ts';
 import { type ChainParts, type ChainProblem, chainProblem } from './chain-problem.ts';
 import type { IkSolution, IkSolver, Vector3 } from './problem.ts';
-import { pullPose } from './pull-pose.ts';
 import { SmoothTarget } from './smooth-target.ts';
 
 /** How long easing to another pose takes, in seconds. */
@@ -134,8 +134,8 @@ export class ChainDrag {
   /** A point that is apart from its target needs all of the chain's freedom to come nearer. */
   private pulled(time: number): Float64Array {
     if (time === 0 || this.residual > apartPart * this.problem.reach) return this.solved;
-    const { skeleton, q } = this.start;
-    return pullPose(skeleton, this.solved, q, 1 - Math.exp(-time / pullTime));
+    const problem = this.problem.toward(this.place, this.solved);
+    return pullNaturally(problem, this.solved, this.start.q, 1 - Math.exp(-time / pullTime));
   }
 
   private tryOthers(): void {

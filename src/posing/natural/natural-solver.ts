@@ -9,6 +9,7 @@ import type {
   IkStep,
   JointNature,
 } from '../ik/problem.ts';
+import { pullPose } from '../ik/pull-pose.ts';
 import { bendToReach } from './reach-bend.ts';
 import {
   fromNatural,
@@ -47,7 +48,8 @@ export function natural(solver: IkSolver): IkSolver {
         const found = task.back(solver.solve(task.problem, task.options));
         iterations += found.iterations;
         if (!best || missOf(found, problem) < missOf(best, problem)) best = found;
-        run.from = best.q;
+        // What may turn only so far from the start is measured from there in every attempt.
+        if (options.mostTurn === undefined) run.from = best.q;
         if (isDone(found) || isCut(found, options)) break;
       }
       return { ...best!, iterations };
@@ -67,11 +69,27 @@ export function natural(solver: IkSolver): IkSolver {
           isStart = false;
         }
         const found = task.back(solver.solve(task.problem, task.options));
-        run.from = found.q;
+        if (options.mostTurn === undefined) run.from = found.q;
         if (isDone(found) || isCut(found, options)) return;
       }
     },
   };
+}
+
+/**
+ * Pulls a pose a part of the way to another one, in natural coordinates: in those of the file, an elbow
+ * that is pulled straight would begin to twist.
+ */
+export function pullNaturally(
+  problem: IkProblem,
+  from: Float64Array,
+  to: Float64Array,
+  part: number,
+): Float64Array {
+  const natural = naturalOf(problem);
+  const start = toNatural(natural, from);
+  const pulled = pullPose(natural.skeleton, start, toNatural(natural, to), part);
+  return fromNatural(natural, pulled, start, from);
 }
 
 /** A solve in progress. */
