@@ -2,7 +2,7 @@ import { vec3 } from 'gl-matrix';
 import { DofKind, type Skeleton } from '../core/skeleton.ts';
 
 /** How near the middle angle is to a right angle where the lock counts; in radians. */
-export const gimbalReach = (5 * Math.PI) / 180;
+const gimbalReach = (5 * Math.PI) / 180;
 /** How far the axes of three hinges may be from a right angle, as a cosine. */
 const square = 1e-9;
 
