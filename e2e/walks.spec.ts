@@ -40,6 +40,8 @@ test('the keyboard alone opens, poses and saves', async ({ page }) => {
   await page.keyboard.type('02');
   await page.keyboard.press('Tab');
   expect(await focused(page)).toContain('joint 02');
+  // The first press selects the joint, the second goes to its sliders.
+  await page.keyboard.press('Enter');
   await page.keyboard.press('Enter');
   await expect.poll(() => focused(page)).toBe('joint 02 X');
   const before = await page.evaluate(() => window.sinew.pose().joints!['joint 02']![0]);

@@ -83,9 +83,10 @@ function Tree({ editor, skeleton }: TreeProperties) {
   /** Moves to a row and takes it into the selection, or, going back, the last one out of it. */
   const extendTo = (joint: number | undefined, from: number): void => {
     if (joint === undefined) return;
-    const isBack = together.has(joint) && together.has(from);
+    const present = selectedJoints(session);
+    const isBack = present.includes(joint) && present.includes(from);
     if (isBack) toggleJoint(session, from);
-    else selectJoints(session, [...new Set([joint, from, ...together])]);
+    else selectJoints(session, [...new Set([joint, from, ...present])]);
     moveTo(joint);
   };
   const onKey = (event: KeyboardEvent, row: TreeRow): void => {
@@ -94,7 +95,8 @@ function Tree({ editor, skeleton }: TreeProperties) {
     if (event.ctrlKey || event.metaKey) return;
     // These keys turn what is selected, so the row that has the focus is selected first.
     if (altKey) {
-      if (key.startsWith('Arrow') && !together.has(row.joint)) selectJoint(session, row.joint);
+      if (key.startsWith('Arrow') && !selectedJoints(session).includes(row.joint))
+        selectJoint(session, row.joint);
       return;
     }
     const isBlank = key === ' ' && !typeAhead.current.isTyping(event.timeStamp);
@@ -126,7 +128,7 @@ function Tree({ editor, skeleton }: TreeProperties) {
       ' ': () => selectJoint(session, row.joint),
       // The focus stays, so that keys turn the joint; a second time it goes to the sliders.
       Enter: () => {
-        if (selected === row.joint) editor.editJoint(row.joint);
+        if (selectedJoint.value === row.joint) editor.editJoint(row.joint);
         else selectJoint(session, row.joint);
       },
     };

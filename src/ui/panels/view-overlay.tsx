@@ -53,11 +53,12 @@ async function loadWeights(): Promise<SectionComponent> {
 }
 
 /** What a newcomer may try next in the view; it goes once that was done. */
-function ViewHint({ editor: { hints, store, session } }: { readonly editor: Editor }) {
+function ViewHint({ editor }: { readonly editor: Editor }) {
+  const { hints, store, session } = editor;
   const hint = hintAt(hints.value, 'view');
   const { activeDof, shownShot, showWeights } = session;
   const isBusy = activeDof.value !== null || shownShot.value !== null || showWeights.value;
-  const isQuiet = !isBusy && store.scene.value.actors.length > 0;
+  const isQuiet = !isBusy && gimbalText(editor) === '' && store.scene.value.actors.length > 0;
   return hint && isQuiet ? <p class="view-hint">{hint.text}</p> : null;
 }
 
