@@ -26,6 +26,7 @@ import { methods } from '../../src/skinning/registry.ts';
 import { partsOfRig } from '../fixtures/character-of-rig.ts';
 import type { Rig } from '../fixtures/rig.ts';
 import { allRigs } from '../fixtures/rigs.ts';
+import { fullPool } from '../support/kernels.ts';
 
 const characters = Object.values(allRigs).map((rig) => withMorphAndClip(rig()));
 
@@ -308,7 +309,7 @@ describe('the store', () => {
     const { id } = selected(store);
     store.dispatch(bindClip(id, 0));
     const bound = store.scene.value;
-    const shown = new Evaluator(selected(store)).evaluate(selected(store), 1).pose;
+    const shown = new Evaluator(selected(store), fullPool()).evaluate(selected(store), 1).pose;
     const { skeleton } = selected(store).character;
     const turned = axisDofs(skeleton, skeleton.jointOfSource[8]!).find(
       ({ kind, axis }) => kind === DofKind.hinge && axis === 0,
