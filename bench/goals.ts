@@ -9,7 +9,7 @@ export interface Goal {
   readonly against: string;
   /** Whether a good value is high (how many times as fast) or low (how many times as long). */
   readonly good: 'high' | 'low';
-  readonly unit: '×' | 'KB' | 'bytes';
+  readonly unit: '×' | 'ms' | 'KB' | 'bytes';
   readonly must: number;
   readonly aim: number;
 }
@@ -19,6 +19,7 @@ export type GroupId =
   | 'readers'
   | 'memory'
   | 'kinematics'
+  | 'inverse-kinematics'
   | 'frames'
   | 'command-line'
   | 'first-frame'
@@ -76,6 +77,10 @@ export const goals: readonly Goal[] = [
       2.5,
     ],
   ]),
+  {
+    ...{ id: 'ik-frame', group: 'inverse-kinematics', unit: 'ms', good: 'low', must: 2, aim: 1 },
+    ...{ contender: 'a frame of a drag, two hands, 30 degrees of freedom', against: 'the clock' },
+  },
   ...faster('frames', [
     ['frame-posed-13k', 'a posed frame without a GPU, 13k vertices', 'three.js', 1.2, 2],
     ['frame-posed-100k', 'the same, 100k vertices', 'three.js', 1.2, 2],

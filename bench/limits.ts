@@ -18,6 +18,7 @@ export const limits: Readonly<Record<string, string>> = {
   skin: 'numbers have up to nine digits, and blocks may be in any order',
   pmd: 'names are decoded from Shift-JIS, and every section is checked',
   kinematics: 'sines and cosines take most of the time, for both',
+  'ik-frame': 'a matrix of 30 × 30 is filled and factorized in each of at most ten steps',
   'frame-posed-13k': fragments,
   'frame-posed-100k': fragments,
   'frame-camera-13k': fragments,

@@ -3,6 +3,7 @@ import type { BenchOptions, GroupResult } from '../harness/group.ts';
 import { commandLine } from './command-line.ts';
 import { firstFrame } from './first-frame.ts';
 import { frames } from './frames.ts';
+import { inverseKinematics } from './inverse-kinematics.ts';
 import { kinematics } from './kinematics.ts';
 import { memory } from './memory.ts';
 import { readers } from './readers.ts';
@@ -19,6 +20,7 @@ export const groups: Readonly<Record<GroupId, Group>> = {
   readers,
   memory,
   kinematics,
+  'inverse-kinematics': inverseKinematics,
   'command-line': commandLine,
   'first-frame': firstFrame,
   frames,

@@ -11,7 +11,7 @@ export function whatGotWorse(now: GroupResult, before: GroupResult): string[] {
   return goals.flatMap(({ id, contender, good, unit }) => {
     const [value, old] = [now.values[id]?.value, before.values[id]?.value];
     if (value === undefined || old === undefined) return [];
-    const allowed = unit === '×' ? margin : sizeMargin;
+    const allowed = unit === '×' || unit === 'ms' ? margin : sizeMargin;
     const isWorse = good === 'high' ? value * allowed < old : value > old * allowed;
     if (!isWorse) return [];
     return [`${contender}: ${format(value)} ${unit}, was ${format(old)} ${unit}`];
