@@ -1,5 +1,6 @@
 /**
- * Takes the pictures of the gallery (public/data/pictures) and of the README (docs/pictures) from the
+ * Takes the pictures of the gallery (public/data/pictures), of the bundled poses and of the README
+ * (docs/pictures) from the
  * built app, in the browser of the tests: `npm run pictures`. The same sources give the same pictures,
  * except for the text of the page, whose fonts are the system's.
  */
@@ -7,8 +8,13 @@ import { execFileSync, spawn } from 'node:child_process';
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { type Browser, chromium, type Page } from '@playwright/test';
+import { vec3 } from 'gl-matrix';
+import type { PoseList } from '../src/app/bundled-poses.ts';
 import type { Catalogue } from '../src/app/catalogue.ts';
 import type { CaptureOptions, Scripting } from '../src/app/scripting.ts';
+import { type Bounds, emptyBounds, includePositions } from '../src/core/bounds.ts';
+import { displayTransform } from '../src/evaluation/display-transform.ts';
+import { poseCamera } from '../src/view/picture/pose-picture.ts';
 import { browserFlags, findBrowser } from './browser.mjs';
 import { packageCommand, root } from './commands.mjs';
 import { freePort } from './free-port.ts';
@@ -46,6 +52,73 @@ async function writeCards(browser: Browser, address: string): Promise<void> {
     }
     await page.close();
   }
+}
+
+/** Of the square of a pose in the library, in pixels: twice what the page shows. */
+const poseSide = 160;
+
+/** Writes, for each bundled character with poses, a column of pictures of them without background. */
+async function writePoses(browser: Browser, address: string): Promise<void> {
+  const { characters } = readJson('public/data/catalogue.json') as Catalogue;
+  const page = await browser.newPage({ viewport: { width: 860, height: 480 } });
+  for (const { id, poses: list } of characters) {
+    if (list === undefined) continue;
+    await openPage(page, `${address}?test&model=${id}`);
+    const { poses } = readJson(`public/data/${list}`) as PoseList;
+    await page.evaluate(() => window.sinew.pose({}));
+    const rest = boundsOf(await positionsOf(page));
+    const pictures: string[] = [];
+    for (const { pose } of poses) {
+      await page.evaluate((json) => void window.sinew.pose(json), pose);
+      const camera = poseCamera(placed(boundsOf(await positionsOf(page)), rest));
+      const options = { width: poseSide, height: poseSide, background: false, samples: 2 };
+      const views = [{ camera: { ...camera, target: [...camera.target] as const } }];
+      pictures.push(await captureText(page, { ...options, views, format: 'png' }));
+    }
+    write(
+      path.join(root, 'public/data', list.replace(/\.json$/, '.webp')),
+      await column(page, pictures),
+    );
+  }
+  await page.close();
+}
+
+async function positionsOf(page: Page): Promise<readonly number[]> {
+  return page.evaluate(() => Array.from(window.sinew.vertices('cpu')));
+}
+
+function boundsOf(positions: readonly number[]): Bounds {
+  const bounds = emptyBounds();
+  includePositions(bounds, positions, positions.length / 3);
+  return bounds;
+}
+
+/** A box of a fitted character in scene space; the transform does not turn it. */
+function placed(box: Bounds, rest: Bounds): Bounds {
+  const { sceneFromCharacter } = displayTransform({ bounds: rest });
+  const corner = (place: Float64Array): Float64Array =>
+    vec3.transformMat4(new Float64Array(3), place, sceneFromCharacter) as Float64Array;
+  return { min: corner(box.min), max: corner(box.max) };
+}
+
+/** Puts pictures below each other. */
+async function column(page: Page, pictures: readonly string[]): Promise<Buffer> {
+  const base64 = await page.evaluate(async (all) => {
+    const canvas = document.createElement('canvas');
+    const images = await Promise.all(
+      all.map(async (text) => {
+        const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+        return createImageBitmap(new Blob([bytes], { type: 'image/png' }));
+      }),
+    );
+    const side = images[0]!.width;
+    canvas.width = side;
+    canvas.height = side * images.length;
+    const context = canvas.getContext('2d')!;
+    images.forEach((image, index) => context.drawImage(image, 0, index * side));
+    return canvas.toDataURL('image/webp', 0.85).replace(/^.*,/, '');
+  }, pictures);
+  return Buffer.from(base64, 'base64');
 }
 
 /** Writes the pictures that the README shows. */
@@ -92,18 +165,19 @@ async function openPage(page: Page, address: string): Promise<void> {
 }
 
 async function capture(page: Page, options: CaptureOptions): Promise<Buffer> {
-  const base64 = await page.evaluate(
-    async (options) => {
-      const blob = await window.sinew.capture(options);
-      const reader = new FileReader();
-      const read = new Promise((resolve) => (reader.onload = resolve));
-      reader.readAsDataURL(blob);
-      await read;
-      return (reader.result as string).replace(/^.*,/, '');
-    },
-    { ...options, format: 'jpeg' } as const,
-  );
-  return Buffer.from(base64, 'base64');
+  return Buffer.from(await captureText(page, { ...options, format: 'jpeg' }), 'base64');
+}
+
+/** A picture's bytes in base64. */
+async function captureText(page: Page, options: CaptureOptions): Promise<string> {
+  return page.evaluate(async (given) => {
+    const blob = await window.sinew.capture(given);
+    const reader = new FileReader();
+    const read = new Promise((resolve) => (reader.onload = resolve));
+    reader.readAsDataURL(blob);
+    await read;
+    return (reader.result as string).replace(/^.*,/, '');
+  }, options);
 }
 
 async function screenshot(page: Page, file: string, clip?: Box): Promise<void> {
@@ -142,6 +216,7 @@ const browser = await chromium.launch({
 });
 try {
   await writeCards(browser, server.address);
+  await writePoses(browser, server.address);
   await writeReadmePictures(browser, server.address);
 } finally {
   await browser.close();

@@ -37,7 +37,7 @@ export interface CatalogueScene {
 }
 
 /** The address of the app's data, whatever sub-path the app is served from. */
-const dataUrl = (): URL => new URL('data/', document.baseURI);
+export const dataUrl = (): URL => new URL('data/', document.baseURI);
 
 export async function fetchCatalogue(): Promise<Catalogue> {
   const response = await fetchChecked(new URL('catalogue.json', dataUrl()));

@@ -150,6 +150,13 @@ export function createEditor(
       focusJoint(joint);
     },
 
+    async bundledPoses(id, character) {
+      const path = opening.bundled.value.find((each) => each.id === id)?.poses;
+      if (path === undefined) return [];
+      const { fetchBundledPoses } = await loadPart(import('./bundled-poses.ts'));
+      return fetchBundledPoses(path, character);
+    },
+
     async savePose(format = poseFormats[0]!) {
       const shown = evaluations.selected();
       if (!shown) return;

@@ -11,10 +11,6 @@ export interface SavedPose extends NamedPose {
   readonly name: string;
 }
 
-export function savedPoseById({ poses }: Scene, id: SavedPoseId): SavedPose | undefined {
-  return poses.find((pose) => pose.id === id);
-}
-
 /**
  * Returns a pose with an id that no other pose of the library has.
  *

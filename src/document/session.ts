@@ -149,6 +149,8 @@ export class Session {
   readonly firstPerson = signal(false);
   /** The degree of freedom that was last changed, for the text in the view. */
   readonly activeDof = signal<ActiveDof | null>(null);
+  /** The key of the pose that was applied from the library last, or null; see `LibraryPose`. */
+  readonly chosenPose = signal<string | null>(null);
   /** Which of the character's clips Play binds. */
   readonly clipIndex = signal(0);
   /** Time in the bound clip, in seconds. */

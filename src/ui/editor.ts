@@ -1,4 +1,5 @@
 import type { ReadonlySignal, Signal } from '@preact/signals-core';
+import type { Character } from '../core/character.ts';
 import type { BallAngles } from '../document/ball-angles.ts';
 import type { PlaceAngles } from '../document/place-angles.ts';
 import type { ActorId } from '../document/scene.ts';
@@ -9,6 +10,7 @@ import type { Evaluations } from '../evaluation/evaluations.ts';
 import type { ConvertTarget, FormatId } from '../formats/registry.ts';
 import type { FileEntry } from '../formats/format.ts';
 import type { PoseFormat } from '../formats/pose-formats.ts';
+import type { NamedPose } from '../posing/named-pose.ts';
 import type { ReadCharacter, ReadProgress } from '../formats/read-characters.ts';
 import type { PictureSettings } from '../view/picture/picture-size.ts';
 import type { Viewer } from '../view/viewer.ts';
@@ -23,6 +25,17 @@ export interface BundledCharacter {
   /** The course whose files it is in. */
   readonly course: FormatId;
   readonly credit: string;
+  /**
+   * The list of its poses, a JSON in the folder `data`, beside which a picture of the same name shows
+   * them in a row; absent if it has none.
+   */
+  readonly poses?: string;
+}
+
+/** A pose that comes with a bundled character. */
+export interface BundledPose {
+  readonly name: string;
+  readonly pose: NamedPose;
 }
 
 /** Bundled characters that belong together. */
@@ -226,6 +239,8 @@ export interface Actions {
   resetAll(): void;
   /** Selects a joint and moves the keyboard focus to its first slider. */
   editJoint(joint: number): void;
+  /** The poses that come with a bundled character; none if it has no list of them. */
+  bundledPoses(id: string, character: Character): Promise<readonly BundledPose[]>;
   /** Saves the pose that the selected character shows; as POSE.json, if no other form is given. */
   savePose(format?: PoseFormat): Promise<void>;
   /** Saves the character in a course's format, converted as far as that format allows. */

@@ -1,8 +1,10 @@
 import { printable } from '../core/diagnostics.ts';
+import { loadPart } from '../core/failure.ts';
 import { setMethod } from '../document/edits.ts';
 import { setEnvironment } from '../document/environment-edits.ts';
 import { lightPresets } from '../document/light-presets.ts';
 import { selectedActor } from '../document/selected-actor.ts';
+import type { SavedPose } from '../document/saved-poses.ts';
 import { aspects } from '../document/shots.ts';
 import { methods } from '../skinning/registry.ts';
 import { attempt } from './attempt.ts';
@@ -12,6 +14,7 @@ import { commandGroups } from './commands/registry.ts';
 import type { Editor } from './editor.ts';
 import { numberedNames } from './numbered-names.ts';
 import { otherPoseFormats } from './pose-files.ts';
+import { keyOf } from './saved-poses.ts';
 import type { Findable } from './rank-entries.ts';
 import { goToShot, setAspect, shownShot } from './shots.ts';
 import { tabs } from './tabs.ts';
@@ -40,6 +43,7 @@ export function paletteEntries(editor: Editor): readonly PaletteEntry[] {
     ...characterEntries(editor),
     ...actorEntries(editor),
     ...poseFileEntries(editor),
+    ...poseEntries(editor),
     ...sceneEntries(editor),
     ...lightEntries(editor),
     ...shotEntries(editor),
@@ -122,6 +126,21 @@ function poseFileEntries(editor: Editor): PaletteEntry[] {
       attempt(editor, editor.savePose(format)),
     ),
   );
+}
+
+/** What applies each pose of the library. */
+function poseEntries(editor: Editor): PaletteEntry[] {
+  if (!selectedActor(editor.store, editor.session)) return [];
+  return editor.store.scene.value.poses.map((pose) =>
+    dataEntry('Poses', `pose ${pose.id}`, `Pose: ${printable(pose.name, 80)}`, () =>
+      attempt(editor, applySaved(editor, pose)),
+    ),
+  );
+}
+
+async function applySaved(editor: Editor, pose: SavedPose): Promise<void> {
+  const { poseLibraryOf } = await loadPart(import('./pose-library.ts'));
+  poseLibraryOf(editor).apply({ key: keyOf(pose), name: pose.name, pose, saved: pose });
 }
 
 function sceneEntries(editor: Editor): PaletteEntry[] {

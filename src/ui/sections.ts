@@ -75,6 +75,13 @@ export const sections: readonly Section[] = [
       guiSection((await loadPart(import('./controls/pose-folder.ts'))).addPoseFolder),
   },
   {
+    id: 'poses',
+    place: 'right',
+    tabs: ['pose'],
+    when: (editor) => jointCount(editor) > 0,
+    load: async () => (await loadPart(import('./panels/pose-library.tsx'))).PoseLibraryPanel,
+  },
+  {
     id: 'ik',
     place: 'right',
     tabs: ['pose'],

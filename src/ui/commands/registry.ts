@@ -1,3 +1,4 @@
+import { libraryCommands } from './library-commands.ts';
 import { axisCommands } from './axis-commands.ts';
 import { cameraCommands } from './camera-commands.ts';
 import { clipCommands } from './clip-commands.ts';
@@ -25,6 +26,7 @@ const groups = [
   { label: 'Inverse kinematics', commands: [...ikCommands, ...ikLabCommands] },
   { label: 'Pins', commands: pinCommands },
   { label: 'Pose', commands: poseCommands },
+  { label: 'Pose library', commands: libraryCommands },
   { label: 'Clip', commands: clipCommands },
   { label: 'Weights', commands: weightCommands },
   { label: 'Camera', commands: [...cameraCommands, ...axisCommands] },
