@@ -7,6 +7,7 @@ import { extents } from '../../src/core/bounds.ts';
 import type { Character } from '../../src/core/character.ts';
 import { clipFor, evaluateClip } from '../../src/core/clip.ts';
 import type { Pose } from '../../src/core/pose.ts';
+import type { PoseList } from '../../src/app/bundled-poses.ts';
 import { displayTransform } from '../../src/evaluation/display-transform.ts';
 import { poseFromJson } from '../../src/formats/pose-json.ts';
 import { linearBlend } from '../../src/skinning/linear-blend.ts';
@@ -37,14 +38,19 @@ function posedPoints(character: Character, pose: Pose): Float32Array {
   return skinVertices(character, character.skin, pose, linearBlend).positions;
 }
 
+function pictureOf(poses: string): string {
+  return poses.replace(/json$/, 'webp');
+}
+
 function bottomOf(positions: Float32Array): number {
   return positions.reduce((low, value, i) => (i % 3 === 1 ? Math.min(low, value) : low), Infinity);
 }
 
 describe.each(bundledIds)('the bundled character %s', (id) => {
   it('has exactly the files that the catalogue lists, and is sound', async () => {
-    const { files, pose } = entryOf(id);
-    const listed = [...files, ...(pose === undefined ? [] : [pose])].toSorted();
+    const { files, pose, poses } = entryOf(id);
+    const ofPoses = poses === undefined ? [] : [poses, pictureOf(poses)];
+    const listed = [...files, ...(pose === undefined ? [] : [pose]), ...ofPoses].toSorted();
     const found = readdirSync(join(folder, id)).filter((name) => name !== 'LICENSE.txt');
     expect(listed).toEqual(found.map((name) => `${id}/${name}`).toSorted());
     const character = await readBundled(id);
@@ -224,5 +230,46 @@ describe('the bundled panda', () => {
     const [first, last] = [pointsAt(0.1), pointsAt(0.1 + period)];
     const differences = first.map((value, i) => Math.abs(value - last[i]!));
     expect(Math.max(...differences)).toBeLessThan(1e-5);
+  });
+});
+
+describe.each(['human', 'hand'])('the poses of the bundled %s', (id) => {
+  const path = entryOf(id).poses!;
+  const { joints, poses } = JSON.parse(fileOf(path).toString('utf8')) as PoseList;
+
+  it('are eight, which differ, fit its joints and stand on the floor', async () => {
+    const character = await readBundled(id);
+    const { names } = character.skeleton;
+    expect(new Set(poses.map(({ name }) => name)).size).toBe(8);
+    for (const name of joints ?? []) expect(names).toContain(name);
+    const height = extents(character.bounds)[1];
+    const seen = poses.map(({ name, pose }) => {
+      const { value, diagnostics } = poseFromJson(path, pose, character.skeleton);
+      expect(diagnostics, name).toEqual([]);
+      for (const joint of Object.keys(pose.joints ?? {})) expect(joints ?? names).toContain(joint);
+      // A runner leaves the floor, and a hand is turned at its wrist.
+      const points = posedPoints(character, value!);
+      expect(Math.abs(bottomOf(points)) / height, name).toBeLessThan(0.1);
+      return points;
+    });
+    for (const [index, one] of seen.entries()) {
+      for (const other of seen.slice(0, index)) {
+        const farthest = one.reduce(
+          (most, each, i) => Math.max(most, Math.abs(each - other[i]!)),
+          0,
+        );
+        expect(farthest / height).toBeGreaterThan(0.1);
+      }
+    }
+  });
+
+  it('have a picture each, one below the other, in a small file', () => {
+    const picture = fileOf(pictureOf(path));
+    expect(picture.length).toBeLessThan(25 * kilobyte);
+    expect(picture.subarray(8, 12).toString('latin1')).toBe('WEBP');
+    // The extended form has 24-bit sizes less one (RFC 9649, 2.7).
+    expect(picture.subarray(12, 16).toString('latin1')).toBe('VP8X');
+    const [width, height] = [picture.readUIntLE(24, 3) + 1, picture.readUIntLE(27, 3) + 1];
+    expect(height).toBe(width * poses.length);
   });
 });

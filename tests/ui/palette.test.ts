@@ -8,6 +8,7 @@ import { bindClip } from '../../src/document/edits.ts';
 import { openCharacter } from '../../src/document/open-characters.ts';
 import { reconcile } from '../../src/document/reconcile.ts';
 import { Session } from '../../src/document/session.ts';
+import { addSavedPose } from '../../src/document/saved-poses.ts';
 import { addShot } from '../../src/document/shots.ts';
 import { Store } from '../../src/document/store.ts';
 import { Transport } from '../../src/document/transport.ts';
@@ -127,6 +128,14 @@ describe('the palette', () => {
     for (const id of listed()) seen.add(id);
     session.selectedJoint.value = null;
     session.placeTool.value = 'move';
+    for (const id of listed()) seen.add(id);
+    // The second of three poses of the library can be moved either way.
+    expect(listed()).not.toContain('pose-earlier');
+    for (const id of [1, 2, 3]) {
+      const pose = { id, name: `Pose ${id}`, height: 0, joints: [], morphs: [] };
+      store.dispatch(addSavedPose(pose));
+    }
+    session.chosenPose.value = 'saved 2';
     for (const id of listed()) seen.add(id);
     const never = fitting.filter((id) => !seen.has(id));
     expect(never).toEqual(['palette']);
