@@ -41,10 +41,15 @@ function findBody(character: Character): Body {
   const matrices = jointMatrices(skeleton, zeroPose(skeleton));
   const places = placesOf(matrices);
   const named = namedRoles(skeleton);
-  const { roles, sides } = shapedRoles(skeleton, places, named);
+  const { roles, sides: found } = shapedRoles(skeleton, places, named);
   const up: vec3 = [0, 1, 0];
   const ends = places.map((_, joint) => endOf(character, roles, matrices, places, joint));
-  const forward = forwardOf(roles, sides, places, ends, up);
+  const across = acrossForward(roles, found, places, up);
+  const feet = feetForward(roles, places, ends, up);
+  // Sides that no name tells are those of a body that looks along z, until its feet say otherwise.
+  const isTurned = found !== named.sides && across && feet && vec3.dot(across, feet) < 0;
+  const sides = isTurned ? found.map(otherSide) : found;
+  const forward = isTurned ? feet : (across ?? feet);
   return { skeleton, roles, sides, matrices, places, ends, up, forward };
 }
 
@@ -101,36 +106,42 @@ function endOf(
   );
 }
 
-/**
- * Where a body looks to: from its right side to its left it is a quarter turn to the right about the
- * vertical; without sides, where its feet point.
- */
-function forwardOf(
+/** Where a body looks to by its sides: a quarter turn from its right to its left. */
+function acrossForward(
   roles: readonly (JointRole | null)[],
   sides: readonly (Side | null)[],
+  places: readonly vec3[],
+  up: vec3,
+): vec3 | null {
+  const across = new Float64Array(3);
+  for (const role of ['shoulder', 'elbow', 'hip', 'knee', 'ankle'] as const) {
+    const [left, right] = (['left', 'right'] as const).map((side) =>
+      places.filter((_, joint) => roles[joint] === role && sides[joint] === side),
+    );
+    // A pair counts if both are there once, so that uneven sides tell nothing false.
+    if (left!.length !== 1 || right!.length !== 1) continue;
+    vec3.add(across, across, vec3.subtract(new Float64Array(3), left![0]!, right![0]!));
+  }
+  return level(vec3.cross(across, across, up), up);
+}
+
+/** Where a body's feet point to. */
+function feetForward(
+  roles: readonly (JointRole | null)[],
   places: readonly vec3[],
   ends: readonly vec3[],
   up: vec3,
 ): vec3 | null {
-  const sum = (weight: (joint: number) => number, of: readonly vec3[]): vec3 =>
-    of.reduce<vec3>(
-      (total, place, joint) => vec3.scaleAndAdd(new Float64Array(3), total, place, weight(joint)),
-      [0, 0, 0],
-    );
-  // Each pair of limbs counts once for each side, so that uneven sides tell nothing false.
-  const paired = (['shoulder', 'elbow', 'hip', 'knee', 'ankle'] as const).filter((role) =>
-    (['left', 'right'] as const).every(
-      (side) => roles.filter((each, joint) => each === role && sides[joint] === side).length === 1,
-    ),
-  );
-  const across = sum((joint) => {
-    const role = roles[joint];
-    if (!role || !(paired as readonly JointRole[]).includes(role)) return 0;
-    return sides[joint] === 'left' ? 1 : sides[joint] === 'right' ? -1 : 0;
-  }, places);
-  const isFoot = (joint: number): number => (roles[joint] === 'ankle' ? 1 : 0);
-  const feet = vec3.subtract(new Float64Array(3), sum(isFoot, ends), sum(isFoot, places));
-  return level(vec3.cross(new Float64Array(3), across, up), up) ?? level(feet, up);
+  const feet = new Float64Array(3);
+  roles.forEach((role, joint) => {
+    if (role !== 'ankle') return;
+    vec3.add(feet, feet, vec3.subtract(new Float64Array(3), ends[joint]!, places[joint]!));
+  });
+  return level(feet, up);
+}
+
+function otherSide(side: Side | null): Side | null {
+  return side && (side === 'left' ? 'right' : 'left');
 }
 
 /** The horizontal part of a vector as a unit vector; null if it has none. */

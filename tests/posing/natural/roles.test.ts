@@ -1,8 +1,10 @@
 import { describe, expect, it } from 'vitest';
 import { buildSkeleton } from '../../../src/core/build-skeleton.ts';
 import { DiagnosticLog } from '../../../src/core/diagnostics.ts';
+import { jointMatrices } from '../../../src/core/forward-kinematics.ts';
 import type { Skeleton } from '../../../src/core/skeleton.ts';
 import { namedRoles } from '../../../src/posing/natural/name-roles.ts';
+import { shapedRoles } from '../../../src/posing/natural/shape-roles.ts';
 import { naturesOf } from '../../../src/posing/natural/natures.ts';
 import { bodyOf } from '../../../src/posing/natural/body.ts';
 import { bundledIds, readBundled } from '../../support/bundled.ts';
@@ -20,6 +22,11 @@ function skeletonOf(lines: string): Skeleton {
       return { name: line.trim(), parent, restOffset: [0, 1, 0] as const, dofs: [] };
     });
   return buildSkeleton({ file: 'made', joints }, new DiagnosticLog('made'))!;
+}
+
+function placesIn(skeleton: Skeleton) {
+  const matrices = jointMatrices(skeleton, skeleton.qRest);
+  return skeleton.names.map((_, joint) => matrices.slice(joint * 16 + 12, joint * 16 + 15));
 }
 
 /** "name: role" of every joint that has one. */
@@ -156,6 +163,27 @@ describe('the bundled characters', () => {
     expect(naturesOf(character)).toHaveLength(count);
     expect([having('elbow'), having('knee')]).toEqual([elbows, knees]);
     expect(bundledIds).toContain(id);
+  });
+
+  it('show their arms and legs by their shape where names tell nothing', async () => {
+    const { skeleton } = await readBundled('human');
+    const names = skeleton.names.map((_, joint) => `joint ${joint}`);
+    const places = placesIn(skeleton);
+    const { roles, sides } = shapedRoles(
+      { ...skeleton, names },
+      places,
+      namedRoles({ ...skeleton, names }),
+    );
+    const named = namedRoles(skeleton);
+    const found = roles.flatMap((role, joint) => (role ? [[role, sides[joint]]] : []));
+    const expected = named.roles.flatMap((role, joint) =>
+      roles[joint] ? [[role, named.sides[joint]]] : [],
+    );
+    expect(found).toEqual(expected);
+    expect(found).toHaveLength(14);
+    const dog = (await readBundled('dog')).skeleton;
+    const nameless = { ...dog, names: dog.names.map((_, joint) => `joint ${joint}`) };
+    expect(shapedRoles(nameless, placesIn(dog), namedRoles(nameless)).roles).not.toContain('knee');
   });
 
   it('bend their knees backward, and their elbows and fingers forward', async () => {
