@@ -14,6 +14,7 @@ import {
   viewHandle,
 } from './place-gizmo.ts';
 import { lightAt } from './pick-light.ts';
+import { targetAt } from './ik-targets.ts';
 import { pinAt } from './pick-pin.ts';
 import { gizmoLines } from './ring-lines.ts';
 import { sessionOptionsOf } from './view-options.ts';
@@ -75,6 +76,7 @@ export function handleAt(look: Looking, place: PickPlace): HandleId | null {
   const handle =
     lightAt(look, place) ??
     pinAt(look, place) ??
+    targetAt(look, place) ??
     ringAt(look, place) ??
     moveHandleAt(look, place) ??
     placeHandleAt(look, place);

@@ -33,8 +33,8 @@ const idStart = 'pin ';
 const faintest = 0.35;
 
 /** Pins are hidden while a clip plays, when they would only be in the way. */
-export function showsPins({ showOverlay, hasPins, playing }: ViewOptions): boolean {
-  return showOverlay && hasPins && !playing;
+export function showsPins({ showOverlay, hasHandles, playing }: ViewOptions): boolean {
+  return showOverlay && hasHandles && !playing;
 }
 
 /** The pins of a character as it is shown. */

@@ -63,16 +63,16 @@ export interface SessionOptions {
 /** Everything besides the actors that a picture depends on. */
 export interface ViewOptions extends SessionOptions {
   readonly environment: Environment;
-  /** Whether any character has pins to show. */
-  readonly hasPins: boolean;
+  /** Whether any character has pins or targets to show. */
+  readonly hasHandles: boolean;
   /** Shows floor and background; without them the picture is transparent around the characters. */
   readonly showSurroundings: boolean;
 }
 
 /** Returns the options of a scene as the session views it. Reading subscribes to the session. */
 export function viewOptionsOf(session: Session, { environment, actors }: Scene): ViewOptions {
-  const hasPins = actors.some(({ pins }) => pins.length > 0);
-  return { ...sessionOptionsOf(session), environment, hasPins, showSurroundings: true };
+  const hasHandles = actors.some(({ pins, character }) => pins[0] ?? character.ikChains[0]);
+  return { ...sessionOptionsOf(session), environment, hasHandles, showSurroundings: true };
 }
 
 /**

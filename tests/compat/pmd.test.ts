@@ -11,6 +11,9 @@ import type { OutputFile } from '../../src/formats/format.ts';
 import { mmdOf } from '../../src/formats/mmd/mmd-parts.ts';
 import { writeMmd } from '../../src/formats/mmd/write-character.ts';
 import { poseFromJson } from '../../src/formats/pose-json.ts';
+import { noPins } from '../../src/posing/pins/pin.ts';
+import { plainNatures } from '../../src/posing/natural/nature-settings.ts';
+import { applyRotationLinks } from '../../src/posing/rotation-links.ts';
 import { largestBindError } from '../../src/skinning/bind-error.ts';
 import { linearBlend } from '../../src/skinning/linear-blend.ts';
 import { skinVertices } from '../support/skin-vertices.ts';
@@ -55,6 +58,21 @@ describeWithShared('KAITO of the Virtual Mannequin', [data, `${reference}/KAITO.
     character = characters[0]!.character;
     expect(characters[0]!.files.map(({ path }) => path)).toContain('textures/EYEKT.BMP');
     expected = sharedJson(`${reference}/KAITO.json`) as Kaito;
+  });
+
+  it('moves both eyes by 両目, where it is shown', () => {
+    const { skeleton } = character;
+    const ballOf = (name: string): number =>
+      skeleton.dofQ[skeleton.dofStart[skeleton.names.indexOf(name) + 1]! - 1]!;
+    const q = skeleton.qRest.slice();
+    const turn = [0, Math.sin(0.1), 0, Math.cos(0.1)];
+    q.set(turn, ballOf('両目'));
+    const use = { character, clip: null, pins: noPins, natures: plainNatures };
+    applyRotationLinks({ ...use, time: 0, followed: null }, q);
+    for (const eye of ['左目', '右目']) {
+      const at = ballOf(eye);
+      turn.forEach((value, i) => expect(q[at + i]).toBeCloseTo(value, 12));
+    }
   });
 
   function poseOf(which: number): Pose {

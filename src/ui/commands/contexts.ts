@@ -107,6 +107,10 @@ export const pointerRows: readonly HelpRow[] = [
     'Left drag on the diamond of a pin',
     'Move its place, and the joint with it; a click selects it',
   ],
+  [
+    'Left drag on the square of a target of the file, with inverse kinematics',
+    'Move the end of its chain',
+  ],
   ['Double-click on a name', 'Rename the character'],
   [
     'Left drag on a light, while they have handles',

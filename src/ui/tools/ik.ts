@@ -37,7 +37,7 @@ export const ikTool: Tool = {
  * The grabbed point goes on the plane through it that faces the camera, as far as the pointer goes,
  * also beyond the view's edge.
  */
-function dragLimb(
+export function dragLimb(
   editor: Looking & Telling,
   from: ToolPlace,
   joint: number,

@@ -8,11 +8,13 @@ import { orbitTool } from './orbit.ts';
 import { pinTool } from './pin.ts';
 import { placeTool } from './place.ts';
 import { ringTool } from './ring.ts';
+import { targetTool } from './target.ts';
 
 /** Every tool; the first one that accepts a drag gets it. */
 export const tools: readonly Tool[] = [
   lightTool,
   pinTool,
+  targetTool,
   ringTool,
   moveJointTool,
   placeTool,

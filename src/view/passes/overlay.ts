@@ -7,6 +7,7 @@ import type { Frame } from '../frame.ts';
 import { chainOf, chainShapes } from '../chain-shapes.ts';
 import { type Gizmo, gizmoOf, gizmoRings } from '../gizmo.ts';
 import { showsSketch, sketchShapes } from '../ik-sketch-shapes.ts';
+import { hasTargets, ikTargets, targetShapes } from '../ik-targets.ts';
 import { lightLines, showsLights } from '../light-handles.ts';
 import { moveGizmoOf, moveHandles } from '../move-gizmo.ts';
 import {
@@ -40,6 +41,7 @@ export const overlayPass: Pass = {
     chainOf(options) !== null ||
     showsLights(options) ||
     showsPins(options) ||
+    hasTargets(options) ||
     showsSketch(options),
   create(gpu, programs) {
     const { gl } = gpu;
@@ -100,6 +102,9 @@ function overlayOf({ characters, options, camera, viewport }: Frame, cssScale: n
     ...(chain?.actorId === character.state.id ? chainShapes(evaluation, view, chain) : []),
     ...(move ? placeShapes(moveHandles(evaluation, view, move), move) : []),
     ...(joint && !move?.isTarget ? ringShapes(evaluation, view, joint) : []),
+    ...(hasTargets(options)
+      ? targetShapes(ikTargets(evaluation), view, options.hoveredHandle)
+      : []),
     ...(place ? placeShapes(placeHandles(evaluation.state, view, place), place) : []),
   ];
 }
