@@ -63,6 +63,12 @@ test('poses are applied, blended, kept, renamed, undone and kept over a reload',
   expect(waving.joints!['Right forearm']).not.toEqual(thinking.joints!['Right forearm']);
 
   await card('Waving arm').click();
+  await library().getByRole('button', { name: 'Mirrored' }).click();
+  await expect(status()).toContainText('mirrored');
+  const both = (await pose()).joints!;
+  expect(both['Left forearm']![0]).toBeCloseTo(waving.joints!['Right forearm']![0], 6);
+  expect(both['Left forearm']![1]).toBeCloseTo(-waving.joints!['Right forearm']![1], 6);
+
   await library()
     .getByRole('button', { name: /^Remove/ })
     .click();

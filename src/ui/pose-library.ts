@@ -10,6 +10,7 @@ import type { Gesture } from '../document/store.ts';
 import { blendPoses } from '../posing/blend-poses.ts';
 import { fitPose, type FittedPose } from '../posing/fit-pose.ts';
 import type { NamedPose } from '../posing/named-pose.ts';
+import { mirrorJoints, symmetryOf } from '../posing/symmetry/symmetry.ts';
 import { attempt } from './attempt.ts';
 import type { BundledPose, Editor } from './editor.ts';
 import { keyOf } from './saved-poses.ts';
@@ -83,6 +84,27 @@ export class PoseLibrary {
   fits({ character, q, morphWeights }: Actor, { pose }: LibraryPose): boolean {
     const { joints, missing } = fitPose(character, { q, morphWeights }, pose);
     return joints.length > 0 || missing.length < pose.joints.length + pose.morphs.length;
+  }
+
+  /** Puts the selected character into the mirror image of a pose. */
+  applyMirrored(pose: LibraryPose): void {
+    const actor = this.selected;
+    if (!actor) return;
+    this.endBlend();
+    const { character, id, name } = actor;
+    const before = this.beforeOf(actor, pose);
+    const fitted = fitPose(character, before, pose.pose);
+    const symmetry = symmetryOf(character.skeleton);
+    const { q, alone } = mirrorJoints(symmetry, fitted.pose.q, before.q, fitted.joints);
+    const { store, session, notice } = this.editor;
+    const mirrored = { q, morphWeights: fitted.pose.morphWeights };
+    batch(() => {
+      store.dispatch(setPoseAndShape(id, mirrored, `Pose ${name}: ${pose.name}, mirrored`));
+      session.chosenPose.value = pose.key;
+    });
+    const others = alone.map((joint) => character.skeleton.names[joint]!);
+    const told = others.length > 0 ? `; ${namesOf(others)} without a partner` : '';
+    notice.value = `${toldFit(pose.name, fitted)}, mirrored${told}`;
   }
 
   /** Puts the selected character into a pose. */

@@ -12,8 +12,8 @@ export function BlendSlider({ library, actor, pose }: BlendSliderProperties) {
   const fraction = library.fractionOf(actor, pose);
   const percent = Math.round(100 * (fraction ?? 1));
   return (
-    <label class="blend">
-      <span>Blend</span>
+    <div class="blend">
+      <span aria-hidden="true">Blend</span>
       <input
         type="range"
         aria-label={`Blend in ${pose.name}`}
@@ -27,6 +27,13 @@ export function BlendSlider({ library, actor, pose }: BlendSliderProperties) {
         onChange={() => library.endBlend()}
       />
       <output>{percent} %</output>
-    </label>
+      <button
+        type="button"
+        title={`Apply the mirror image of ${pose.name}`}
+        onClick={() => library.applyMirrored(pose)}
+      >
+        Mirrored
+      </button>
+    </div>
   );
 }
