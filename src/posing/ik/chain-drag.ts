@@ -2,7 +2,7 @@ import { vec3 } from 'gl-matrix';
 import { blendPoses } from '../blend-poses.ts';
 import { pullNaturally } from '../natural/natural-solver.ts';
 import { type ChainParts, type ChainProblem, chainProblem } from './chain-problem.ts';
-import type { IkSolution, IkSolver, Vector3 } from './problem.ts';
+import type { IkOptions, IkSolution, IkSolver, Vector3 } from './problem.ts';
 import { SmoothTarget } from './smooth-target.ts';
 
 /** How long easing to another pose takes, in seconds. */
@@ -22,6 +22,8 @@ const [tolerance, apartPart, stuckPart] = [1e-4, 5e-3, 0.02];
 const [restarts, restartIterations] = [10, 60];
 /** They are tried again when the target has moved by this part of the reach. */
 const retryPart = 0.05;
+/** How far a joint turns in a second at most while the hand moves, in radians: 4° in a frame. */
+const turnRate = (240 * Math.PI) / 180;
 /** A drag rests when nothing moves by more than these in a frame: parts of the reach, and q. */
 const [stillPart, stillValue] = [1e-4, 1e-5];
 /** In seconds after the last move of the hand; then it rests in any case. */
@@ -107,7 +109,8 @@ export class ChainDrag {
     this.place = this.target.at(this.seconds);
     const speed = time > 0 ? distance(former, this.place) / time : Infinity;
     const calm = Math.max(0, 1 - speed / (fastPart * this.problem.reach));
-    this.take(this.solve(this.pulled(calm * time), frameIterations));
+    const mostTurn = turnRate * time;
+    this.take(this.solve(this.pulled(calm * time), { iterations: frameIterations, mostTurn }));
     if (calm > 0) this.tryOthers();
     this.show();
     const isStill =
@@ -122,7 +125,7 @@ export class ChainDrag {
     this.place = this.target.arrive();
     for (let i = 0; i < lastFrames; i++) {
       const former = this.residual;
-      this.take(this.solve(this.solved, frameIterations));
+      this.take(this.solve(this.solved, { iterations: frameIterations }));
       if (this.residual <= tolerance * this.problem.reach || this.residual === former) break;
     }
     this.tryOthers();
@@ -144,17 +147,17 @@ export class ChainDrag {
     const isTried = this.triedAt && distance(this.triedAt, this.place) < retryPart * reach;
     if (!isStuck || isTried) return;
     this.triedAt = this.place;
-    const found = this.solve(this.start.q, restartIterations, restarts);
+    const found = this.solve(this.start.q, { iterations: restartIterations, restarts });
     if (found.residuals[0]! > this.residual - apartPart * reach) return;
     this.easing = { from: this.shown, since: this.seconds };
     this.take(found);
   }
 
   /** Solves from the present pose, and stays as near to the reference as the goals allow. */
-  private solve(reference: Float64Array, iterations: number, others = 0): IkSolution {
+  private solve(reference: Float64Array, options: IkOptions): IkSolution {
     const problem = this.problem.toward(this.place, reference);
-    const options = { from: this.solved, iterations, restarts: others, tolerance };
-    return this.start.solver.solve(problem, options);
+    const from = this.solved;
+    return this.start.solver.solve(problem, { from, restarts: 0, tolerance, ...options });
   }
 
   private take({ q, residuals }: IkSolution): void {
