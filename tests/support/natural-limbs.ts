@@ -6,7 +6,7 @@ import type { IkProblem, JointNature } from '../../src/posing/ik/problem.ts';
 import { randomBetween, randomSource, randomUnitVector } from './random.ts';
 
 /** `npm run test:long` sets it to 300. */
-export const targetCount = Number(process.env['NATURAL_TARGETS'] ?? 24);
+const targetCount = Number(process.env['NATURAL_TARGETS'] ?? 24);
 
 /** An arm or a leg by the names of its joints; without an end it ends at the tip of its last bone. */
 export interface Limb {

@@ -61,6 +61,12 @@ function withPin(actor: Actor): Actor {
   return { ...actor, pins: [pin] };
 }
 
+function withNature(actor: Actor): Actor {
+  const range = [-1, 1] as const;
+  const own = { joint: 0, stiffness: 2, bend: range, side: range, twist: range };
+  return { ...actor, natures: { isOn: true, own: [own] } };
+}
+
 describe('the palette', () => {
   it('has each command among its first eight after the first two letters of its name', () => {
     const { session, store } = editor;
@@ -105,6 +111,9 @@ describe('the palette', () => {
     expect(listed()).not.toContain('unpin-all');
     store.amend(editActor(session.selectedActorId.value!, 'Pin', withPin));
     expect(listed()).toContain('unpin-all');
+    expect(listed()).not.toContain('reset-nature');
+    store.amend(editActor(session.selectedActorId.value!, 'Own', withNature));
+    expect(listed()).toContain('reset-nature');
     expect(listed()).not.toContain('release-clip');
     store.amend(bindClip(session.selectedActorId.value!, 0));
     expect(listed()).toContain('release-clip');

@@ -38,7 +38,7 @@ export function sidedName(name: string): SidedName {
  * The words of a name in lower case. Half-width and full-width characters become the usual ones,
  * capitals begin words, and numbers and the signs of a side are words of their own.
  */
-export function nameWords(name: string): string[] {
+function nameWords(name: string): string[] {
   const spaced = name
     .normalize('NFKC')
     .replace(/([左右])/g, ' $1 ')
