@@ -7,7 +7,7 @@ import { attempt } from './attempt.ts';
 import { chainLengthOf } from './chain-length.ts';
 import type { Looking, Telling } from './editor.ts';
 import { hoveredOf } from './hovered-limb.ts';
-import { ikSolver } from './ik-solvers.ts';
+import { ikSolver, natureFinder } from './ik-solvers.ts';
 import { isLive } from './live-limb.ts';
 
 /**
@@ -18,7 +18,9 @@ export function followChains(editor: Looking & Telling): void {
   const { shownChain, ikMode, ikMethod } = editor.session;
   effect(() => {
     // The first drag should not wait for the code.
-    if (ikMode.value) attempt(editor, ikSolver(ikMethod.value).load());
+    if (ikMode.value) {
+      attempt(editor, Promise.all([ikSolver(ikMethod.value).load(), natureFinder.load()]));
+    }
     const isDragged = (shownChain.value?.target ?? null) !== null;
     if (isDragged) return;
     const lit = ikMode.value ? litChain(editor) : null;

@@ -67,7 +67,7 @@ export class ChainDrag {
   private seconds: number;
   private movedAt: number;
   /** Where the target is at this moment. */
-  private place: Vector3;
+  private smooth: Vector3;
   /** The solved pose, which is shown unless it is eased into. */
   private solved: Float64Array;
   private residual = 0;
@@ -80,8 +80,8 @@ export class ChainDrag {
   constructor(start: ChainDragStart, present = start.q) {
     this.start = start;
     this.problem = chainProblem(start);
-    this.place = this.problem.placeIn(present);
-    this.target = new SmoothTarget(this.place, start.seconds);
+    this.smooth = this.problem.placeIn(present);
+    this.target = new SmoothTarget(this.smooth, start.seconds);
     this.seconds = start.seconds;
     this.movedAt = start.seconds;
     this.shown = present;
@@ -94,6 +94,11 @@ export class ChainDrag {
     return this.problem.chain;
   }
 
+  /** Where the dragged point is now, in the character's space. */
+  get place(): Vector3 {
+    return this.problem.placeIn(this.shown);
+  }
+
   /** Tells where the hand is, in the character's space. */
   aim(place: Vector3, seconds: number): void {
     if (place.every((value, i) => value === this.target.aim[i])) return;
@@ -104,17 +109,17 @@ export class ChainDrag {
   /** Advances to a moment, which is not before the last one. */
   advance(seconds: number): ChainMoment {
     const time = Math.max(0, seconds - this.seconds);
-    const [before, former] = [this.shown, this.place];
+    const [before, former] = [this.shown, this.smooth];
     this.seconds += time;
-    this.place = this.target.at(this.seconds);
-    const speed = time > 0 ? distance(former, this.place) / time : Infinity;
+    this.smooth = this.target.at(this.seconds);
+    const speed = time > 0 ? distance(former, this.smooth) / time : Infinity;
     const calm = Math.max(0, 1 - speed / (fastPart * this.problem.reach));
     const mostTurn = turnRate * time;
     this.take(this.solve(this.pulled(calm * time), { iterations: frameIterations, mostTurn }));
     if (calm > 0) this.tryOthers();
     this.show();
     const isStill =
-      distance(this.place, this.target.aim) <= stillPart * this.problem.reach &&
+      distance(this.smooth, this.target.aim) <= stillPart * this.problem.reach &&
       this.shown.every((value, i) => Math.abs(value - before[i]!) <= stillValue);
     const isLong = this.seconds - this.movedAt > longestSettling;
     return this.moment(time > 0 && this.easing === null && (isStill || isLong));
@@ -122,7 +127,7 @@ export class ChainDrag {
 
   /** Ends at once where the hand is. */
   finish(): ChainMoment {
-    this.place = this.target.arrive();
+    this.smooth = this.target.arrive();
     for (let i = 0; i < lastFrames; i++) {
       const former = this.residual;
       this.take(this.solve(this.solved, { iterations: frameIterations }));
@@ -137,16 +142,16 @@ export class ChainDrag {
   /** A point that is apart from its target needs all of the chain's freedom to come nearer. */
   private pulled(time: number): Float64Array {
     if (time === 0 || this.residual > apartPart * this.problem.reach) return this.solved;
-    const problem = this.problem.toward(this.place, this.solved);
+    const problem = this.problem.toward(this.smooth, this.solved);
     return pullNaturally(problem, this.solved, this.start.q, 1 - Math.exp(-time / pullTime));
   }
 
   private tryOthers(): void {
     const { reach, begin } = this.problem;
-    const isStuck = this.residual > stuckPart * reach && distance(this.place, begin) < reach;
-    const isTried = this.triedAt && distance(this.triedAt, this.place) < retryPart * reach;
+    const isStuck = this.residual > stuckPart * reach && distance(this.smooth, begin) < reach;
+    const isTried = this.triedAt && distance(this.triedAt, this.smooth) < retryPart * reach;
     if (!isStuck || isTried) return;
-    this.triedAt = this.place;
+    this.triedAt = this.smooth;
     const found = this.solve(this.start.q, { iterations: restartIterations, restarts });
     if (found.residuals[0]! > this.residual - apartPart * reach) return;
     this.easing = { from: this.shown, since: this.seconds };
@@ -155,7 +160,7 @@ export class ChainDrag {
 
   /** Solves from the present pose, and stays as near to the reference as the goals allow. */
   private solve(reference: Float64Array, options: IkOptions): IkSolution {
-    const problem = this.problem.toward(this.place, reference);
+    const problem = this.problem.toward(this.smooth, reference);
     const from = this.solved;
     return this.start.solver.solve(problem, { from, restarts: 0, tolerance, ...options });
   }

@@ -23,6 +23,8 @@ export interface ChainParts {
 export interface ChainProblem {
   /** From the joint that begins the chain to the one that is dragged. */
   readonly chain: readonly number[];
+  /** All joints that may change, ascending. */
+  readonly joints: readonly number[];
   /** The length of the chain, or the size of the skeleton where a slide moves all of it. */
   readonly reach: number;
   toward(target: Vector3, reference: Float64Array): IkProblem;
@@ -59,6 +61,7 @@ export function chainProblem(parts: ChainParts): ChainProblem {
   const rotation = isAlone ? { rotation: rotationOf(matrices, joint) } : {};
   return {
     chain,
+    joints: sorted,
     reach: slides ? sizeOf(matrices) : lengthOf(chain, matrices, point),
     begin: originOf(matrices, first),
     toward: (target, reference) => ({

@@ -96,6 +96,14 @@ export const pointerRows: readonly HelpRow[] = [
     'Turn it (Alt: roll it); in bone mode, any limb; in the Mannequin workspace, in bone mode alone',
   ],
   [
+    'Left drag on the selected limb, with inverse kinematics or Shift',
+    'Move its whole chain (wheel: more or fewer joints in the chain)',
+  ],
+  [
+    'Left drag on an arrow, a square or the ring of the selected joint',
+    'Move the target of its chain, or a root (Shift: a tenth; Ctrl/Cmd: in steps of 0.05)',
+  ],
+  [
     'Left drag on a ring',
     'Turn the selected joints by one angle, about the line of sight by the outer ring (Shift: a tenth; Ctrl/Cmd: in steps of 15°)',
   ],

@@ -13,6 +13,7 @@ import { poseCommands } from './pose-commands.ts';
 import { shotCommands } from './shot-commands.ts';
 import { placeCommands } from './place-commands.ts';
 import { turnCommands } from './turn-commands.ts';
+import { targetCommands } from './target-commands.ts';
 import { viewCommands } from './view-commands.ts';
 import { weightCommands } from './weight-commands.ts';
 
@@ -23,7 +24,7 @@ const groups = [
   { label: 'Edit', commands: editCommands },
   { label: 'Character', commands: placeCommands },
   { label: 'Joints', commands: [...jointCommands, ...turnCommands] },
-  { label: 'Inverse kinematics', commands: [...ikCommands, ...ikLabCommands] },
+  { label: 'Inverse kinematics', commands: [...ikCommands, ...targetCommands, ...ikLabCommands] },
   { label: 'Pins', commands: pinCommands },
   { label: 'Pose', commands: poseCommands },
   { label: 'Pose library', commands: libraryCommands },

@@ -1,9 +1,11 @@
 import { effect } from '@preact/signals-core';
 import type { GUI } from 'lil-gui';
+import { ikMethod, ikMethods } from '../../posing/ik/methods.ts';
 import { chainLengthOf } from '../chain-length.ts';
 import type { Editor } from '../editor.ts';
 import { addCommandRow } from './command-row.ts';
 import { addNaturalRows } from './natural-rows.ts';
+import { addNote } from './note.ts';
 import { field, signalField } from './signal-field.ts';
 
 /** Adds the controls of inverse kinematics. Returns what ends its effects. */
@@ -11,6 +13,9 @@ export function addIkFolder(gui: GUI, editor: Editor): () => void {
   const { session } = editor;
   const folder = gui.addFolder('Inverse kinematics').close();
   addCommandRow(folder, editor, 'ik-mode');
+  const methods = Object.fromEntries(ikMethods.map(({ id, label }) => [label, id]));
+  folder.add(signalField(session.ikMethod), 'value', methods).name('Method');
+  const summary = addNote(folder, '');
   const length = field(
     () => lengthNow().count,
     (count) => {
@@ -24,6 +29,7 @@ export function addIkFolder(gui: GUI, editor: Editor): () => void {
   folder.add(signalField(session.showTargets), 'value').name("The file's targets");
   const endNatural = addNaturalRows(folder, editor);
   const endChain = effect(() => {
+    summary.textContent = ikMethod(session.ikMethod.value).summary;
     const { most } = lengthNow();
     chain
       .max(most)
