@@ -145,6 +145,15 @@ test('keys alone find a joint, select it, turn its axes and say so', async () =>
   await expect(selected()).toHaveCount(2);
   await page().keyboard.press('Shift+ArrowUp');
   await expect(selected()).toHaveText(/Left hand$/);
+
+  // A press brings the focus too, but whoever presses a row goes on in the view.
+  await row('Neck').click();
+  await page().keyboard.press('m');
+  await expect(row('Neck')).toBeFocused();
+  const boneMode = page().locator('[data-command=bone-mode]').first();
+  await expect(boneMode).toHaveAttribute('aria-pressed', 'true');
+  await page().keyboard.press('m');
+  await expect(boneMode).toHaveAttribute('aria-pressed', 'false');
 });
 
 test('the list of steps goes to any of them, by pointer and by keys', async () => {

@@ -2,8 +2,11 @@ import { type ContextId, type KeyPress, runCommand } from './commands/command.ts
 import { contexts, keysOf } from './commands/contexts.ts';
 import type { Editor } from './editor.ts';
 
+/** What a list has while a press brought the focus there, so that letters act as in the view. */
+export const pressedAttribute = 'data-pressed';
+
 /** Elements with keys of their own; there, only keys with Ctrl or Cmd apply. */
-const ownKeys = 'input, select, textarea, dialog, [role="tree"], [role="slider"]';
+const ownKeys = `input, select, textarea, dialog, [role="tree"]:not([${pressedAttribute}]), [role="slider"]`;
 
 /** Runs a command for each key press that matches one of its keys. */
 export function listenToKeys(editor: Editor): void {

@@ -7,6 +7,7 @@ import { selectJoint, selectJoints, toggleJoint } from '../../document/select-jo
 import { cssColor } from '../css-color.ts';
 import type { Actions, Looking } from '../editor.ts';
 import { hoveredOf } from '../hovered-limb.ts';
+import { pressedAttribute } from '../keys.ts';
 import { TypeAhead } from '../type-ahead.ts';
 import { ancestorsOf, type TreeRow, visibleRows } from '../joint-rows.ts';
 
@@ -80,6 +81,14 @@ function Tree({ editor, skeleton }: TreeProperties) {
     setCurrent(joint);
     list.current?.querySelector<HTMLElement>(`[data-joint="${joint}"]`)?.focus();
   };
+  /**
+   * Whether a press brought the focus, not a key. Whoever presses a row goes on in the view, so that
+   * letters are the page's keys until a key of the list is used.
+   */
+  const isPressed = (): boolean => list.current?.hasAttribute(pressedAttribute) === true;
+  const setPressed = (isPressed: boolean): void => {
+    list.current?.toggleAttribute(pressedAttribute, isPressed);
+  };
   /** Moves to a row and takes it into the selection, or, going back, the last one out of it. */
   const extendTo = (joint: number | undefined, from: number): void => {
     if (joint === undefined) return;
@@ -100,7 +109,10 @@ function Tree({ editor, skeleton }: TreeProperties) {
       return;
     }
     const isBlank = key === ' ' && !typeAhead.current.isTyping(event.timeStamp);
-    if (Array.from(key).length === 1 && !isBlank) {
+    const isLetter = Array.from(key).length === 1 && !isBlank;
+    if (isLetter && isPressed()) return;
+    setPressed(false);
+    if (isLetter) {
       event.preventDefault();
       const names = rows.map(({ joint }) => nameOf(joint));
       moveTo(rows[typeAhead.current.find(names, index, key, event.timeStamp)]?.joint);
@@ -162,6 +174,11 @@ function Tree({ editor, skeleton }: TreeProperties) {
         aria-label="Joints"
         ref={list}
         class={lit === null ? '' : 'some-lit'}
+        onPointerDown={() => setPressed(true)}
+        onFocusOut={({ relatedTarget }) => {
+          const isWithin = relatedTarget instanceof Node && list.current?.contains(relatedTarget);
+          if (!isWithin) setPressed(false);
+        }}
       >
         {rows.map((row) => (
           <li
