@@ -149,7 +149,8 @@ export function arc(ring: RingPlace, from: number, to: number): vec3[] {
   );
 }
 
-function pointOf({ center, first, second }: RingPlace, angle: number, part = 1): vec3 {
+/** The point of a ring at an angle, at a part of its radius from the center. */
+export function pointOf({ center, first, second }: RingPlace, angle: number, part = 1): vec3 {
   const point = vec3.scaleAndAdd(new Float64Array(3), center, first, part * Math.cos(angle));
   return vec3.scaleAndAdd(point, point, second, part * Math.sin(angle));
 }

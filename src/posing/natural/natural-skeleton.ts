@@ -151,6 +151,21 @@ function naturalAngles(nature: JointNature, rotation: quat): [number, number, nu
 }
 
 /**
+ * Returns a joint's bend, side and twist in a pose of the character, in radians, as its soft ranges
+ * count them: by the hinges of natural coordinates, or by swing and twist where it keeps its own
+ * degrees of freedom.
+ */
+export function presentAngles(
+  skeleton: Skeleton,
+  nature: JointNature,
+  q: Float64Array,
+): [number, number, number] {
+  const hasHinges = isWithinSide(nature) && freeRotation(skeleton, nature.joint) !== null;
+  if (!hasHinges) return swingAngles(skeleton, nature, q);
+  return naturalAngles(nature, jointRotation(skeleton, nature.joint, q));
+}
+
+/**
  * A joint's swing, as a rotation vector about the axes of bending, and its twist, in a pose of the
  * character: bend, side and twist in radians.
  */

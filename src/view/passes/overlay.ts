@@ -10,6 +10,8 @@ import { showsSketch, sketchShapes } from '../ik-sketch-shapes.ts';
 import { hasTargets, ikTargets, targetShapes } from '../ik-targets.ts';
 import { lightLines, showsLights } from '../light-handles.ts';
 import { moveGizmoOf, moveHandles } from '../move-gizmo.ts';
+import { natureArcs, natureLookOf } from '../nature-arcs.ts';
+import { natureShapes } from '../nature-shapes.ts';
 import {
   isFace,
   type Overlay,
@@ -39,6 +41,7 @@ export const overlayPass: Pass = {
     gizmoOf(options) !== null ||
     placeGizmoOf(options) !== null ||
     chainOf(options) !== null ||
+    natureLookOf(options) !== null ||
     showsLights(options) ||
     showsPins(options) ||
     hasTargets(options) ||
@@ -94,12 +97,13 @@ function overlayOf({ characters, options, camera, viewport }: Frame, cssScale: n
   const { evaluation } = character;
   const [joint, place] = [gizmoOf(options), placeGizmoOf(options)];
   const move = moveGizmoOf(options);
-  const chain = chainOf(options);
+  const [chain, nature] = [chainOf(options), natureLookOf(options)];
   return [
     ...lights,
     ...pins,
     ...sketch,
     ...(chain?.actorId === character.state.id ? chainShapes(evaluation, view, chain) : []),
+    ...(nature ? natureShapes(natureArcs(evaluation, view, nature)) : []),
     ...(move ? placeShapes(moveHandles(evaluation, view, move), move) : []),
     ...(joint && !move?.isTarget ? ringShapes(evaluation, view, joint) : []),
     ...(hasTargets(options)
