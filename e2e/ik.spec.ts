@@ -1,5 +1,11 @@
 import { expect, type Page } from '@playwright/test';
-import { openApp } from './support/app.ts';
+import { poseFromJson } from '../src/formats/pose-json.ts';
+import { presentAngles } from '../src/posing/natural/natural-skeleton.ts';
+import { naturesOf } from '../src/posing/natural/natures.ts';
+import { readBundled } from '../tests/support/bundled.ts';
+import { controlRow, openApp } from './support/app.ts';
+import { violations } from './support/axe.ts';
+import { typeNumber } from './support/controls.ts';
 import { find, type Place } from './support/find-limb.ts';
 import { sharedPage, test } from './support/test.ts';
 
@@ -63,6 +69,58 @@ test('arrow keys move the target, and a live region says where the joint is', as
   await page().keyboard.press('Control+z');
   await page().keyboard.press('Control+z');
   expect(await pose()).toBe(before);
+  await page().keyboard.press('i');
+});
+
+test('natural joints keep the elbow in its plane, with ranges to edit', async () => {
+  const character = await readBundled('human');
+  const { skeleton } = character;
+  const elbow = skeleton.names.indexOf('Left forearm');
+  const nature = naturesOf(character).find(({ joint }) => joint === elbow)!;
+  const before = await pose();
+  /** Drags the hand, and returns how far the elbow is bent sideways, in degrees. */
+  const draggedSide = async (): Promise<number> => {
+    await page().mouse.move(hand.x, hand.y);
+    await page().mouse.down();
+    await page().mouse.move(hand.x - 60, hand.y + 50, { steps: 2 });
+    await page().mouse.up();
+    const { value } = poseFromJson('pose', JSON.parse(await pose()), skeleton);
+    await page().keyboard.press('Control+z');
+    expect(await pose()).toBe(before);
+    return (Math.abs(presentAngles(skeleton, nature, value!.q)[1]) * 180) / Math.PI;
+  };
+  const natural = controlRow(page(), 'Natural joints').locator('input');
+  await page().keyboard.press('i');
+  const kept = await draggedSide();
+  await natural.dispatchEvent('click');
+  await expect(natural).not.toBeChecked();
+  const free = await draggedSide();
+  expect(kept).toBeLessThan(3.01);
+  expect(free).toBeGreaterThan(5);
+  await page().keyboard.press('Control+z');
+  await expect(natural).toBeChecked();
+
+  const most = page().locator('input[aria-label="Left hand bend to"]');
+  const found = await most.inputValue();
+  await typeNumber(page(), 'Left hand bend to', 0.5);
+  await expect(most).toHaveValue('0.500');
+  await page()
+    .getByRole('button', { name: 'Reset ranges', includeHidden: true })
+    .dispatchEvent('click');
+  await expect(most).toHaveValue(found);
+  await page().keyboard.press('Control+z');
+  await expect(most).toHaveValue('0.500');
+  await page().keyboard.press('Control+z');
+  await expect(most).toHaveValue(found);
+
+  const section = page().locator(
+    '.controls .lil-gui:has(> .lil-title:text-is("Inverse kinematics"))',
+  );
+  for (const title of await section.locator('.lil-title').all()) {
+    if ((await title.getAttribute('aria-expanded')) !== 'true') await title.dispatchEvent('click');
+  }
+  await expect(most).toBeVisible();
+  expect(await violations(page(), { within: '[data-section=ik]' })).toEqual([]);
   await page().keyboard.press('i');
 });
 
