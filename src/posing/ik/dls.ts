@@ -14,11 +14,8 @@ const defaults = { iterations: 60, restarts: 11, tolerance: 1e-4 } as const;
 /** A residual that is not smaller by this part of the chain is no better. */
 const notable = 1e-4;
 
-/**
- * Damped least squares in the space of the degrees of freedom, or of the natures of joints; docs/ik.md
- * describes it.
- */
-export const dls: IkSolver = natural({
+/** Damped least squares in the space of the degrees of freedom. */
+export const plainDls: IkSolver = {
   solve(problem, options = {}) {
     const run = new Run(problem, options);
     while (run.advance());
@@ -33,7 +30,10 @@ export const dls: IkSolver = natural({
       if (run.text !== '') yield run.report(run.text, values);
     }
   },
-});
+};
+
+/** Damped least squares in the space of the natures of joints; docs/ik.md describes it. */
+export const dls: IkSolver = natural(plainDls);
 
 /** One solve: the first start, and others if it stalls within reach. */
 class Run {

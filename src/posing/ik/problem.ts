@@ -61,6 +61,8 @@ export interface IkOptions {
    * passed behind the body, swings there in place of jumping. It suits no restarts.
    */
   readonly mostTurn?: number;
+  /** Whether the soft ranges of natures never give way, even if a goal within reach is missed so. */
+  readonly keepsNatures?: boolean;
   /** Residuals below this fraction of a goal's chain count as zero. */
   readonly tolerance?: number;
 }

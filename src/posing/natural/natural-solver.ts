@@ -126,15 +126,18 @@ function runOf(problem: IkProblem, options: IkOptions): Run | null {
   return { problem: { ...problem, natures }, options, natural, from };
 }
 
-const known = new WeakMap<readonly JointNature[], [readonly number[], NaturalSkeleton]>();
+const known = new WeakMap<readonly JointNature[], NaturalSkeleton[]>();
+/** As many limbs as a body has, each with its own joints. */
+const mostKnown = 8;
 
 /** A drag asks for the same natures and joints in every frame. */
 function naturalOf({ skeleton, joints, natures }: IkProblem): NaturalSkeleton {
-  const [knownJoints, found] = known.get(natures) ?? [];
-  if (found?.own === skeleton && sameValue(knownJoints, joints)) return found;
   const own = natures.filter(({ joint }) => joints.includes(joint));
+  const earlier = known.get(natures) ?? [];
+  const found = earlier.find((each) => each.own === skeleton && sameValue(each.natures, own));
+  if (found) return found;
   const natural = naturalSkeleton(skeleton, own);
-  known.set(natures, [joints, natural]);
+  known.set(natures, [natural, ...earlier].slice(0, mostKnown));
   return natural;
 }
 
@@ -211,7 +214,11 @@ function missOf({ residuals, turns }: IkSolution, { goals }: IkProblem): number 
 }
 
 /** Whether a drag's frame ended before it could tell that the ranges have to give way. */
-function isCut({ iterations }: IkSolution, { iterations: most, restarts }: IkOptions): boolean {
+function isCut(
+  { iterations }: IkSolution,
+  { iterations: most, restarts, keepsNatures = false }: IkOptions,
+): boolean {
+  if (keepsNatures) return true;
   return restarts === 0 && most !== undefined && iterations >= most;
 }
 

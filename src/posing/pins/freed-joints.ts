@@ -11,16 +11,15 @@ export interface Freed {
 
 /**
  * Returns what pins may move, in the order in which it is tried: the limb of each pin, from where the
- * body branches or from another pin; then, for all pins together, the joints on the way to the
- * root; then the roots too, so that pelvis and legs work together. What a limb can hold, nothing else
- * moves for.
+ * body branches or from another pin; then, for all pins together, all joints from them to the roots,
+ * so that pelvis and legs work together. What a limb can hold, nothing else moves for.
  */
 export function freedJoints(
   skeleton: Skeleton,
   pins: readonly Pin[],
 ): {
   readonly limbs: readonly Freed[];
-  readonly bodies: readonly Freed[];
+  readonly body: Freed;
 } {
   const isRoot = (joint: number): boolean => skeleton.parents[joint] === noParent;
   const held = pins.map(({ joint, rotation }) => ({ joint, isTurned: rotation !== null }));
@@ -35,10 +34,7 @@ export function freedJoints(
     const joints = paths[at]!.slice(first).filter((each) => !isRoot(each));
     return { joints, pins: [at] };
   });
-  const all = pins.map((_, at) => at);
-  const whole = ascending(paths.flat());
-  const below = whole.filter((joint) => !isRoot(joint));
-  return { limbs, bodies: [below, whole].map((joints) => ({ joints, pins: all })) };
+  return { limbs, body: { joints: ascending(paths.flat()), pins: pins.map((_, at) => at) } };
 }
 
 function ascending(joints: readonly number[]): number[] {

@@ -1,30 +1,44 @@
 import { forwardKinematics } from '../../core/forward-kinematics.ts';
-import type { Skeleton } from '../../core/skeleton.ts';
-import { dls } from '../ik/dls.ts';
-import type { IkGoal, IkOptions, IkSolver } from '../ik/problem.ts';
-import { natural } from '../natural/natural-solver.ts';
+import { noParent, type Skeleton } from '../../core/skeleton.ts';
+import { dls, plainDls } from '../ik/dls.ts';
+import type { IkGoal, JointNature } from '../ik/problem.ts';
 import { naturesInUse } from '../natural/natures-in-use.ts';
-import type { LayerFunction } from '../pose-layer.ts';
+import type { LayerFunction, PoseContext } from '../pose-layer.ts';
 import { type Freed, freedJoints } from './freed-joints.ts';
 import { pathLength } from './pin-miss.ts';
 import { jointRotation, pinnedPoint, pinTarget } from './pin-target.ts';
 
 /** Pins are held to this part of their limb's length, and to ten times as many radians. */
 const tolerance = 1e-4;
-/** A pose that does not lower the error by this part is no better, so that the end is a fixed point. */
+/** A pose whose error a few steps do not lower by this part is left as it is. */
 const leastGain = 0.1;
+const fewSteps = 3;
+/** What is stretched converges slowly, and only what has converged does not shake. */
+const mostSteps = { limb: 80, body: 100 } as const;
 const mostRounds = 8;
+/** How much more than an elbow the roots resist, unless they have a nature: the body bends first. */
+const rootStiffness = 10;
 
-/** Keeps knees and elbows to how they bend by nature, at a cost that only a limb is worth. */
-const careful = natural(dls);
+/** Moves joints so that all pins hold; see `holdPins`. */
+export const applyPins: LayerFunction = (context, q) => {
+  holdPins(context, q);
+};
 
 /**
- * Moves joints so that all pins hold. It begins with the limbs, and frees more of the body only if
- * they can't reach. It is a function of its arguments alone, and its result is a fixed point: applied
- * to it, the layer changes no bit. That is so because each round is a function of the pose, and the
- * last one has found nothing better.
+ * Moves joints so that all pins hold. It begins with the limbs, which keep to how they bend by
+ * nature, and frees the body if they can't reach. Nothing starts from elsewhere, and each solve is a
+ * minimum that moves smoothly with its targets, so that nothing jumps in a drag.
+ *
+ * It is a function of its arguments alone, and its result is a fixed point: applied to it, it changes
+ * no bit. That is so because each round is a function of the pose, and the last one has only found
+ * that all pins hold, or that a few steps of the whole body gain nothing.
+ *
+ * Returns how many iterations its solves took.
  */
-export const applyPins: LayerFunction = ({ character, pins, natures: settings, followed }, q) => {
+export function holdPins(
+  { character, pins, natures: settings, followed }: PoseContext,
+  q: Float64Array,
+): number {
   const { skeleton } = character;
   const goals = pins.flatMap((pin, at): IkGoal[] => {
     if (pin.weight === 0) return [];
@@ -32,31 +46,55 @@ export const applyPins: LayerFunction = ({ character, pins, natures: settings, f
     const { joint, point, weight } = pin;
     return [{ joint, point, target: place, weight, ...(rotation && { rotation }) }];
   });
-  if (goals.length === 0) return;
-  const { limbs, bodies } = freedJoints(
+  if (goals.length === 0) return 0;
+  const { limbs, body } = freedJoints(
     skeleton,
     pins.filter(({ weight }) => weight > 0),
   );
   const natures = naturesInUse(character, settings);
   const measure = new Measure(skeleton, goals);
-  let error = measure.of(q);
-  const tryTo = (solver: IkSolver, freed: Freed, options: IkOptions): void => {
-    if (freed.pins.every((pin) => error.holds[pin])) return;
+  let iterations = 0;
+  const solve = (freed: Freed, most: number): Float64Array => {
     const own = freed.pins.map((pin) => goals[pin]!);
-    const problem = { skeleton, goals: own, joints: freed.joints, reference: q, natures };
-    const solved = solver.solve(problem, { ...options, tolerance: tolerance / 2 });
-    const found = measure.of(solved.q);
-    if (found.cost > error.cost * (1 - leastGain)) return;
-    q.set(solved.q);
-    error = found;
+    const isBody = freed === body;
+    const problem = {
+      skeleton,
+      goals: own,
+      joints: freed.joints,
+      reference: q,
+      natures: isBody ? withFirmRoots(skeleton, natures) : natures,
+    };
+    const options = { iterations: most, restarts: 0, tolerance: tolerance / 2 };
+    const solution = isBody
+      ? plainDls.solve(problem, options)
+      : dls.solve(problem, { ...options, keepsNatures: true });
+    iterations += solution.iterations;
+    return solution.q;
   };
   for (let round = 0; round < mostRounds; round++) {
-    const before = error;
-    for (const limb of limbs) tryTo(careful, limb, { restarts: 1, iterations: 30 });
-    for (const body of bodies) tryTo(dls, body, { restarts: 0, iterations: 20 });
-    if (error === before) return;
+    const { cost, holds } = measure.of(q);
+    if (holds.every(Boolean)) break;
+    if (measure.of(solve(body, fewSteps)).cost > cost * (1 - leastGain)) break;
+    for (const limb of limbs) {
+      const now = measure.of(q).holds;
+      if (!limb.pins.every((pin) => now[pin])) q.set(solve(limb, mostSteps.limb));
+    }
+    if (!measure.of(q).holds.every(Boolean)) q.set(solve(body, mostSteps.body));
   }
-};
+  return iterations;
+}
+
+/** The natures, with those of roots that have none. */
+function withFirmRoots(skeleton: Skeleton, natures: readonly JointNature[]): JointNature[] {
+  const firm = natures.slice();
+  const free = [-Infinity, Infinity] as const;
+  skeleton.parents.forEach((parent, joint) => {
+    if (parent !== noParent || natures.some((nature) => nature.joint === joint)) return;
+    const ranges = { bend: free, side: free, twist: free };
+    firm.push({ joint, stiffness: rootStiffness, jointFromNature: [0, 0, 0, 1], ...ranges });
+  });
+  return firm;
+}
 
 interface PinError {
   /** The weighted sum of squared errors, in lengths of the limbs. */
