@@ -1,5 +1,6 @@
 import { effect } from '@preact/signals-core';
 import type { GUI } from 'lil-gui';
+import { selectedActor } from '../../document/selected-actor.ts';
 import { ikMethod, ikMethods } from '../../posing/ik/methods.ts';
 import { chainLengthOf } from '../chain-length.ts';
 import type { Editor } from '../editor.ts';
@@ -10,7 +11,7 @@ import { field, signalField } from './signal-field.ts';
 
 /** Adds the controls of inverse kinematics. Returns what ends its effects. */
 export function addIkFolder(gui: GUI, editor: Editor): () => void {
-  const { session } = editor;
+  const { store, session } = editor;
   const folder = gui.addFolder('Inverse kinematics').close();
   addCommandRow(folder, editor, 'ik-mode');
   const methods = Object.fromEntries(ikMethods.map(({ id, label }) => [label, id]));
@@ -26,10 +27,11 @@ export function addIkFolder(gui: GUI, editor: Editor): () => void {
   const chain = folder.add(length, 'value', 1, 1, 1).name('Joints in the chain');
   addCommandRow(folder, editor, 'longer-chain');
   addCommandRow(folder, editor, 'shorter-chain');
-  folder.add(signalField(session.showTargets), 'value').name("The file's targets");
+  const targets = folder.add(signalField(session.showTargets), 'value').name("The file's targets");
   const endNatural = addNaturalRows(folder, editor);
   const endChain = effect(() => {
     summary.textContent = ikMethod(session.ikMethod.value).summary;
+    targets.show((selectedActor(store, session)?.character.ikChains.length ?? 0) > 0);
     const { most } = lengthNow();
     chain
       .max(most)
