@@ -3,7 +3,8 @@ import type { SkinParts } from './character-parts.ts';
 import type { DiagnosticLog } from './diagnostics.ts';
 import { jointMatrices } from './forward-kinematics.ts';
 import { linePlace, reportRows, type SkinRows } from './report-rows.ts';
-import { firstRoot, type Skeleton } from './skeleton.ts';
+import type { Skeleton } from './skeleton.ts';
+import { firstRoot } from './subtree.ts';
 import { noJoint, type Skin } from './skin.ts';
 
 /** Smaller weights are numerical noise of a file; they would cost time without a visible effect. */

@@ -1,12 +1,10 @@
-import { mat4 } from 'gl-matrix';
-import { type Actor, actorById, boundClip } from '../document/scene.ts';
+import { type Actor, boundClip } from '../document/scene.ts';
 import { selectedActor } from '../document/selected-actor.ts';
 import type { Session } from '../document/session.ts';
 import type { Store } from '../document/store.ts';
 import type { KernelId } from '../skinning/method.ts';
 import { type Deformation, kernelOf } from '../skinning/registry.ts';
 import { timeInClip } from '../posing/playhead.ts';
-import { displayTransform } from './display-transform.ts';
 import type { Evaluation } from './evaluation.ts';
 import { EvaluationPool } from './evaluation-pool.ts';
 import { Evaluator } from './evaluator.ts';
@@ -91,21 +89,10 @@ export class Evaluations {
     return evaluator.evaluate(shown, time, this.followedBy(actor));
   }
 
-  /** See `PoseContext`. A joint that does not exist is not followed. */
+  /** See `PoseContext`. */
   private followedBy(actor: Actor): Float64Array | null {
     if (!actor.pins.some(({ follows }) => follows)) return null;
-    const matrices = new Float64Array(actor.pins.length * 16).fill(NaN);
-    const characterFromScene = new Float64Array(16);
-    mat4.invert(characterFromScene, displayTransform(actor.character, actor).sceneFromCharacter);
-    actor.pins.forEach(({ follows }, at) => {
-      const other = follows && actorById(this.store.scene.value, follows.actor);
-      if (!other || follows.joint >= other.character.skeleton.jointCount) return;
-      const { display, characterFromJoint } = this.of(other);
-      const matrix = matrices.subarray(at * 16, at * 16 + 16);
-      mat4.multiply(matrix, characterFromScene, display.sceneFromCharacter);
-      const joint = follows.joint * 16;
-      mat4.multiply(matrix, matrix, characterFromJoint.subarray(joint, joint + 16));
-    });
-    return matrices;
+    const find = this.pool.kernels.followed.value;
+    return find ? find(actor, this.store.scene.value, (other) => this.of(other)) : null;
   }
 }

@@ -6,6 +6,7 @@ import type { KernelId, SkinningMethod } from '../skinning/method.ts';
 import { type Deformation, kernelById, kernelOf, recomputedNormals } from '../skinning/registry.ts';
 import type { WasmSkinning } from '../skinning/wasm/wasm-skinning.ts';
 import type { recomputeNormals } from '../skinning/welded-normals.ts';
+import type { followedJoints } from './followed-joints.ts';
 import { LazyPart } from './lazy-part.ts';
 
 export interface KernelsOptions {
@@ -27,7 +28,7 @@ export class Kernels {
   wasm: WasmSkinning | null = null;
   /** Recomputes normals from posed faces. */
   readonly recompute: LazyPart<typeof recomputeNormals>;
-  /** By the kernel's id or by the layer. */
+  /** By a name, the kernel's id or the layer. */
   private readonly parts = new Map<unknown, LazyPart<unknown>>();
   private readonly options: KernelsOptions;
 
@@ -65,6 +66,14 @@ export class Kernels {
     await this.load(kernelOf(actor).id);
     if (recomputedNormals(actor.normals)) await this.recompute.load();
     for (const layer of poseLayers) if (layer.isActive(actor)) await this.layer(layer).load();
+    if (actor.pins.some(({ follows }) => follows)) await this.followed.load();
+  }
+
+  /** Finds what pins follow of other characters. */
+  get followed(): LazyPart<typeof followedJoints> {
+    return this.part('followed', async () => {
+      return (await loadPart(import('./followed-joints.ts'))).followedJoints;
+    });
   }
 
   /** The function of a layer. */

@@ -5,7 +5,8 @@ import { setAxisValues } from './axis-values.ts';
 import { ballValue, type BallJson, quaternionOf } from './ball-values.ts';
 import { checkVersion, display, JsonValue } from './json/decoder.ts';
 import { boundText } from './text/write-number.ts';
-import { DofKind, firstRoot, type Skeleton } from '../core/skeleton.ts';
+import { DofKind, type Skeleton } from '../core/skeleton.ts';
+import { firstRoot } from '../core/subtree.ts';
 
 /**
  * A pose in the form that people write and exchange: angles x, y, z in radians by joint name, or by

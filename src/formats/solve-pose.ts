@@ -2,7 +2,8 @@ import { mat4 } from 'gl-matrix';
 import { type EulerProduct, extractEuler } from '../core/euler.ts';
 import { jointMatrices } from '../core/forward-kinematics.ts';
 import { axisDofs } from '../core/pose.ts';
-import { DofKind, firstRoot, noParent, type Skeleton } from '../core/skeleton.ts';
+import { DofKind, noParent, type Skeleton } from '../core/skeleton.ts';
+import { firstRoot } from '../core/subtree.ts';
 import { noJoint, type Skin } from '../core/skin.ts';
 
 /** The skeleton for which angles are solved. */

@@ -1,5 +1,6 @@
 import { axisDofs, type Pose } from '../core/pose.ts';
-import { DofKind, firstRoot, type Skeleton } from '../core/skeleton.ts';
+import { DofKind, type Skeleton } from '../core/skeleton.ts';
+import { firstRoot } from '../core/subtree.ts';
 import { ballValue, type BallJson, type Quaternion, type Triple } from './ball-values.ts';
 import type { PoseJson } from './pose-json.ts';
 

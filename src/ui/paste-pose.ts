@@ -1,6 +1,7 @@
 import { hasErrors } from '../core/diagnostics.ts';
 import { setPose } from '../document/edits.ts';
-import { firstRoot, noParent, type Skeleton } from '../core/skeleton.ts';
+import { noParent, type Skeleton } from '../core/skeleton.ts';
+import { firstRoot } from '../core/subtree.ts';
 import { findJoint, type PoseJson } from '../formats/pose-json.ts';
 import { readPoseJson } from '../formats/read-pose-json.ts';
 import { mirrorJoints, symmetryOf } from '../posing/symmetry/symmetry.ts';

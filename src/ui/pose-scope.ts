@@ -1,4 +1,5 @@
-import { subtreeEnd, type Skeleton } from '../core/skeleton.ts';
+import type { Skeleton } from '../core/skeleton.ts';
+import { subtreeEnd } from '../core/subtree.ts';
 import { selectedJoints } from '../document/selected-joints.ts';
 import type { Session } from '../document/session.ts';
 

@@ -1,5 +1,6 @@
 import { printable } from '../core/diagnostics.ts';
-import { subtreeEnd, type Skeleton } from '../core/skeleton.ts';
+import type { Skeleton } from '../core/skeleton.ts';
+import { subtreeEnd } from '../core/subtree.ts';
 import {
   addSavedPose,
   changeSavedPose,

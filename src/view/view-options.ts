@@ -1,20 +1,8 @@
-import type { ChainLength } from '../posing/ik/chain.ts';
 import type { WeightViewId } from '../skinning/weights/views.ts';
-import type { IkSketch } from '../document/ik-sketch.ts';
 import type { Environment } from '../document/environment.ts';
 import type { ActorId, Scene } from '../document/scene.ts';
 import { selectedJoints } from '../document/selected-joints.ts';
-import type {
-  ActiveDof,
-  HandleId,
-  HoveredLimb,
-  PlaceAxes,
-  PlaceTool,
-  PosesBy,
-  Session,
-  ShownChain,
-  SkeletonStyle,
-} from '../document/session.ts';
+import type { Session } from '../document/session.ts';
 
 /** How the weights of the selected actor are shown in color. */
 export interface WeightOptions {
@@ -24,40 +12,46 @@ export interface WeightOptions {
   readonly marked: number | null;
 }
 
+/** What a picture depends on and the session has as it is. */
+const plainOptions = [
+  'showSkin',
+  'showSkeleton',
+  'skeletonStyle',
+  'showTextures',
+  'showNormals',
+  'showAxes',
+  'translucent',
+  'selectedActorId',
+  'selectedJoint',
+  'mirroredJoints',
+  'hoveredLimb',
+  'hoveredHandle',
+  'dragsLights',
+  'activeDof',
+  'placeTool',
+  'placeAxes',
+  'ringAxes',
+  'posesBy',
+  'playing',
+  'ikMode',
+  'chainLength',
+  'shownChain',
+  'showTargets',
+  'byTouch',
+  'ikSketch',
+] as const;
+
+type PlainOptions = {
+  readonly [Key in (typeof plainOptions)[number]]: Session[Key]['value'];
+};
+
 /** How the session views a scene. */
-export interface SessionOptions {
-  readonly showSkin: boolean;
-  readonly showSkeleton: boolean;
-  readonly skeletonStyle: SkeletonStyle;
-  readonly showTextures: boolean;
-  readonly showNormals: boolean;
-  readonly showAxes: boolean;
+export interface SessionOptions extends PlainOptions {
   readonly weights: WeightOptions | null;
-  readonly translucent: boolean;
-  readonly selectedActorId: ActorId | null;
-  /** The selected joint of the selected actor, or null. */
-  readonly selectedJoint: number | null;
-  /** All that are selected together, that one first. */
+  /** All joints that are selected together, the selected one first. */
   readonly selectedJoints: readonly number[];
-  /** Those that mirror the selected ones while live symmetry is on. */
-  readonly mirroredJoints: readonly number[];
-  readonly hoveredLimb: HoveredLimb | null;
   /** Shows what belongs to the page and not to the picture: handles and the light on a limb. */
   readonly showOverlay: boolean;
-  readonly hoveredHandle: HandleId | null;
-  readonly dragsLights: boolean;
-  readonly activeDof: ActiveDof | null;
-  readonly placeTool: PlaceTool | null;
-  readonly placeAxes: PlaceAxes;
-  readonly ringAxes: PlaceAxes;
-  readonly posesBy: PosesBy;
-  readonly playing: boolean;
-  readonly ikMode: boolean;
-  readonly chainLength: ChainLength | null;
-  readonly shownChain: ShownChain | null;
-  readonly showTargets: boolean;
-  readonly byTouch: boolean;
-  readonly ikSketch: IkSketch | null;
 }
 
 /** Everything besides the actors that a picture depends on. */
@@ -79,41 +73,15 @@ export function viewOptionsOf(session: Session, { environment, actors }: Scene):
  * Returns the session's options, with the overlay shown. Reading subscribes to the session.
  */
 export function sessionOptionsOf(session: Session): SessionOptions {
+  const { showWeights, weightView, unlitWeights, markedPoint } = session;
+  const plain = Object.fromEntries(plainOptions.map((key) => [key, session[key].value]));
   return {
-    showSkin: session.showSkin.value,
-    showSkeleton: session.showSkeleton.value,
-    skeletonStyle: session.skeletonStyle.value,
-    showTextures: session.showTextures.value,
-    showNormals: session.showNormals.value,
-    showAxes: session.showAxes.value,
-    weights: session.showWeights.value
-      ? {
-          view: session.weightView.value,
-          unlit: session.unlitWeights.value,
-          marked: session.markedPoint.value,
-        }
+    ...(plain as unknown as PlainOptions),
+    weights: showWeights.value
+      ? { view: weightView.value, unlit: unlitWeights.value, marked: markedPoint.value }
       : null,
-    translucent: session.translucent.value,
-    selectedActorId: session.selectedActorId.value,
-    selectedJoint: session.selectedJoint.value,
     selectedJoints: selectedJoints(session),
-    mirroredJoints: session.mirroredJoints.value,
-    hoveredLimb: session.hoveredLimb.value,
     showOverlay: true,
-    hoveredHandle: session.hoveredHandle.value,
-    dragsLights: session.dragsLights.value,
-    activeDof: session.activeDof.value,
-    placeTool: session.placeTool.value,
-    placeAxes: session.placeAxes.value,
-    ringAxes: session.ringAxes.value,
-    posesBy: session.posesBy.value,
-    playing: session.playing.value,
-    ikMode: session.ikMode.value,
-    chainLength: session.chainLength.value,
-    shownChain: session.shownChain.value,
-    showTargets: session.showTargets.value,
-    byTouch: session.byTouch.value,
-    ikSketch: session.ikSketch.value,
   };
 }
 

@@ -4,7 +4,8 @@ import { buildSkeleton } from '../../src/core/build-skeleton.ts';
 import type { JointParts } from '../../src/core/character-parts.ts';
 import { DiagnosticLog, formatDiagnostic } from '../../src/core/diagnostics.ts';
 import { defaultLimits, type Limits } from '../../src/core/limits.ts';
-import { DofKind, firstRoot, type Skeleton, subtreeEnd } from '../../src/core/skeleton.ts';
+import { DofKind, type Skeleton } from '../../src/core/skeleton.ts';
+import { firstRoot, subtreeEnd } from '../../src/core/subtree.ts';
 
 function build(parents: readonly number[], limits: Limits = defaultLimits) {
   const log = new DiagnosticLog('a.skel');

@@ -1,7 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { emptySkeleton } from '../../src/core/build-skeleton.ts';
 import { axisDofs, jointRange, restPose } from '../../src/core/pose.ts';
-import { DofKind, firstRoot } from '../../src/core/skeleton.ts';
+import { DofKind } from '../../src/core/skeleton.ts';
+import { firstRoot } from '../../src/core/subtree.ts';
 import { buildStaticSkin } from '../../src/core/build-skin.ts';
 import { largestBindError } from '../../src/skinning/bind-error.ts';
 import { characterOfRig } from '../fixtures/character-of-rig.ts';

@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import type { Character } from '../../src/core/character.ts';
 import { jointRange, type Pose } from '../../src/core/pose.ts';
 import { sameValue } from '../../src/core/same-value.ts';
-import { subtreeEnd } from '../../src/core/skeleton.ts';
+import { subtreeEnd } from '../../src/core/subtree.ts';
 import { blendPoses } from '../../src/posing/blend-poses.ts';
 import { fitPose } from '../../src/posing/fit-pose.ts';
 import { dofLetters, namePose } from '../../src/posing/named-pose.ts';

@@ -1,7 +1,8 @@
 import { mat4 } from 'gl-matrix';
 import type { Diagnostic } from '../../core/diagnostics.ts';
 import { jointMatrices } from '../../core/forward-kinematics.ts';
-import { firstRoot, type Skeleton } from '../../core/skeleton.ts';
+import type { Skeleton } from '../../core/skeleton.ts';
+import { firstRoot } from '../../core/subtree.ts';
 import type { Skin } from '../../core/skin.ts';
 import { reportLosses } from './losses.ts';
 

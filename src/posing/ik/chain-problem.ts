@@ -1,6 +1,8 @@
 import { mat3, quat, vec3 } from 'gl-matrix';
+import { diagonal, emptyBounds, includePositions } from '../../core/bounds.ts';
 import { jointMatrices } from '../../core/forward-kinematics.ts';
-import { DofKind, type Skeleton, subtreeEnd } from '../../core/skeleton.ts';
+import { DofKind, type Skeleton } from '../../core/skeleton.ts';
+import { subtreeEnd } from '../../core/subtree.ts';
 import { pathTo } from './chain.ts';
 import type { IkGoal, IkProblem, JointNature, Quaternion, Vector3 } from './problem.ts';
 
@@ -122,10 +124,9 @@ function lengthOf(chain: readonly number[], matrices: Float64Array, point: Vecto
 
 /** The diagonal of the box of all joints. */
 function sizeOf(matrices: Float64Array): number {
-  const [low, high] = [new Float64Array(3).fill(Infinity), new Float64Array(3).fill(-Infinity)];
+  const box = emptyBounds();
   for (let at = 12; at < matrices.length; at += 16) {
-    vec3.min(low, low, matrices.subarray(at, at + 3));
-    vec3.max(high, high, matrices.subarray(at, at + 3));
+    includePositions(box, matrices.subarray(at, at + 3), 1);
   }
-  return vec3.distance(low, high);
+  return diagonal(box);
 }

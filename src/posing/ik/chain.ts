@@ -1,4 +1,5 @@
-import { noParent, type Skeleton, subtreeEnd } from '../../core/skeleton.ts';
+import { noParent, type Skeleton } from '../../core/skeleton.ts';
+import { subtreeEnd } from '../../core/subtree.ts';
 
 /** A joint that is held in its place, where a chain may begin. */
 export interface HeldJoint {

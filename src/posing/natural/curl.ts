@@ -1,4 +1,5 @@
 import { vec3 } from 'gl-matrix';
+import { angleBetween } from './angle-between.ts';
 import type { Body } from './body.ts';
 
 /** A finger that stands bent farther, in radians, tells its axis itself. */
@@ -15,7 +16,7 @@ export function curlAxis(body: Body, joint: number, along: vec3): vec3 {
   const parent = body.skeleton.parents[joint]!;
   if (parent >= 0 && body.roles[joint] === 'finger') {
     const above = vec3.subtract(new Float64Array(3), body.places[joint]!, body.places[parent]!);
-    if (vec3.length(above) > 1e-8 && vec3.angle(above, along) > clearBend) {
+    if (vec3.length(above) > 1e-8 && angleBetween(above, along) > clearBend) {
       return vec3.cross(new Float64Array(3), above, along);
     }
   }
@@ -45,7 +46,7 @@ function palmNormal(body: Body, joint: number): vec3 | null {
     const normal = vec3.cross(new Float64Array(3), toFingers, toThumb);
     const side = sides[joint] ?? sides[hand] ?? null;
     if (side === 'left') return normal;
-    if (side === 'right') return vec3.negate(normal, normal);
+    if (side === 'right') return vec3.scale(normal, normal, -1);
     const flat = flatNormal(
       places[hand]!,
       knuckles.map((at) => places[at]!),

@@ -1,6 +1,7 @@
 import { mat3, quat, vec3 } from 'gl-matrix';
 import type { Character } from '../../core/character.ts';
 import type { JointNature } from '../ik/problem.ts';
+import { angleBetween } from './angle-between.ts';
 import { type Body, bodyOf } from './body.ts';
 import { curlAxis } from './curl.ts';
 import type { JointRole } from './roles.ts';
@@ -66,9 +67,10 @@ export function naturesOf(character: Character): readonly JointNature[] {
 }
 
 function natureOf(body: Body, joint: number, role: JointRole): JointNature[] {
-  const along = vec3.subtract(new Float64Array(3), body.ends[joint]!, body.places[joint]!);
+  const along = new Float64Array(3);
+  vec3.subtract(along, body.ends[joint]!, body.places[joint]!);
   const isTrunk = role === 'root' || (role === 'pelvis' && body.sides[joint] === null);
-  if (isTrunk || vec3.length(along) < 1e-9) vec3.copy(along, body.up);
+  if (isTrunk || vec3.length(along) < 1e-9) along.set(body.up);
   vec3.normalize(along, along);
   const axis = bendAxis(body, joint, role, along);
   if (!axis) return [];
@@ -101,12 +103,12 @@ function natureOf(body: Body, joint: number, role: JointRole): JointNature[] {
 function bendAxis(body: Body, joint: number, role: JointRole, along: vec3): vec3 | null {
   const axis = new Float64Array(3);
   const toward = body.forward ?? [0, 0, 1];
-  vec3.cross(axis, along, role === 'knee' ? vec3.negate(new Float64Array(3), toward) : toward);
+  vec3.cross(axis, along, role === 'knee' ? vec3.scale(new Float64Array(3), toward, -1) : toward);
   if (role === 'finger' || role === 'thumb') return square(curlAxis(body, joint, along), along);
   if (role === 'elbow' || role === 'knee') {
     const above = limbAbove(body, joint);
     const bent = above ? vec3.cross(new Float64Array(3), above, along) : vec3.create();
-    const degrees = above ? (vec3.angle(above, along) * 180) / Math.PI : 0;
+    const degrees = above ? (angleBetween(above, along) * 180) / Math.PI : 0;
     if (!body.forward && degrees < clear) return null;
     const t = Math.min(Math.max((degrees - unclear) / (clear - unclear), 0), 1);
     const trust = t * t * (3 - 2 * t);

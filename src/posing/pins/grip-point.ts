@@ -2,7 +2,8 @@ import { mat4, vec3 } from 'gl-matrix';
 import { bonesOf } from '../../core/bones.ts';
 import type { Character } from '../../core/character.ts';
 import { jointMatrices } from '../../core/forward-kinematics.ts';
-import { type Skeleton, subtreeEnd } from '../../core/skeleton.ts';
+import type { Skeleton } from '../../core/skeleton.ts';
+import { subtreeEnd } from '../../core/subtree.ts';
 import type { Vector3 } from '../ik/problem.ts';
 
 /** The most joints in a row from a hand or foot to its end, with and without several fingers. */

@@ -1,5 +1,6 @@
 import { resetJoints } from '../../document/edits.ts';
-import { subtreeEnd, type Skeleton } from '../../core/skeleton.ts';
+import type { Skeleton } from '../../core/skeleton.ts';
+import { subtreeEnd } from '../../core/subtree.ts';
 import { selectedActor } from '../../document/selected-actor.ts';
 import { selectedJoints } from '../../document/selected-joints.ts';
 import { selectJoint } from '../../document/select-joints.ts';

@@ -15,7 +15,7 @@ export function addIkFolder(gui: GUI, editor: Editor): () => void {
   const folder = gui.addFolder('Inverse kinematics').close();
   addCommandRow(folder, editor, 'ik-mode');
   const methods = Object.fromEntries(ikMethods.map(({ id, label }) => [label, id]));
-  folder.add(signalField(session.ikMethod), 'value', methods).name('Method');
+  folder.add(signalField(session.ikMethod), 'value', methods).name('Solver');
   const summary = addNote(folder, '');
   const length = field(
     () => lengthNow().count,

@@ -1,6 +1,7 @@
 import { useMemo } from 'preact/hooks';
 import type { Clip } from '../../core/clip.ts';
-import { firstRoot, type Skeleton } from '../../core/skeleton.ts';
+import type { Skeleton } from '../../core/skeleton.ts';
+import { firstRoot } from '../../core/subtree.ts';
 import { clipCurves, type Curve } from '../clip-curves.ts';
 import type { Looking, Posing } from '../editor.ts';
 
