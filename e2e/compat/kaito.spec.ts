@@ -59,7 +59,7 @@ async function unlinkedPoints(): Promise<number[]> {
     for (let each = joint; each < subtreeEnd(skeleton, joint); each++) moved.add(each);
   }
   return Array.from({ length: mesh.pointCount }, (_, point) => point).filter((point) => {
-    const entries = skin.entries.subarray(skin.start[point]!, skin.start[point + 1]!);
+    const entries = skin.entries.subarray(skin.start[point], skin.start[point + 1]);
     return entries.every((entry) => !moved.has(skin.paletteJoint[entry]!));
   });
 }

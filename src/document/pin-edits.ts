@@ -107,11 +107,7 @@ export function rotationBetween(
 
 function sceneRotation({ state, characterFromJoint }: ShownJoints, joint: number): quat {
   const rotation = [...jointRotation(joint, characterFromJoint)] as const;
-  return quat.multiply(
-    new Float64Array(4),
-    state.transform.rotation,
-    rotation,
-  );
+  return quat.multiply(new Float64Array(4), state.transform.rotation, rotation);
 }
 
 /** Lets a pin hold its place instead of following another character. */

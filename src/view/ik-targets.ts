@@ -28,7 +28,7 @@ const faint = 0.35;
 const rimColor = linear('#2a1d05');
 
 /** They stand where inverse kinematics is on, for the selected character. */
-export function showsTargets(
+function showsTargets(
   options: Pick<SessionOptions, 'showOverlay' | 'showTargets' | 'ikMode' | 'playing'>,
 ): boolean {
   return options.showOverlay && options.showTargets && options.ikMode && !options.playing;

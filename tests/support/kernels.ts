@@ -19,6 +19,7 @@ await Promise.all([
   ...kernels.map(({ id }) => allThere.load(id)),
   ...poseLayers.map((layer) => allThere.layer(layer).load()),
   allThere.recompute.load(),
+  allThere.followed.load(),
 ]);
 
 /** A pool whose kernels and pose layers are all loaded. */

@@ -18,6 +18,8 @@ const fastPart = 0.5;
  * so far that other starts are tried.
  */
 const [tolerance, apartPart, stuckPart] = [1e-4, 5e-3, 0.02];
+/** The most iterations once the hand rests, in which its pose is solved to the end. */
+const [restingIterations, mostImprovements] = [100, 5];
 /** How many other starts are tried, with how many iterations each. */
 const [restarts, restartIterations] = [10, 60];
 /** They are tried again when the target has moved by this part of the reach. */
@@ -73,6 +75,8 @@ export class ChainDrag {
   private residual = 0;
   private shown: Float64Array;
   private easing: { readonly from: Float64Array; readonly since: number } | null = null;
+  /** How many times the pose was solved to the end since the hand moved. */
+  private improvements = 0;
   /** The target for which other starts were tried last. */
   private triedAt: Vector3 | null = null;
 
@@ -103,6 +107,7 @@ export class ChainDrag {
   aim(place: Vector3, seconds: number): void {
     if (place.every((value, i) => value === this.target.aim[i])) return;
     this.target.tell(place, seconds);
+    this.improvements = 0;
     this.movedAt = seconds;
   }
 
@@ -115,14 +120,17 @@ export class ChainDrag {
     const speed = time > 0 ? distance(former, this.smooth) / time : Infinity;
     const calm = Math.max(0, 1 - speed / (fastPart * this.problem.reach));
     const mostTurn = turnRate * time;
-    this.take(this.solve(this.pulled(calm * time), { iterations: frameIterations, mostTurn }));
+    const hasArrived = distance(this.smooth, this.target.aim) <= stillPart * this.problem.reach;
+    const reference = hasArrived ? this.start.q : this.pulled(calm * time);
+    this.take(this.solve(reference, { iterations: frameIterations, mostTurn }));
     if (calm > 0) this.tryOthers();
     this.show();
     const isStill =
-      distance(this.smooth, this.target.aim) <= stillPart * this.problem.reach &&
-      this.shown.every((value, i) => Math.abs(value - before[i]!) <= stillValue);
+      hasArrived && this.shown.every((value, i) => Math.abs(value - before[i]!) <= stillValue);
     const isLong = this.seconds - this.movedAt > longestSettling;
-    return this.moment(time > 0 && this.easing === null && (isStill || isLong));
+    const mayRest = time > 0 && this.easing === null && (isStill || isLong);
+    if (mayRest) this.improve();
+    return this.moment(mayRest && this.easing === null);
   }
 
   /** Ends at once where the hand is. */
@@ -144,6 +152,20 @@ export class ChainDrag {
     if (time === 0 || this.residual > apartPart * this.problem.reach) return this.solved;
     const problem = this.problem.toward(this.smooth, this.solved);
     return pullNaturally(problem, this.solved, this.start.q, 1 - Math.exp(-time / pullTime));
+  }
+
+  /**
+   * Once the hand rests, the pose is solved to the end and eased into, so that it depends on where
+   * the hand is and not on how many frames led there.
+   */
+  private improve(): void {
+    if (this.improvements === mostImprovements) return;
+    const { q } = this.solve(this.start.q, { iterations: restingIterations });
+    const isSame = q.every((value, i) => Math.abs(value - this.solved[i]!) <= stillValue);
+    this.improvements = isSame ? mostImprovements : this.improvements + 1;
+    if (isSame) return;
+    this.easing = { from: this.shown, since: this.seconds };
+    this.take(this.solve(this.start.q, { iterations: restingIterations }));
   }
 
   private tryOthers(): void {

@@ -79,6 +79,27 @@ describe('a drag of a chain', () => {
     expect(play(drag, path, 0.5, 60).end.q).toEqual(usual);
   });
 
+  it.each([
+    [1.6, 0.4, 1.2],
+    [0.6, -1.2, 1.4],
+    [0.2, 1.5, 0.4],
+  ])('ends so at each rate out of reach too: %s, %s, %s', (...direction) => {
+    const drag = arm();
+    const { start, begin, reach } = placesOf(drag);
+    const path = (seconds: number): Vector3 => {
+      const wave = 0.2 * Math.sin(6 * seconds);
+      return moved(
+        start,
+        [direction[0] * 2 * seconds + wave, direction[1] * 2 * seconds, direction[2] * 2 * seconds],
+        reach,
+      );
+    };
+    expect(distance(path(0.5), begin), 'is out of reach').toBeGreaterThan(reach);
+    const [slow, usual, fast] = [20, 60, 120].map((rate) => play(drag, path, 0.5, rate).end.q);
+    expect(Math.max(...turnsBetween(drag.skeleton, slow!, usual!))).toBeLessThan(1);
+    expect(Math.max(...turnsBetween(drag.skeleton, fast!, usual!))).toBeLessThan(1);
+  });
+
   it.each(chains)('in a loop and back drifts by at most 3°: %s', (_, begin) => {
     const drag = begin();
     const { start, reach } = placesOf(drag);
