@@ -122,7 +122,8 @@ test('a clip plays, pauses and steps; an edit starts from its pose and unbinds i
   const time = timeline().getByRole('slider', { name: 'Time' });
   await time.focus();
   await page().keyboard.press('ArrowRight');
-  expect(await clipTime()).toBeCloseTo(paused + 1 / 30, 6);
+  const end = Number(await time.getAttribute('max'));
+  expect(await clipTime()).toBeCloseTo(Math.min(paused + 1 / 30, end), 6);
   await page().keyboard.press('Home');
   await page().evaluate(() => window.sinew.seek(1));
   const shown = await getPose(page());

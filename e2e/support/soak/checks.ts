@@ -21,6 +21,8 @@ export async function comeToRest(page: Page): Promise<void> {
       if (button('Release the clip')?.disabled === false) button('Pause')?.click();
     }
   });
+  // A section that is still loading has no fields to compare.
+  await expect(page.locator('[data-section]:not([hidden]):empty')).toHaveCount(0);
 }
 
 /**
