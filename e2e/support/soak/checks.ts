@@ -21,8 +21,6 @@ export async function comeToRest(page: Page): Promise<void> {
       if (button('Release the clip')?.disabled === false) button('Pause')?.click();
     }
   });
-  // A section that is still loading has no fields to compare.
-  await expect(page.locator('[data-section]:not([hidden]):empty')).toHaveCount(0);
 }
 
 /**
@@ -47,14 +45,14 @@ export async function expectReplay(page: Page): Promise<void> {
       new Int32Array(numbers.buffer).reduce((sum, bits) => (Math.imul(sum, 31) + bits) | 0, 0);
     /**
      * Everything that scripts can read of the scene, and the places and options that its controls
-     * show.
+     * show. Those of inverse kinematics belong to the session, and come with a character.
      */
     const tell = (): string =>
       JSON.stringify(
         window.sinew.characters.map(({ id, name }) => {
           window.sinew.select(id);
           const fields = document.querySelectorAll<HTMLInputElement | HTMLSelectElement>(
-            '.controls input[aria-label^="Place "], .controls select',
+            '.controls input[aria-label^="Place "], [data-section]:not([data-section="ik"]) select',
           );
           return {
             id,
