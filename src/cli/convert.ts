@@ -3,7 +3,7 @@ import { join } from 'node:path';
 import { parseArgs } from 'node:util';
 import type { Character } from '../core/character.ts';
 import { type Diagnostic, hasErrors } from '../core/diagnostics.ts';
-import { type Pose, restPose } from '../core/pose.ts';
+import type { Pose } from '../core/pose.ts';
 import { convertCharacter } from '../formats/convert.ts';
 import { baseName } from '../formats/file-entry.ts';
 import type { OutputFile, Written } from '../formats/format.ts';
@@ -15,7 +15,7 @@ import { savedFiles } from '../formats/saved-files.ts';
 import type { Command } from './command.ts';
 import { printDiagnostics, readFiles, unwritable, userPath } from './files.ts';
 import { parseWords } from './parse-words.ts';
-import { formatOfPose, readPoseFile } from './read-pose-file.ts';
+import { formatOfPose, givenPose } from './read-pose-file.ts';
 import { UsageError } from './usage-error.ts';
 
 const words = convertTargets.map(writtenWord);
@@ -34,7 +34,7 @@ export const convert: Command = {
     const found: Diagnostic[] = [...missing, ...diagnostics];
     if (characters.length > 1) throw new UsageError('expected the files of one character');
     const character = characters[0]?.character;
-    const pose = character && (await readPose(options.pose, character, found));
+    const pose = character && (await givenPose(options.pose, character, found));
     if (!character || !pose || hasErrors(found)) {
       printDiagnostics(found);
       return 1;
@@ -68,18 +68,6 @@ function parseOptions(words: readonly string[]) {
   if (!target) throw new UsageError(`expected ${words.map((word) => `--to ${word}`).join(' or ')}`);
   if (out === undefined) throw new UsageError('expected --out with a folder');
   return { files, to: target, out, pose };
-}
-
-/** The given pose, in the angles of the input files; without one, the pose of those files. */
-async function readPose(
-  path: string | undefined,
-  character: Character,
-  found: Diagnostic[],
-): Promise<Pose | undefined> {
-  if (path === undefined) return restPose(character.skeleton);
-  const { value, diagnostics } = await readPoseFile(path, character);
-  found.push(...diagnostics);
-  return value;
 }
 
 /**

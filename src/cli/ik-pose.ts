@@ -3,7 +3,6 @@ import { bonesOf } from '../core/bones.ts';
 import type { Character } from '../core/character.ts';
 import { type Diagnostic, hasErrors, printable } from '../core/diagnostics.ts';
 import { jointMatrices } from '../core/forward-kinematics.ts';
-import { type Pose, restPose } from '../core/pose.ts';
 import type { Skeleton } from '../core/skeleton.ts';
 import { findJoint } from '../formats/pose-json.ts';
 import { readCharacters } from '../formats/read-characters.ts';
@@ -14,7 +13,7 @@ import type { IkGoal, IkProblem, IkSolution, IkSolver, Vector3 } from '../posing
 import { statusOf } from '../posing/ik/status.ts';
 import { naturesOf } from '../posing/natural/natures.ts';
 import { printDiagnostics, readFiles, unwritable, userPath } from './files.ts';
-import { readPoseFile } from './read-pose-file.ts';
+import { givenPose } from './read-pose-file.ts';
 import { UsageError } from './usage-error.ts';
 
 /** A pose that is asked for. */
@@ -42,7 +41,7 @@ export async function poseToTargets(
   if (characters.length > 1) throw new UsageError('expected the files of one character');
   const found: Diagnostic[] = [...missing, ...diagnostics];
   const character = characters[0]?.character;
-  const start = character && (await readPose(request.start, character, found));
+  const start = character && (await givenPose(request.start, character, found));
   printDiagnostics(found);
   if (!character || !start || hasErrors(found)) return 1;
   const problem = problemOf(character, start.q, request);
@@ -56,17 +55,6 @@ export async function poseToTargets(
   }
   print(request, problem, solution, asJson);
   return 0;
-}
-
-async function readPose(
-  path: string | undefined,
-  character: Character,
-  found: Diagnostic[],
-): Promise<Pose | undefined> {
-  if (path === undefined) return restPose(character.skeleton);
-  const { value, diagnostics } = await readPoseFile(path, character);
-  found.push(...diagnostics);
-  return value;
 }
 
 /**

@@ -15,6 +15,9 @@ export interface ToolPlace extends PickPlace {
 /** A pointer that moves less has clicked, not dragged; CSS pixels. */
 export const stillDistance = 4;
 
+/** How much less the pointer and keys do with Shift. */
+export const fine = 0.1;
+
 /** In CSS pixels. */
 export function distanceBetween(a: ToolPlace, b: ToolPlace): number {
   return Math.hypot(a.pixelX - b.pixelX, a.pixelY - b.pixelY);

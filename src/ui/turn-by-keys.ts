@@ -5,10 +5,10 @@ import type { Looking, Posing } from './editor.ts';
 import { heldGesture } from './held-gesture.ts';
 import { valueIn, withinLimits, withValue } from './joint-edits.ts';
 import { axisNames, type JointValue, jointValues, valueName } from './joint-values.ts';
+import { fine } from './tool.ts';
 
 /** How far a key turns, in radians; a slide moves by this part of the character's size. */
 const [turnStep, moveStep] = [(5 * Math.PI) / 180, 0.01];
-const fine = 0.1;
 
 /**
  * Turns the active angle of the selected joint by a step, and that of all joints that are selected

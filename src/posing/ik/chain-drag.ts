@@ -160,12 +160,12 @@ export class ChainDrag {
    */
   private improve(): void {
     if (this.improvements === mostImprovements) return;
-    const { q } = this.solve(this.start.q, { iterations: restingIterations });
-    const isSame = q.every((value, i) => Math.abs(value - this.solved[i]!) <= stillValue);
+    const found = this.solve(this.start.q, { iterations: restingIterations });
+    const isSame = found.q.every((value, i) => Math.abs(value - this.solved[i]!) <= stillValue);
     this.improvements = isSame ? mostImprovements : this.improvements + 1;
     if (isSame) return;
     this.easing = { from: this.shown, since: this.seconds };
-    this.take(this.solve(this.start.q, { iterations: restingIterations }));
+    this.take(found);
   }
 
   private tryOthers(): void {

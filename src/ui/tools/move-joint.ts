@@ -15,6 +15,7 @@ import { axisNames } from '../joint-values.ts';
 import { fixedText } from '../number-text.ts';
 import {
   distanceBetween,
+  fine,
   stillDistance,
   type Tool,
   type ToolDrag,
@@ -23,8 +24,6 @@ import {
 
 /** With Ctrl or Cmd, in scene units. */
 const snapStep = 0.05;
-/** How much less the pointer does with Shift. */
-const fine = 0.1;
 
 /**
  * A left drag on an arrow, a square or the ring of the selected joint moves the target of its chain

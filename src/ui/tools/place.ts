@@ -17,14 +17,13 @@ import { placeLabel, placeSteps } from '../place-steps.ts';
 import { dragText, stepHint } from '../place-text.ts';
 import {
   distanceBetween,
+  fine,
   stillDistance,
   type Tool,
   type ToolDrag,
   type ToolPlace,
 } from '../tool.ts';
 
-/** How much less the pointer does with Shift. */
-const fine = 0.1;
 /** A drag through the center does not make a character smaller than this part of its size. */
 const leastFactor = 0.01;
 

@@ -16,6 +16,7 @@ import { showHoveredHandle } from '../hover.ts';
 import { axisNames } from '../joint-values.ts';
 import {
   distanceBetween,
+  fine,
   stillDistance,
   type Tool,
   type ToolDrag,
@@ -24,8 +25,6 @@ import {
 
 /** With Ctrl or Cmd, in radians. */
 const snapStep = Math.PI / 12;
-/** How much less the pointer does with Shift. */
-const fine = 0.1;
 
 /**
  * A left drag on a ring of the selected joint turns one angle, or the joint about an axis of the
