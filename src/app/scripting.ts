@@ -138,14 +138,15 @@ export function createScripting(editor: Editor, ready: Promise<void>): Scripting
       const actor = find(name);
       if (!actor) return {};
       const names = actor.character.morphs.map((morph) => morph.name);
+      const shownWeights = (): Float64Array => evaluations.of(find(actor.id)!).pose.morphWeights;
       for (const [morph, weight] of Object.entries(weights)) {
         const index = names.indexOf(morph);
         if (index === -1 || !Number.isFinite(weight)) {
           throw new Error(`expected a number for one of ${names.join(', ') || 'no morphs'}`);
         }
-        store.dispatch(setMorphWeight(actor.id, index, weight, `Shape ${morph}`));
+        store.dispatch(setMorphWeight(actor.id, shownWeights(), index, weight, `Shape ${morph}`));
       }
-      const now = find(actor.id)!.morphWeights;
+      const now = shownWeights();
       return Object.fromEntries(names.map((morph, index) => [morph, now[index]!]));
     },
     get clips() {

@@ -2,6 +2,7 @@
 import '@preact/signals';
 import { effect } from '@preact/signals-core';
 import { render } from 'preact';
+import { holdEdits } from '../evaluation/hold-edits.ts';
 import { settlePins } from '../evaluation/settle-pins.ts';
 import { listenToClipboard } from '../ui/clipboard.ts';
 import { followCursor } from '../ui/cursor.ts';
@@ -42,6 +43,7 @@ export function startInterface(
 ): Scripting {
   opening.viewer.passes.value = passes;
   opening.store.settle = (scene) => settlePins(scene, opening.evaluations);
+  holdEdits(opening.store, opening.session, opening.evaluations);
   if (drafts) opening.viewer.pace = createPace(opening.session);
   const editor = createEditor(opening, layout.canvas, scenes);
   render(<TopBar editor={editor} />, layout.top);

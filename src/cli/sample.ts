@@ -1,5 +1,5 @@
 import { parseArgs } from 'node:util';
-import { compileChannel, evaluateChannel } from '../core/channel.ts';
+import { channelFor, evaluateChannel } from '../core/motion/channel.ts';
 import { readAnim } from '../formats/cse169/anim.ts';
 import { baseName } from '../formats/file-entry.ts';
 import type { Command } from './command.ts';
@@ -28,7 +28,7 @@ export const sample: Command = {
     if (!parts) {
       throw new UsageError(`expected --channel from 0 to ${channels.length - 1}, found ${channel}`);
     }
-    const compiled = compileChannel(parts);
+    const compiled = channelFor(parts);
     const values = times.map((time) => evaluateChannel(compiled, time));
     if (json) console.log(JSON.stringify({ channel, times, values }, null, 2));
     else times.forEach((time, index) => console.log(`${time}\t${values[index]!}`));

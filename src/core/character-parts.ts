@@ -1,3 +1,4 @@
+import type { ClipParts } from './motion/clip-parts.ts';
 import type { CharacterExtra } from './character.ts';
 import type { Place } from './diagnostics.ts';
 import type { DofKind } from './skeleton.ts';
@@ -175,41 +176,4 @@ export interface MorphParts {
   /** (m), and (m × 3) offsets of the normals of these points; empty if the file has none. */
   readonly normalPoints: Uint32Array;
   readonly normalOffsets: Float32Array;
-}
-
-/** An animation: curves for some of the degrees of freedom. */
-export interface ClipParts {
-  readonly file: string;
-  readonly name: string;
-  /** The range that is played, in seconds, independent of the keys' times. */
-  readonly start: number;
-  readonly end: number;
-  readonly channels: readonly ChannelParts[];
-}
-
-/** How a curve continues outside its keys. */
-export type Extrapolation = 'constant' | 'linear' | 'cycle' | 'cycle_offset' | 'bounce';
-
-/** The slope at a key: a rule, or a number. */
-export type Tangent = 'flat' | 'linear' | 'smooth' | number;
-
-export interface ChannelParts {
-  /** The value that the curve moves, or null if the skeleton does not have it. */
-  readonly target: {
-    /** File index of the joint. */
-    readonly joint: number;
-    readonly kind: DofKind;
-    readonly axis: 0 | 1 | 2;
-  } | null;
-  readonly before: Extrapolation;
-  readonly after: Extrapolation;
-  readonly keys: readonly KeyParts[];
-}
-
-export interface KeyParts {
-  /** In seconds. */
-  readonly time: number;
-  readonly value: number;
-  readonly tangentIn: Tangent;
-  readonly tangentOut: Tangent;
 }

@@ -1,11 +1,6 @@
 import type { Bounds } from './bounds.ts';
-import type {
-  ClipParts,
-  FileSpace,
-  IkChain,
-  MaterialParts,
-  RotationLink,
-} from './character-parts.ts';
+import type { FileSpace, IkChain, MaterialParts, RotationLink } from './character-parts.ts';
+import type { ClipParts } from './motion/clip-parts.ts';
 import type { Mesh } from './mesh.ts';
 import type { Morph } from './morph.ts';
 import type { Skeleton } from './skeleton.ts';

@@ -6,8 +6,8 @@ import { type Edit, editActor } from './edit.ts';
 import type { Actor, ActorId } from './scene.ts';
 
 /**
- * Sets one value of a character's pose. An edit applies to the pose that is shown: if a clip is
- * bound, its pose of that moment becomes the character's own, and the clip is unbound.
+ * Sets one value of a character's pose. An edit applies to the pose that is shown. If a clip is
+ * bound, what the edit changes is shown instead of the clip's values (see `hold-edits.ts`).
  *
  * @param shown (qCount) the pose that is shown
  */
@@ -29,7 +29,7 @@ export function setPose(id: ActorId, q: Float64Array, label = 'Set the pose'): E
   const own = q.slice();
   return editActor(id, label, (actor) => {
     assert(own.length === actor.q.length, 'a pose of the same skeleton');
-    return { ...actor, q: own, clip: null };
+    return { ...actor, q: own };
   });
 }
 
@@ -39,7 +39,6 @@ export function resetPose(id: ActorId): Edit {
     ...actor,
     q: actor.character.skeleton.qRest.slice(),
     morphWeights: new Float64Array(actor.morphWeights.length),
-    clip: null,
   }));
 }
 
@@ -58,20 +57,25 @@ export function resetJoints(
   return setPose(id, q, label);
 }
 
-export function setMorphWeight(id: ActorId, index: number, weight: number, label: string): Edit {
-  return editActor(id, label, (actor) => {
-    assert(index >= 0 && index < actor.morphWeights.length, 'a morph of the character');
-    const morphWeights = actor.morphWeights.slice();
-    morphWeights[index] = weight;
-    return { ...actor, morphWeights };
-  });
+/** @param shown (morphCount) the weights that are shown */
+export function setMorphWeight(
+  id: ActorId,
+  shown: Float64Array,
+  index: number,
+  weight: number,
+  label: string,
+): Edit {
+  assert(index >= 0 && index < shown.length, 'a morph of the character');
+  const morphWeights = shown.slice();
+  morphWeights[index] = weight;
+  return editActor(id, label, (actor) => ({ ...actor, morphWeights }));
 }
 
 /** Binds a clip, which then determines the values that it animates, or unbinds it (null). */
 export function bindClip(id: ActorId, clip: number | null): Edit {
   return editActor(id, clip === null ? 'Let the clip go' : 'Bind a clip', (actor) => {
     assert(clip === null || clip < actor.clips.length, 'a clip of the character');
-    return { ...actor, clip };
+    return { ...actor, clip, unkeyed: null };
   });
 }
 

@@ -19,7 +19,18 @@ export function reconcile(session: Session, before: Scene, after: Scene): void {
   selectedActorId.value = now?.id ?? null;
   if (old !== now) fitActor(session, old, now);
   if (!after.actors.some(({ clip }) => clip !== null)) playing.value = false;
+  showUnkeyed(session, before, after);
   if (!after.shots.some(({ id }) => id === shownShot.value)) shownShot.value = null;
+}
+
+/** Pauses at the moment of an edit over a clip, when it is made and when undo brings it back. */
+function showUnkeyed({ playing, clipTime }: Session, before: Scene, after: Scene): void {
+  const changed = after.actors.find(
+    ({ id, unkeyed }) => unkeyed && unkeyed !== actorById(before, id)?.unkeyed,
+  );
+  if (!changed) return;
+  playing.value = false;
+  clipTime.value = changed.unkeyed!.time;
 }
 
 /** Selects another actor of the scene. */

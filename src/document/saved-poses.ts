@@ -68,7 +68,7 @@ export function moveSavedPose({ id, name }: SavedPose, by: number): Edit {
   };
 }
 
-/** Puts a character into a pose with its shape, which takes over from a bound clip. */
+/** Puts a character into a pose with its shape. */
 export function setPoseAndShape(
   id: ActorId,
   { q, morphWeights }: Required<Pose>,
@@ -79,6 +79,5 @@ export function setPoseAndShape(
     ...actor,
     q: ownQ,
     morphWeights: ownWeights,
-    clip: null,
   }));
 }

@@ -1,11 +1,12 @@
 import type { Character } from '../core/character.ts';
-import type { ClipParts } from '../core/character-parts.ts';
+import type { ClipParts } from '../core/motion/clip-parts.ts';
 import { normalizeSkin, type Skin } from '../core/skin.ts';
 import { keepInfluences } from '../core/strongest-influences.ts';
 import { sameValue } from '../core/same-value.ts';
 import type { NormalsId } from '../core/skin.ts';
 import { type NatureSettings, plainNatures } from '../posing/natural/nature-settings.ts';
 import { noPins, type Pin } from '../posing/pins/pin.ts';
+import type { Unkeyed } from '../posing/unkeyed.ts';
 import type { MethodId } from '../skinning/method.ts';
 import { defaultDeformation } from '../skinning/registry.ts';
 import { type ActorLook, plainLook } from './actor-look.ts';
@@ -85,6 +86,8 @@ export interface Actor {
   readonly clips: readonly ClipParts[];
   /** The bound clip, an index into `clips`; its values replace those of `q` in what is shown. */
   readonly clip: number | null;
+  /** What was edited while a clip is bound, and is shown instead of its values; null if nothing. */
+  readonly unkeyed: Unkeyed | null;
   readonly method: MethodId;
   readonly normals: NormalsId;
   /**
@@ -111,6 +114,7 @@ export type KeptState = Partial<
     | 'morphWeights'
     | 'clips'
     | 'clip'
+    | 'unkeyed'
     | 'normals'
     | 'normalizeWeights'
     | 'influences'
@@ -144,6 +148,7 @@ export function createActor(
     morphWeights: kept.morphWeights?.slice() ?? new Float64Array(character.morphs.length),
     clips: kept.clips ?? character.clips,
     clip,
+    unkeyed: kept.unkeyed ?? null,
     method,
     normals: kept.normals ?? defaultDeformation(character).normals,
     normalizeWeights: kept.normalizeWeights ?? false,

@@ -1,6 +1,7 @@
 import { signal } from '@preact/signals-core';
 import type { Bone } from '../core/bones.ts';
 import type { Diagnostic } from '../core/diagnostics.ts';
+import { type KeySelection, noKeys } from '../core/motion/key-selection.ts';
 import type { ActorId } from './scene.ts';
 import type { KernelId } from '../skinning/method.ts';
 import type { ChainLength } from '../posing/ik/chain.ts';
@@ -72,6 +73,9 @@ export interface ShownChain {
   /** Whether the point is not at the target, and a line shows how far it is. */
   readonly isApart: boolean;
 }
+
+/** What the timeline shows of a clip. */
+export type TimelineView = 'keys' | 'curves';
 
 /** Which parts of characters are shown, and how. */
 export interface Look {
@@ -161,6 +165,18 @@ export class Session {
   readonly playMode = signal<PlayMode>('loop');
   /** False while ping-pong plays backwards. */
   readonly playForward = signal(true);
+  /** Whether an edit over a bound clip is keyed when it ends. */
+  readonly autoKey = signal(false);
+  /** Whether times of keys and of the playhead are those of frames. */
+  readonly snapsToFrames = signal(true);
+  /** The part of the clip that is played instead of all of it, in seconds, or null. */
+  readonly workRange = signal<readonly [number, number] | null>(null);
+  /** Whether the timeline shows rows of keys or curves. */
+  readonly timelineView = signal<TimelineView>('keys');
+  /** The time that the timeline shows from left to right, in seconds; null is the whole clip. */
+  readonly timeWindow = signal<readonly [number, number] | null>(null);
+  /** The selected keys of the chosen clip of the selected actor. */
+  readonly selectedKeys = signal<KeySelection>(noKeys);
   /** Whether materials show their textures. */
   readonly showTextures = signal(true);
   /** Whether the selected actor shows its weights in color, and how. */

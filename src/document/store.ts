@@ -23,6 +23,12 @@ export interface Gesture {
   withdraw(): void;
 }
 
+/**
+ * Completes what a gesture edits, such as live symmetry. It is called with the scene at which the
+ * gesture begins.
+ */
+export type Completion = (before: Scene) => (edited: Scene) => Scene;
+
 /** Holds the scene and its history. Every change goes through it. */
 export class Store {
   private readonly current = signal<Scene>(emptyScene);
@@ -37,11 +43,8 @@ export class Store {
 
   readonly scene: ReadonlySignal<Scene> = this.current;
   readonly history: ReadonlySignal<History> = this.steps;
-  /**
-   * What every gesture's scenes pass through before they are shown, such as live symmetry, or null.
-   * It is called with the scene at which a gesture begins.
-   */
-  completion: ((before: Scene) => (edited: Scene) => Scene) | null = null;
+  /** What every gesture's scenes pass through before they are shown, in this order. */
+  readonly completions: Completion[] = [];
   /** Whether the scene is somebody's work although no step led to it, as one that was restored. */
   readonly isMade = signal(false);
   /** The labels of the steps that Undo and Redo would apply, or null. */
@@ -75,7 +78,7 @@ export class Store {
   begin(label: string): Gesture {
     this.open?.commit();
     const before = this.current.value;
-    const complete = this.completion?.(before);
+    const complete = this.completions.map((completion) => completion(before));
     const isOpen = (): boolean => this.open === gesture;
     let entry: HistoryEntry | undefined;
     const gesture: Gesture = {
@@ -84,8 +87,7 @@ export class Store {
       },
       preview: (edit) => {
         if (!isOpen()) return;
-        const edited = edit.apply(before);
-        this.show(complete ? complete(edited) : edited);
+        this.show(complete.reduce((scene, each) => each(scene), edit.apply(before)));
       },
       commit: () => {
         if (!isOpen()) return;

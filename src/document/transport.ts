@@ -1,14 +1,11 @@
-import { type Clip, clipFor } from '../core/clip.ts';
-import type { ClipParts } from '../core/character-parts.ts';
+import { type Clip, clipFor } from '../core/motion/clip.ts';
+import type { ClipParts } from '../core/motion/clip-parts.ts';
 import { advance } from '../posing/playhead.ts';
 import { bindClip } from './edits.ts';
 import { type Actor, boundClip } from './scene.ts';
 import { selectedActor } from './selected-actor.ts';
 import type { Session } from './session.ts';
 import type { Store } from './store.ts';
-
-/** The duration of one manual step in seconds: a frame at 30 frames per second. */
-const stepSeconds = 1 / 30;
 
 /** Plays, pauses and seeks the clips of the selected character. None of this is a step of undo. */
 export class Transport {
@@ -34,7 +31,7 @@ export class Transport {
   get clip(): Clip | undefined {
     const { state } = this;
     const parts = state?.clips[this.clipIndex];
-    return parts && clipFor(parts, state.character.skeleton);
+    return parts && clipFor(parts, state.character);
   }
 
   get isBound(): boolean {
@@ -63,7 +60,7 @@ export class Transport {
   step(direction: 1 | -1): void {
     const { clip } = this;
     if (!clip) return;
-    const time = this.session.clipTime.value + direction * stepSeconds;
+    const time = this.session.clipTime.value + direction / clip.fps;
     this.seek(Math.min(Math.max(time, clip.start), clip.end));
   }
 

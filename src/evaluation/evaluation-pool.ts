@@ -1,16 +1,19 @@
 import type { Bounds } from '../core/bounds.ts';
 import type { Character } from '../core/character.ts';
 import type { Mesh } from '../core/mesh.ts';
+import type { Pin } from '../posing/pins/pin.ts';
 import type { VertexStreams } from '../skinning/method.ts';
 import type { DisplayTransform } from './display-transform.ts';
 import { Kernels } from './kernels.ts';
 import { StageCells } from './stage.ts';
 
-/** The values q that are shown, and those from which edits start. */
+/** What is shown after the pose layers, and the values of q from which edits start. */
 export interface ShownValues {
   readonly q: Float64Array;
   readonly toEdit: Float64Array;
-  /** Arrays to write into, one for each layer that was active. */
+  readonly morphWeights: Float64Array;
+  readonly pins: readonly Pin[];
+  /** Arrays to write into, one for each layer that was active, and one for the morphs' weights. */
   readonly written: Float64Array[];
 }
 

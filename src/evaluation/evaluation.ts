@@ -3,6 +3,7 @@ import type { Mesh } from '../core/mesh.ts';
 import type { Pose } from '../core/pose.ts';
 import type { Skin } from '../core/skin.ts';
 import type { Actor } from '../document/scene.ts';
+import type { Pin } from '../posing/pins/pin.ts';
 import type { DisplayTransform } from './display-transform.ts';
 import type { SkinningMethod, VertexStreams } from '../skinning/method.ts';
 
@@ -40,6 +41,8 @@ export interface Evaluation {
   readonly pose: Required<Pose>;
   /** The pose from which edits start: the shown one without values that are only shown. */
   readonly poseToEdit: Required<Pose>;
+  /** The pins as a clip moves them. */
+  readonly pins: readonly Pin[];
   /** Where the joints are that its pins follow; see `PoseContext`. */
   readonly followed: Float64Array | null;
   /** (jointCount × 16) column-major, float64: from each joint's frame to character space. */

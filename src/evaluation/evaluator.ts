@@ -3,9 +3,11 @@ import { forwardKinematics } from '../core/forward-kinematics.ts';
 import type { FaceWeighting } from '../core/vertex-normals.ts';
 import type { Mesh } from '../core/mesh.ts';
 import type { Pose } from '../core/pose.ts';
+import { sameValue } from '../core/same-value.ts';
 import type { Skin } from '../core/skin.ts';
 import { type Actor, boundClip, skinInUse } from '../document/scene.ts';
 import { poseLayers } from '../posing/layers.ts';
+import type { Pin } from '../posing/pins/pin.ts';
 import type { LayerFunction } from '../posing/pose-layer.ts';
 import { linearBlend } from '../skinning/linear-blend.ts';
 import type { SkinningMethod, VertexStreams } from '../skinning/method.ts';
@@ -53,6 +55,8 @@ export class Evaluator implements Evaluation {
         this.isStill ? 0 : this.time,
         this.now.pins,
         this.now.natures,
+        this.now.unkeyed,
+        this.isStill ? null : this.now.morphWeights,
         this.followed,
         ...this.layers,
       ],
@@ -119,11 +123,15 @@ export class Evaluator implements Evaluation {
   }
 
   get pose(): Required<Pose> {
-    return { q: this.valueStage.value.q, morphWeights: this.now.morphWeights };
+    return { q: this.valueStage.value.q, morphWeights: this.morphWeights };
   }
 
   get poseToEdit(): Required<Pose> {
-    return { ...this.pose, q: this.valueStage.value.toEdit };
+    return { q: this.valueStage.value.toEdit, morphWeights: this.morphWeights };
+  }
+
+  get pins(): readonly Pin[] {
+    return this.valueStage.value.pins;
   }
 
   get characterFromJoint(): Float64Array {
@@ -198,6 +206,11 @@ export class Evaluator implements Evaluation {
     for (const part of Object.values(this)) if (part instanceof Stage) part.release();
   }
 
+  /** Only clips change them, so that without one the weights do not belong to the stage. */
+  private get morphWeights(): Float64Array {
+    return this.isStill ? this.now.morphWeights : this.valueStage.value.morphWeights;
+  }
+
   /** Whether the actor has no clip, so that time does not change it. */
   private get isStill(): boolean {
     return this.now.clip === null;
@@ -222,23 +235,29 @@ export class Evaluator implements Evaluation {
 
   /** Returns the state's own values if no layer changes them; otherwise it writes into arrays. */
   private applyLayers(written: Float64Array[]): ShownValues {
-    const { q } = this.now;
+    const { q, morphWeights, pins } = this.now;
     const context = {
       ...this.now,
       clip: boundClip(this.now) ?? null,
       time: this.time,
       followed: this.followed,
     };
-    const shown = { q, toEdit: q, written };
+    const pose = { q, toEdit: q, morphWeights, pins, written };
+    if (context.clip)
+      pose.morphWeights = copied(
+        morphWeights,
+        (written[poseLayers.length] ??= morphWeights.slice()),
+      );
     this.layers.forEach((apply, i) => {
       if (!apply) return;
-      const values = (written[i] ??= new Float64Array(q.length));
-      values.set(shown.q);
-      apply(context, values);
-      shown.q = values;
-      if (!poseLayers[i]!.isShownOnly) shown.toEdit = values;
+      pose.q = copied(pose.q, (written[i] ??= new Float64Array(q.length)));
+      apply(context, pose);
+      if (!poseLayers[i]!.isShownOnly) pose.toEdit = pose.q;
     });
-    return shown;
+    // Later stages keep the weights as an input, which must not be overwritten.
+    const isShaped = !sameValue(pose.morphWeights, morphWeights);
+    pose.morphWeights = isShaped ? pose.morphWeights.slice() : morphWeights;
+    return pose;
   }
 
   private pack(former: Float32Array | undefined): Float32Array {
@@ -268,4 +287,9 @@ export class Evaluator implements Evaluation {
     this.kernels.recompute.value!(this.now.character, this.weighting!, posed);
     return posed;
   }
+}
+
+function copied(values: Float64Array, into: Float64Array): Float64Array {
+  into.set(values);
+  return into;
 }

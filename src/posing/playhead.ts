@@ -1,4 +1,4 @@
-import type { Clip } from '../core/clip.ts';
+import type { Clip } from '../core/motion/clip.ts';
 
 /**
  * What happens at the end of a clip's range: playback stops, starts again, reverses, or continues;

@@ -1,5 +1,6 @@
 import type { Character } from '../core/character.ts';
-import type { ClipParts } from '../core/character-parts.ts';
+import type { ClipParts } from '../core/motion/clip-parts.ts';
+import type { Unkeyed } from './unkeyed.ts';
 import type { NatureSettings } from './natural/nature-settings.ts';
 import type { Pin } from './pins/pin.ts';
 
@@ -17,6 +18,11 @@ export interface PoseContext extends LayerUse {
   readonly clip: ClipParts | null;
   /** Time in the clip, in seconds. */
   readonly time: number;
+  /** What was edited since the clip was last shown, which replaces its values; null if nothing. */
+  readonly unkeyed: Unkeyed | null;
+  /** (qCount) and (morphCount) the edited pose. */
+  readonly q: Float64Array;
+  readonly morphWeights: Float64Array;
   /**
    * (pins × 16) for each pin that follows a joint of another character, the matrix from that joint's
    * frame to this character's space, and NaN for the other pins; null if no pin follows any.
@@ -24,12 +30,17 @@ export interface PoseContext extends LayerUse {
   readonly followed: Float64Array | null;
 }
 
-/**
- * Changes the values of a pose in place. The result is a function of its arguments alone.
- *
- * @param q (qCount) read and written
- */
-export type LayerFunction = (context: PoseContext, q: Float64Array) => void;
+/** What layers change: the numbers in place, the list of pins by another list. */
+export interface LayerPose {
+  /** (qCount) */
+  q: Float64Array;
+  /** (morphCount) */
+  morphWeights: Float64Array;
+  pins: readonly Pin[];
+}
+
+/** Changes a pose. The result is a function of the context and of the pose before. */
+export type LayerFunction = (context: PoseContext, pose: LayerPose) => void;
 
 /**
  * A source of values that are applied over the edited pose, which is loaded when it is first active.

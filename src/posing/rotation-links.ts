@@ -8,7 +8,7 @@ import type { LayerFunction } from './pose-layer.ts';
  * list. A joint that was changed passes its rotation on to those that come later. Both rotations
  * are those of balls relative to the file's pose; a joint without a ball is left as it is.
  */
-export const applyRotationLinks: LayerFunction = ({ character }, q) => {
+export const applyRotationLinks: LayerFunction = ({ character }, { q }) => {
   const { skeleton, rotationLinks } = character;
   for (const { joint, source, ratio } of rotationLinks) {
     const [to, from] = [ballOf(skeleton, joint), ballOf(skeleton, source)];

@@ -1,5 +1,5 @@
-import { evaluateChannel } from '../core/channel.ts';
-import type { Clip } from '../core/clip.ts';
+import { evaluateChannel } from '../core/motion/channel.ts';
+import type { Clip } from '../core/motion/clip.ts';
 import { axisDofs } from '../core/pose.ts';
 import { DofKind, type Skeleton } from '../core/skeleton.ts';
 
@@ -31,10 +31,10 @@ const sampleCount = 160;
  * own.
  */
 export function clipCurves(clip: Clip, skeleton: Skeleton, joint: number): readonly Curve[] {
-  const { start, end, channels, targets } = clip;
+  const { start, end, curves } = clip;
   if (joint < 0) return [];
   const dofs = axisDofs(skeleton, joint)
-    .map((dof) => ({ ...dof, channel: channels[targets.indexOf(dof.index)] }))
+    .map((dof) => ({ ...dof, channel: curves.q.find(({ index }) => index === dof.index)?.channel }))
     .sort((a, b) => a.kind - b.kind || a.axis - b.axis);
   const times = Array.from(
     { length: sampleCount + 1 },

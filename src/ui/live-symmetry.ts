@@ -5,6 +5,7 @@ import { selectedJoints } from '../document/selected-joints.ts';
 import { noPartner } from '../posing/symmetry/joint-pairs.ts';
 import { liveSymmetry, type PoseCompletion } from '../posing/symmetry/live-symmetry.ts';
 import { symmetryOf } from '../posing/symmetry/symmetry.ts';
+import type { Completion } from '../document/store.ts';
 import type { Editor } from './editor.ts';
 
 type Following = Pick<Editor, 'store' | 'session' | 'evaluations'>;
@@ -22,8 +23,16 @@ export function setLiveSymmetry(editor: Following, isOn: boolean): void {
   const { store, session } = editor;
   end.get(store)?.();
   session.liveSymmetry.value = isOn;
-  store.completion = isOn ? (before) => completionFor(editor, before) : null;
-  end.set(store, isOn ? showPartners(editor) : () => undefined);
+  end.delete(store);
+  if (!isOn) return;
+  const complete: Completion = (before) => completionFor(editor, before);
+  // What is mirrored is held over a clip like what was edited, so this comes before.
+  store.completions.unshift(complete);
+  const hidePartners = showPartners(editor);
+  end.set(store, () => {
+    store.completions.splice(store.completions.indexOf(complete), 1);
+    hidePartners();
+  });
 }
 
 /** Returns what completes the scenes of one gesture, whatever tool previews them. */

@@ -195,7 +195,7 @@ export const sections: readonly Section[] = [
     // The timeline stays while a character without clips is selected, so that the view keeps its
     // height.
     when: ({ store }) => store.scene.value.actors.some(({ clips }) => clips.length > 0),
-    load: async () => (await loadPart(import('./panels/timeline.tsx'))).Timeline,
+    load: async () => (await loadPart(import('./panels/timeline/timeline.tsx'))).Timeline,
   },
   { id: 'status', place: 'foot', load: () => Promise.resolve(StatusLine) },
 ];

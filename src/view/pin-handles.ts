@@ -39,10 +39,10 @@ export function showsPins({ showOverlay, hasHandles, playing }: ViewOptions): bo
 
 /** The pins of a character as it is shown. */
 export function pinHandles(evaluation: Evaluation): PinHandle[] {
-  const { state, display, characterFromJoint, followed } = evaluation;
+  const { state, pins, display, characterFromJoint, followed } = evaluation;
   const toScene = (place: Vector3): vec3 =>
     vec3.transformMat4(new Float64Array(3), place, display.sceneFromCharacter);
-  return state.pins.map((pin, at) => ({
+  return pins.map((pin, at) => ({
     id: `${idStart}${state.id} ${pin.joint}`,
     actorId: state.id,
     joint: pin.joint,

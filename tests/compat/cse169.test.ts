@@ -1,8 +1,8 @@
 import { readdirSync } from 'node:fs';
 import { resolve } from 'node:path';
 import { expect, it } from 'vitest';
-import { compileChannel, evaluateChannel } from '../../src/core/channel.ts';
-import type { Tangent } from '../../src/core/character-parts.ts';
+import { channelFor, evaluateChannel } from '../../src/core/motion/channel.ts';
+import type { Tangent } from '../../src/core/motion/clip-parts.ts';
 import { jointMatrices } from '../../src/core/forward-kinematics.ts';
 import { axisDofs } from '../../src/core/pose.ts';
 import { readAnim } from '../../src/formats/cse169/anim.ts';
@@ -149,7 +149,7 @@ describeWithShared('sample.anim', [data, 'reference/splines/anim-sample.json'], 
   const clip = readAnim('sample.anim', sharedBytes(`${data}/sample.anim`)).value!;
 
   it.each([0, 1, 2])('has the values of the reference, inside and outside its keys: %#', (i) => {
-    const channel = compileChannel(clip.channels[i]!);
+    const channel = channelFor(clip.channels[i]!);
     const { values, tangents } = sample.channels[i]!;
     expect(sample.times.length).toBeGreaterThan(80);
     const found = sample.times.map((time) => evaluateChannel(channel, time));
@@ -178,7 +178,7 @@ describeWithShared('the splines of the reference', ['reference/splines/scalar.js
     ['flat', 'flat'],
   ])('%s', (name, tangent) => {
     const expected = curves[name]!.v;
-    const channel = compileChannel({
+    const channel = channelFor({
       target: null,
       before: 'constant',
       after: 'constant',

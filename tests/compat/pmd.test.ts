@@ -22,6 +22,7 @@ import { largestDifference } from '../support/compare.ts';
 import { readContents } from '../support/files.ts';
 import { tolerances } from '../tolerances.ts';
 import { describeWithShared, sharedBytes, sharedFloats, sharedJson } from './shared-material.ts';
+import { layerInput } from '../support/layer-input.ts';
 
 interface Kaito {
   readonly vertices: number;
@@ -68,7 +69,7 @@ describeWithShared('KAITO of the Virtual Mannequin', [data, `${reference}/KAITO.
     const turn = [0, Math.sin(0.1), 0, Math.cos(0.1)];
     q.set(turn, ballOf('両目'));
     const use = { character, clip: null, pins: noPins, natures: plainNatures };
-    applyRotationLinks({ ...use, time: 0, followed: null }, q);
+    applyRotationLinks(...layerInput(use, q));
     for (const eye of ['左目', '右目']) {
       const at = ballOf(eye);
       turn.forEach((value, i) => expect(q[at + i]).toBeCloseTo(value, 12));

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { clipFor } from '../../src/core/clip.ts';
+import { clipFor } from '../../src/core/motion/clip.ts';
 import { setPose } from '../../src/document/edits.ts';
 import { openCharacter } from '../../src/document/open-characters.ts';
 import { selectedActor } from '../../src/document/selected-actor.ts';
@@ -8,6 +8,7 @@ import { Session } from '../../src/document/session.ts';
 import { Store } from '../../src/document/store.ts';
 import { Transport } from '../../src/document/transport.ts';
 import { Evaluations } from '../../src/evaluation/evaluations.ts';
+import { holdEdits } from '../../src/evaluation/hold-edits.ts';
 import { readOne } from '../support/files.ts';
 import { allThere } from '../support/kernels.ts';
 
@@ -27,6 +28,7 @@ async function open(files: Record<string, string>) {
   const { skeleton } = selectedActor(store, session)!.character;
   const kneeX = skeleton.dofQ[skeleton.dofStart[2]! - 1]!;
   const evaluations = new Evaluations(store, session, allThere);
+  holdEdits(store, session, evaluations);
   const shownKnee = (): number => evaluations.selected()!.pose.q[kneeX]!;
   return { store, session, transport, shownKnee };
 }
@@ -99,24 +101,25 @@ describe('the transport', () => {
     expect(shownKnee()).toBe(0);
   });
 
-  it('lets an edit take the pose, and undo gives the clip back', async () => {
+  it('shows an edit over the clip, and undo takes it away', async () => {
     const { store, session, transport, shownKnee } = await open(files);
     transport.seek(2);
     const { id, q } = selectedActor(store, session)!;
     store.dispatch(setPose(id, q));
-    expect([shownKnee(), transport.isBound]).toEqual([0, false]);
+    expect([shownKnee(), transport.isBound]).toEqual([0, true]);
     store.undo();
     expect([shownKnee(), transport.isBound]).toEqual([-1, true]);
     expect(store.undoLabel.value).toBeNull();
   });
 
-  it('stops playing when an edit let the clip go', async () => {
+  it('pauses for an edit, at its moment', async () => {
     const { store, session, transport } = await open(files);
     transport.togglePlay();
+    transport.pass(0.5);
     const { id, q } = selectedActor(store, session)!;
     store.dispatch(setPose(id, q));
     transport.pass(0.1);
-    expect(session.playing.value).toBe(false);
+    expect([session.playing.value, session.clipTime.value]).toEqual([false, 0.5]);
   });
 
   it('has a clip of the character that undo brings back, whichever was chosen of another', async () => {
@@ -124,7 +127,7 @@ describe('the transport', () => {
     const two = await readOne({ ...files, 'leg_two.anim': anim.replace('range 0 2', 'range 1 2') });
     store.dispatch(openCharacter(session.selectedActorId.value, two, 'linear-blend'));
     transport.choose(1);
-    expect(transport.clip).toBe(clipFor(two.clips[1]!, two.skeleton));
+    expect(transport.clip).toBe(clipFor(two.clips[1]!, two));
     store.undo();
     expect(transport.clip?.end).toBe(2);
     transport.togglePlay();

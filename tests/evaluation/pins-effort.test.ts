@@ -21,10 +21,7 @@ function pinAt(name: string, place?: Vector3): Pin {
 const feet = [pinAt('Left foot'), pinAt('Right foot')];
 
 const hold = (pins: readonly Pin[], q: Float64Array): number =>
-  holdPins(
-    { character: human, pins, natures: plainNatures, followed: null, clip: null, time: 0 },
-    q,
-  );
+  holdPins({ character: human, pins, natures: plainNatures, followed: null }, q);
 
 /** The root on a closed curve, as a drag of the pelvis takes it: its first five values move. */
 function dragged(part: number, width: number): Float64Array {

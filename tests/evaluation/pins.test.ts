@@ -29,6 +29,7 @@ import { applyPins } from '../../src/posing/pins/pin-layer.ts';
 import { jointRotation, pinnedPoint } from '../../src/posing/pins/pin-target.ts';
 import { readBundled } from '../support/bundled.ts';
 import { allThere, fullPool } from '../support/kernels.ts';
+import { layerInput } from '../support/layer-input.ts';
 
 const human = await readBundled('human');
 const { skeleton } = human;
@@ -286,7 +287,7 @@ describe('a pin that follows another character', () => {
 /** The pose that the pins of an actor make of values. */
 function solved(actor: Actor, q: Float64Array): Float64Array {
   const values = q.slice();
-  applyPins({ ...actor, clip: null, time: 0, followed: null }, values);
+  applyPins(...layerInput({ ...actor, clip: null }, values));
   return values;
 }
 

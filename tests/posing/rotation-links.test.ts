@@ -5,6 +5,7 @@ import type { RotationLink } from '../../src/core/character-parts.ts';
 import { noPins } from '../../src/posing/pins/pin.ts';
 import { plainNatures } from '../../src/posing/natural/nature-settings.ts';
 import { applyRotationLinks } from '../../src/posing/rotation-links.ts';
+import { layerInput } from '../support/layer-input.ts';
 
 type Quaternion = readonly [number, number, number, number];
 
@@ -38,7 +39,7 @@ function linked(links: readonly RotationLink[], rotations: readonly Quaternion[]
   const q = character.skeleton.qRest.slice();
   rotations.forEach((rotation, source) => q.set(rotation, placeOf(source)));
   const use = { character, clip: null, pins: noPins, natures: plainNatures };
-  applyRotationLinks({ ...use, time: 0, followed: null }, q);
+  applyRotationLinks(...layerInput(use, q));
   return rotations.map((_, source) => [...q.subarray(placeOf(source), placeOf(source) + 4)]);
 }
 

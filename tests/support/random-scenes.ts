@@ -21,7 +21,7 @@ const characters = Object.values(allRigs).map((rig): Character => {
   return buildCharacter({
     ...parts,
     morphs: names.map((name) => ({ file, name, ...shape })),
-    clips: names.map((name) => ({ file, name, start: 0, end: 1, channels: [] })),
+    clips: names.map((name) => ({ file, name, start: 0, end: 1, fps: 30, channels: [] })),
   }).value!;
 });
 
@@ -166,6 +166,7 @@ function actorOf(character: Character): fc.Arbitrary<Omit<Actor, 'id'>> {
       .map((weights) => Float64Array.from(weights)),
     clips: fc.constant(clips),
     clip: fc.option(fc.nat(clips.length - 1)),
+    unkeyed: fc.constant(null),
     method: fc.constantFrom(...methods.map(({ id }) => id)),
     normals: fc.constantFrom(...normalWays.map(({ id }) => id)),
     normalizeWeights: fc.boolean(),

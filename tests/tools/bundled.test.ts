@@ -5,7 +5,7 @@ import { vec3 } from 'gl-matrix';
 import { describe, expect, it } from 'vitest';
 import { extents } from '../../src/core/bounds.ts';
 import type { Character } from '../../src/core/character.ts';
-import { clipFor, evaluateClip } from '../../src/core/clip.ts';
+import { clipFor, evaluateClip } from '../../src/core/motion/clip.ts';
 import type { Pose } from '../../src/core/pose.ts';
 import type { PoseList } from '../../src/app/bundled-poses.ts';
 import { displayTransform } from '../../src/evaluation/display-transform.ts';
@@ -14,6 +14,7 @@ import { linearBlend } from '../../src/skinning/linear-blend.ts';
 import { bundledIds, catalogue, readBundled } from '../support/bundled.ts';
 import { expectPosable, expectSound } from '../support/check-character.ts';
 import { skinVertices } from '../support/skin-vertices.ts';
+import { clipValues } from '../support/clip-values.ts';
 
 const folder = join(import.meta.dirname, '../../public/data');
 const kilobyte = 1000;
@@ -216,12 +217,12 @@ describe('the bundled panda', () => {
   it('walks in place in a cycle, with its paws near the floor', async () => {
     const panda = await readBundled('panda');
     const [clip] = panda.clips;
-    const compiled = clipFor(clip!, panda.skeleton);
+    const compiled = clipFor(clip!, panda);
     const period = 2;
     const pointsAt = (time: number): Float32Array => {
-      const q = panda.skeleton.qRest.slice();
-      evaluateClip(compiled, time, q);
-      return posedPoints(panda, { q });
+      const values = clipValues(panda);
+      evaluateClip(compiled, time, values);
+      return posedPoints(panda, { q: values.q });
     };
     const [, height] = extents(panda.bounds);
     for (let time = 0; time < period; time += period / 16) {

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { clipFor } from '../../src/core/clip.ts';
+import { clipFor } from '../../src/core/motion/clip.ts';
 import { clipCurves } from '../../src/ui/clip-curves.ts';
 import { readOne } from '../support/files.ts';
 
@@ -12,8 +12,9 @@ const anim = `animation { range 0 2 numchannels 6
 
 describe('the curves of a clip', () => {
   it('are those of a joint, moves before turns, by axis, each kind to its own scale', async () => {
-    const { skeleton, clips } = await readOne({ 'a.skel': 'balljoint a { }', 'a.anim': anim });
-    const curves = clipCurves(clipFor(clips[0]!, skeleton), skeleton, 0);
+    const character = await readOne({ 'a.skel': 'balljoint a { }', 'a.anim': anim });
+    const { skeleton, clips } = character;
+    const curves = clipCurves(clipFor(clips[0]!, character), skeleton, 0);
     expect(curves.map(({ name, axis }) => [name, axis])).toEqual([
       ['Move X', 'x'],
       ['Move Y', 'y'],
@@ -34,7 +35,8 @@ describe('the curves of a clip', () => {
   });
 
   it('are none without a joint', async () => {
-    const { skeleton, clips } = await readOne({ 'a.skel': 'balljoint a { }', 'a.anim': anim });
-    expect(clipCurves(clipFor(clips[0]!, skeleton), skeleton, -1)).toEqual([]);
+    const character = await readOne({ 'a.skel': 'balljoint a { }', 'a.anim': anim });
+    const { skeleton, clips } = character;
+    expect(clipCurves(clipFor(clips[0]!, character), skeleton, -1)).toEqual([]);
   });
 });

@@ -1,5 +1,9 @@
 import { mat4, quat, vec3 } from 'gl-matrix';
-import type { ChannelParts, ClipParts, KeyParts } from '../../src/core/character-parts.ts';
+import type {
+  ScalarChannelParts,
+  ScalarClipParts,
+  KeyParts,
+} from '../../src/core/motion/clip-parts.ts';
 import { extractEuler } from '../../src/core/euler.ts';
 import { rounded } from './insect/surface.ts';
 import type { JointTable } from './joint-table.ts';
@@ -20,7 +24,7 @@ const STILL = 1e-4;
  * which joints that only turn cannot do: here a root at the hips rises and pitches, so that it
  * points to the shoulders.
  */
-export function pandaWalk({ bones, frames }: PandaSource, table: JointTable): ClipParts {
+export function pandaWalk({ bones, frames }: PandaSource, table: JointTable): ScalarClipParts {
   const [hips, shoulders] = ['Dummy_hips', 'Dummy_shoulders'];
   const boundPitch = pitch(subtract(bones.get(shoulders)!, bones.get(hips)!));
   const rootAt = (frame: ReadonlyMap<string, BoneMotion>): BoneMotion => {
@@ -40,7 +44,7 @@ export function pandaWalk({ bones, frames }: PandaSource, table: JointTable): Cl
   }
   const period = (frames.length - 1) / FRAMES_PER_SECOND;
   return {
-    ...{ file: 'panda_walk.anim', name: 'panda_walk', start: 0, end: CYCLES * period },
+    ...{ file: 'panda_walk.anim', name: 'panda_walk', start: 0, end: CYCLES * period, fps: 30 },
     channels: curves.map(channelOf),
   };
 }
@@ -68,7 +72,7 @@ function anglesOf(
   return extractEuler(matrix, 'zyx', near);
 }
 
-function channelOf(curve: readonly number[]): ChannelParts {
+function channelOf(curve: readonly number[]): ScalarChannelParts {
   const values = rounded(curve, 4);
   const isStill = Math.max(...values) - Math.min(...values) < STILL;
   const keys = isStill ? values.slice(0, 1) : values;

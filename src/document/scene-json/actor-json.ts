@@ -16,7 +16,16 @@ import { transformJson } from './transform-json.ts';
 /** The fields of an actor that are read without its character. To save another one, add its row. */
 type PlainFields = Omit<
   Actor,
-  'id' | 'character' | 'source' | 'q' | 'pins' | 'natures' | 'morphWeights' | 'clips' | 'clip'
+  | 'id'
+  | 'character'
+  | 'source'
+  | 'q'
+  | 'pins'
+  | 'natures'
+  | 'morphWeights'
+  | 'clips'
+  | 'clip'
+  | 'unkeyed'
 >;
 
 const plainFields: Codecs<PlainFields> = {

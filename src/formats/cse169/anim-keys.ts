@@ -1,4 +1,4 @@
-import type { KeyParts, Tangent } from '../../core/character-parts.ts';
+import type { KeyParts, Tangent } from '../../core/motion/clip-parts.ts';
 import { largest, type Scanner } from './scanner.ts';
 import { closeRows, endsEarly } from './sections.ts';
 

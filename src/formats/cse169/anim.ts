@@ -1,4 +1,9 @@
-import type { ChannelParts, ClipParts, Extrapolation } from '../../core/character-parts.ts';
+import {
+  defaultFps,
+  type ScalarChannelParts,
+  type ScalarClipParts,
+  type Extrapolation,
+} from '../../core/motion/clip-parts.ts';
 import { DiagnosticLog, type Parsed } from '../../core/diagnostics.ts';
 import { defaultLimits, type Limits } from '../../core/limits.ts';
 import { baseName, pathStem } from '../file-entry.ts';
@@ -23,7 +28,7 @@ const isExtrapolation = (word: string): word is Extrapolation => extrapolations.
 interface Draft {
   range?: readonly [number, number];
   declaredCount?: number;
-  readonly channels: ChannelParts[];
+  readonly channels: ScalarChannelParts[];
 }
 
 /**
@@ -35,10 +40,10 @@ export function readAnim(
   file: string,
   bytes: Uint8Array,
   limits: Limits = defaultLimits,
-): Parsed<ClipParts> {
+): Parsed<ScalarClipParts> {
   const log = new DiagnosticLog(file);
   const scanner = scan(file, bytes, log, about, limits);
-  if (!scanner) return log.finish<ClipParts>(undefined);
+  if (!scanner) return log.finish<ScalarClipParts>(undefined);
   const draft: Draft = { channels: [] };
   if (scanner.keyword(isOuter) !== 'animation') scanner.fail('token', '"animation"');
   else if (scanner.open()) readAnimation(scanner, draft);
@@ -77,7 +82,7 @@ function readChannel(scanner: Scanner, draft: Draft): void {
   if (!(reader.next() && reader.looksNumeric)) reader.back(mark);
   if (!scanner.open()) return;
   let rules: [Extrapolation, Extrapolation] = ['constant', 'constant'];
-  let keys: ChannelParts['keys'] | undefined;
+  let keys: ScalarChannelParts['keys'] | undefined;
   while (scanner.sound()) {
     const word = scanner.keyword(isOfChannel);
     if (reader.isClose) break;
@@ -98,7 +103,7 @@ function readRule(scanner: Scanner): Extrapolation {
   return 'constant';
 }
 
-function finishClip(file: string, draft: Draft, log: DiagnosticLog): ClipParts | undefined {
+function finishClip(file: string, draft: Draft, log: DiagnosticLog): ScalarClipParts | undefined {
   const { channels, declaredCount } = draft;
   if (channels.length === 0) {
     const { effect } = about;
@@ -120,10 +125,17 @@ function finishClip(file: string, draft: Draft, log: DiagnosticLog): ClipParts |
     log.warn({ code: 'anim/order', expected: 'a range with its start first', found, effect });
   }
   const name = pathStem(baseName(file));
-  return { file, name, start: Math.min(start, end), end: Math.max(start, end), channels };
+  return {
+    file,
+    name,
+    start: Math.min(start, end),
+    end: Math.max(start, end),
+    fps: defaultFps,
+    channels,
+  };
 }
 
-function rangeOfKeys(channels: readonly ChannelParts[]): [number, number] {
+function rangeOfKeys(channels: readonly ScalarChannelParts[]): [number, number] {
   let [start, end] = [Infinity, -Infinity];
   for (const { keys } of channels) {
     start = Math.min(start, keys[0]?.time ?? Infinity);

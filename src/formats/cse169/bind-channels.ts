@@ -1,4 +1,4 @@
-import type { ChannelParts, ClipParts } from '../../core/character-parts.ts';
+import type { ScalarChannelParts, ScalarClipParts } from '../../core/motion/clip-parts.ts';
 import { DiagnosticLog, type Parsed } from '../../core/diagnostics.ts';
 import { DofKind } from '../../core/skeleton.ts';
 
@@ -7,7 +7,7 @@ import { DofKind } from '../../core/skeleton.ts';
  * y, z of every joint in the order of the skeleton's file. If the number of channels differs, those
  * that fit are used.
  */
-export function bindChannels(clip: ClipParts, jointCount: number): Parsed<ClipParts> {
+export function bindChannels(clip: ScalarClipParts, jointCount: number): Parsed<ScalarClipParts> {
   const log = new DiagnosticLog(clip.file);
   const expectedCount = 3 * jointCount + 3;
   if (clip.channels.length !== expectedCount) {
@@ -25,9 +25,9 @@ export function bindChannels(clip: ClipParts, jointCount: number): Parsed<ClipPa
   return log.finish({ ...clip, channels });
 }
 
-function targetOf(index: number, jointCount: number): ChannelParts['target'] {
+function targetOf(index: number, jointCount: number): ScalarChannelParts['target'] {
   const axis = (index % 3) as 0 | 1 | 2;
-  if (index < 3) return { joint: 0, kind: DofKind.slide, axis };
+  if (index < 3) return { of: 'value', joint: 0, kind: DofKind.slide, axis };
   const joint = Math.floor(index / 3) - 1;
-  return joint < jointCount ? { joint, kind: DofKind.hinge, axis } : null;
+  return joint < jointCount ? { of: 'value', joint, kind: DofKind.hinge, axis } : null;
 }

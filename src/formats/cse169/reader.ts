@@ -1,5 +1,6 @@
 import { buildMesh } from '../../core/build-mesh.ts';
-import type { CharacterParts, ClipParts, MorphParts } from '../../core/character-parts.ts';
+import type { CharacterParts, MorphParts } from '../../core/character-parts.ts';
+import type { ClipParts } from '../../core/motion/clip-parts.ts';
 import { type Diagnostic, DiagnosticLog, type Parsed } from '../../core/diagnostics.ts';
 import type { Limits } from '../../core/limits.ts';
 import { baseName, extensionOf } from '../file-entry.ts';

@@ -1,8 +1,9 @@
-import type { ChannelParts, ClipParts, Tangent } from '../../core/character-parts.ts';
+import type { ScalarChannelParts, ScalarClipParts, Tangent } from '../../core/motion/clip-parts.ts';
+import { slopesOf } from '../../core/motion/tangents.ts';
 import { encodeLines, writeFloat64 } from '../text/write-number.ts';
 
 /** Writes an `.anim` with the channels in order and the tangents of the keys. */
-export function writeAnim({ start, end, channels }: ClipParts): Uint8Array {
+export function writeAnim({ start, end, channels }: ScalarClipParts): Uint8Array {
   return encodeLines([
     'animation {',
     `\trange ${writeFloat64(start)} ${writeFloat64(end)}`,
@@ -12,20 +13,23 @@ export function writeAnim({ start, end, channels }: ClipParts): Uint8Array {
   ]);
 }
 
-function channelLines({ before, after, keys }: ChannelParts): string[] {
+function channelLines({ before, after, keys }: ScalarChannelParts): string[] {
+  const { slopesIn, slopesOut } = slopesOf(keys);
   return [
     '\tchannel {',
     `\t\textrapolate ${before} ${after}`,
     `\t\tkeys ${keys.length} {`,
-    ...keys.map(({ time, value, tangentIn, tangentOut }) => {
-      const words = [writeFloat64(time), writeFloat64(value), tangent(tangentIn)];
-      return `\t\t\t${[...words, tangent(tangentOut)].join(' ')}`;
+    ...keys.map(({ time, value, tangentIn, tangentOut }, at) => {
+      const words = [writeFloat64(time), writeFloat64(value), tangent(tangentIn, slopesIn[at]!)];
+      return `\t\t\t${[...words, tangent(tangentOut, slopesOut[at]!)].join(' ')}`;
     }),
     '\t\t}',
     '\t}',
   ];
 }
 
-function tangent(value: Tangent): string {
-  return typeof value === 'number' ? writeFloat64(value) : value;
+/** The word of a rule that the format has, otherwise the slope that it gives. */
+function tangent(value: Tangent, slope: number): string {
+  const isWord = value === 'flat' || value === 'linear' || value === 'smooth';
+  return isWord ? value : writeFloat64(slope);
 }

@@ -1,5 +1,5 @@
 import type { Character } from '../../core/character.ts';
-import type { ClipParts } from '../../core/character-parts.ts';
+import { type ClipParts, isRotationChannel } from '../../core/motion/clip-parts.ts';
 import type { Diagnostic } from '../../core/diagnostics.ts';
 import { noJoint } from '../../core/skin.ts';
 import type { OutputFile, Written } from '../format.ts';
@@ -27,7 +27,8 @@ export function writeCse169(
     }
   }
   for (const clip of clips) {
-    files.push({ path: `${clip.name}.anim`, bytes: writeAnim(clip) });
+    const channels = clip.channels.flatMap((each) => (isRotationChannel(each) ? [] : each));
+    files.push({ path: `${clip.name}.anim`, bytes: writeAnim({ ...clip, channels }) });
   }
   return { files, losses: losses(character) };
 }

@@ -20,8 +20,8 @@ const mostRounds = 8;
 const rootStiffness = 10;
 
 /** Moves joints so that all pins hold; see `holdPins`. */
-export const applyPins: LayerFunction = (context, q) => {
-  holdPins(context, q);
+export const applyPins: LayerFunction = (context, { q, pins }) => {
+  holdPins({ ...context, pins }, q);
 };
 
 /**
@@ -36,7 +36,12 @@ export const applyPins: LayerFunction = (context, q) => {
  * Returns how many iterations its solves took.
  */
 export function holdPins(
-  { character, pins, natures: settings, followed }: PoseContext,
+  {
+    character,
+    pins,
+    natures: settings,
+    followed,
+  }: Pick<PoseContext, 'character' | 'pins' | 'natures' | 'followed'>,
   q: Float64Array,
 ): number {
   const { skeleton } = character;

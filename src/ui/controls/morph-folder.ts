@@ -1,3 +1,4 @@
+import type { Edit } from '../../document/edit.ts';
 import { effect } from '@preact/signals-core';
 import type { GUI } from 'lil-gui';
 import type { Character } from '../../core/character.ts';
@@ -46,12 +47,16 @@ export function addMorphFolder(gui: GUI, editor: Looking): void {
 
 function addMorphRow(
   folder: GUI,
-  { store, session }: Looking,
+  { store, evaluations }: Looking,
   id: number,
   name: string,
   index: number,
 ): ValueRow {
   const label = `Shape ${name}`;
+  const shown = (): Float64Array =>
+    evaluations.selected()?.pose.morphWeights ?? new Float64Array(index + 1);
+  const set = (weight: number, name: string): Edit =>
+    setMorphWeight(id, shown(), index, weight, name);
   return addValueRow(folder, {
     name,
     fullName: name,
@@ -60,9 +65,9 @@ function addMorphRow(
     isAngle: false,
     locked: false,
     legal: [-reach, reach],
-    read: () => selectedActor(store, session)?.morphWeights[index] ?? 0,
+    read: () => shown()[index] ?? 0,
     begin: () => store.begin(label),
-    preview: (gesture, value) => gesture.preview(setMorphWeight(id, index, value, label)),
-    reset: () => store.dispatch(setMorphWeight(id, index, 0, `Reset ${name}`)),
+    preview: (gesture, value) => gesture.preview(set(value, label)),
+    reset: () => store.dispatch(set(0, `Reset ${name}`)),
   });
 }

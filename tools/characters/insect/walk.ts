@@ -1,5 +1,9 @@
 import { quat, vec3 } from 'gl-matrix';
-import type { ChannelParts, ClipParts, KeyParts } from '../../../src/core/character-parts.ts';
+import type {
+  ScalarChannelParts,
+  ScalarClipParts,
+  KeyParts,
+} from '../../../src/core/motion/clip-parts.ts';
 import type { Vector3 } from '../vector.ts';
 import { footRadius, type Leg, legs, reach } from './legs.ts';
 import { anglesOfLeg, type Angles, standing } from './pose.ts';
@@ -124,8 +128,8 @@ function keysOf(value: (phase: number) => number): KeyParts[] {
  * The walk: the root's displacement x, y, z and then the angles x, y, z of every joint, in file
  * order.
  */
-export function insectWalk(): ClipParts {
-  const forward: ChannelParts = {
+export function insectWalk(): ScalarClipParts {
+  const forward: ScalarChannelParts = {
     target: null,
     before: 'cycle_offset',
     after: 'cycle_offset',
@@ -136,7 +140,7 @@ export function insectWalk(): ClipParts {
       tangentOut: 'linear',
     })),
   };
-  const channel = (value: (phase: number) => number): ChannelParts => {
+  const channel = (value: (phase: number) => number): ScalarChannelParts => {
     const keys = keysOf(value);
     const rule = keys.length > 1 ? 'cycle' : 'constant';
     return { target: null, before: rule, after: rule, keys };
@@ -149,6 +153,7 @@ export function insectWalk(): ClipParts {
     name: 'insect_walk',
     start: 0,
     end: cycles * period,
+    fps: 30,
     channels: [
       channel((phase) => body(phase).move[0]),
       channel((phase) => body(phase).move[1]),

@@ -1,9 +1,9 @@
 import { useMemo } from 'preact/hooks';
-import type { Clip } from '../../core/clip.ts';
-import type { Skeleton } from '../../core/skeleton.ts';
-import { firstRoot } from '../../core/subtree.ts';
-import { clipCurves, type Curve } from '../clip-curves.ts';
-import type { Looking, Posing } from '../editor.ts';
+import type { Clip } from '../../../core/motion/clip.ts';
+import type { Skeleton } from '../../../core/skeleton.ts';
+import { firstRoot } from '../../../core/subtree.ts';
+import { clipCurves, type Curve } from '../../clip-curves.ts';
+import type { Looking, Posing } from '../../editor.ts';
 
 interface ClipCurvesProperties {
   readonly editor: Looking & Posing;

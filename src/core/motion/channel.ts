@@ -1,4 +1,5 @@
-import type { ChannelParts, Extrapolation, Tangent } from './character-parts.ts';
+import type { Extrapolation, ScalarChannelParts } from './clip-parts.ts';
+import { slopesOf } from './tangents.ts';
 
 /**
  * A curve over time through its keys: cubic Hermite spans, with rules for times outside the keys.
@@ -18,34 +19,38 @@ export interface Channel {
   readonly cubics: Float64Array;
 }
 
+/** Compiles a curve, at the first call for it; keys are at increasing times. */
+export function channelFor(parts: ScalarChannelParts): Channel {
+  let channel = compiled.get(parts);
+  if (!channel) compiled.set(parts, (channel = compileChannel(parts)));
+  return channel;
+}
+
+const compiled = new WeakMap<ScalarChannelParts, Channel>();
+
 /** @param parts keys at increasing times */
-export function compileChannel(parts: ChannelParts): Channel {
-  const { keys, before, after } = parts;
+function compileChannel({ keys, before, after }: ScalarChannelParts): Channel {
   const times = Float64Array.from(keys, ({ time }) => time);
   const values = Float64Array.from(keys, ({ value }) => value);
-  const slope = (from: number, to: number): number =>
-    from === to ? 0 : (values[to]! - values[from]!) / (times[to]! - times[from]!);
-  const last = keys.length - 1;
-  // The first and the last key have only one neighbor, so both rules use the only span.
-  const slopeAt = (key: number, tangent: Tangent, linearFrom: number): number => {
-    if (tangent === 'flat') return 0;
-    if (tangent === 'smooth' && key > 0 && key < last) return slope(key - 1, key + 1);
-    if (typeof tangent === 'number') return tangent;
-    const first = Math.min(Math.max(linearFrom, 0), Math.max(last - 1, 0));
-    return slope(first, Math.min(first + 1, last));
-  };
-  const slopesIn = Float64Array.from(keys, ({ tangentIn }, key) =>
-    slopeAt(key, tangentIn, key - 1),
-  );
-  const slopesOut = Float64Array.from(keys, ({ tangentOut }, key) => slopeAt(key, tangentOut, key));
-  const cubics = new Float64Array(Math.max(0, last) * 4);
-  for (let span = 0; span < last; span++) {
-    const h = times[span + 1]! - times[span]!;
+  const { slopesIn, slopesOut } = slopesOf(keys);
+  const spanCount = Math.max(0, keys.length - 1);
+  const cubics = new Float64Array(spanCount * 4);
+  for (let span = 0; span < spanCount; span++) {
     const [p0, p1] = [values[span]!, values[span + 1]!];
+    if (isStepped(keys, span)) {
+      cubics[span * 4 + 3] = p0;
+      continue;
+    }
+    const h = times[span + 1]! - times[span]!;
     const [v0, v1] = [h * slopesOut[span]!, h * slopesIn[span + 1]!];
     cubics.set([2 * p0 - 2 * p1 + v0 + v1, -3 * p0 + 3 * p1 - 2 * v0 - v1, v0, p0], span * 4);
   }
   return { before, after, times, values, slopesIn, slopesOut, cubics };
+}
+
+/** Whether the span after a key keeps the key's value. */
+export function isStepped(keys: ScalarChannelParts['keys'], span: number): boolean {
+  return keys[span]!.tangentOut === 'stepped' || keys[span + 1]?.tangentIn === 'stepped';
 }
 
 /** The curve's value at a time in seconds: 0 without keys, constant with one key. */

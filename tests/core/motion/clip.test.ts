@@ -1,15 +1,20 @@
 import { describe, expect, it } from 'vitest';
-import { compileChannel, evaluateChannel } from '../../src/core/channel.ts';
-import type { ChannelParts, Extrapolation, Tangent } from '../../src/core/character-parts.ts';
-import { clipFor, evaluateClip } from '../../src/core/clip.ts';
-import { axisDofs } from '../../src/core/pose.ts';
-import { leg } from '../support/cse169-files.ts';
-import { readOne } from '../support/files.ts';
+import { channelFor, evaluateChannel } from '../../../src/core/motion/channel.ts';
+import type {
+  ScalarChannelParts,
+  Extrapolation,
+  Tangent,
+} from '../../../src/core/motion/clip-parts.ts';
+import { clipFor, evaluateClip } from '../../../src/core/motion/clip.ts';
+import { axisDofs } from '../../../src/core/pose.ts';
+import { leg } from '../../support/cse169-files.ts';
+import { clipValues } from '../../support/clip-values.ts';
+import { readOne } from '../../support/files.ts';
 
 type Key = readonly [number, number, Tangent, Tangent];
 
 function channel(before: Extrapolation, after: Extrapolation, keys: readonly Key[]) {
-  const parts: ChannelParts = {
+  const parts: ScalarChannelParts = {
     target: null,
     before,
     after,
@@ -20,7 +25,7 @@ function channel(before: Extrapolation, after: Extrapolation, keys: readonly Key
       tangentOut,
     })),
   };
-  const compiled = compileChannel(parts);
+  const compiled = channelFor(parts);
   return { ...compiled, at: (time: number) => evaluateChannel(compiled, time) };
 }
 
@@ -87,16 +92,18 @@ describe('a channel', () => {
 
 describe('a clip', () => {
   it('writes its values to their places in q, within the limits, and no others', async () => {
-    const { skeleton, clips } = await readOne(leg);
-    const clip = clipFor(clips[0]!, skeleton);
-    expect(clipFor(clips[0]!, skeleton), 'compiled once').toBe(clip);
+    const character = await readOne(leg);
+    const { skeleton, clips } = character;
+    const clip = clipFor(clips[0]!, character);
+    expect(clipFor(clips[0]!, character), 'compiled once').toBe(clip);
     const valueOf = (joint: number, kind: number, axis: number): number =>
       axisDofs(skeleton, joint).find((dof) => dof.kind === kind && dof.axis === axis)!.index;
     const slides = [0, 1, 2].map((axis) => valueOf(0, 0, axis));
     const hinges = [0, 1, 2].flatMap((joint) => [0, 1, 2].map((axis) => valueOf(joint, 1, axis)));
-    expect([...clip.targets]).toEqual([...slides, ...hinges]);
-    const q = skeleton.qRest.slice();
-    evaluateClip(clip, 0, q);
+    expect(clip.curves.q.map(({ index }) => index)).toEqual([...slides, ...hinges]);
+    const values = clipValues(character);
+    const { q } = values;
+    evaluateClip(clip, 0, values);
     expect([0, 1, 2].map((axis) => q[slides[axis]!])).toEqual([0.5, 0.5, 0]);
     // The hip is locked about y, while its channel has 0.25.
     expect(hinges.map((index) => q[index])).toEqual([0, 0, ...Array<number>(7).fill(0.25)]);

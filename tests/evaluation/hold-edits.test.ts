@@ -1,0 +1,54 @@
+import { expect, it } from 'vitest';
+import { bindClip, setMorphWeight, setValue } from '../../src/document/edits.ts';
+import { openCharacter } from '../../src/document/open-characters.ts';
+import { Session } from '../../src/document/session.ts';
+import { Store } from '../../src/document/store.ts';
+import { Evaluations } from '../../src/evaluation/evaluations.ts';
+import { holdEdits } from '../../src/evaluation/hold-edits.ts';
+import { characterOfRig } from '../fixtures/character-of-rig.ts';
+import { rotatedTree } from '../fixtures/rigs.ts';
+import { swingOf } from '../fixtures/swing.ts';
+import { allThere } from '../support/kernels.ts';
+
+function open() {
+  const store = new Store();
+  const session = new Session();
+  const evaluations = new Evaluations(store, session, allThere);
+  holdEdits(store, session, evaluations);
+  const made = characterOfRig(rotatedTree());
+  const character = { ...made, clips: [swingOf(made)] };
+  store.dispatch(openCharacter(null, character, 'linear-blend'));
+  const actor = () => store.scene.value.actors[0]!;
+  store.dispatch(bindClip(actor().id, 0));
+  session.clipTime.value = 0.5;
+  return { store, session, actor, shown: () => evaluations.of(actor()).pose };
+}
+
+it('shows an edited value over the clip, and the others as the clip has them', () => {
+  const { store, session, actor, shown } = open();
+  const before = store.scene.value;
+  const clipped = shown().q.slice();
+  const swung = clipped.findIndex((value, at) => value !== actor().q[at]);
+  store.dispatch(setValue(actor().id, clipped, swung, 0.125, 'turn'));
+  expect(actor().unkeyed).toEqual({ time: 0.5, values: [swung], morphs: [], pins: [] });
+  session.clipTime.value = 0.75;
+  expect(shown().q[swung]).toBe(0.125);
+  expect(actor().clip).toBe(0);
+  store.undo();
+  expect(store.scene.value).toBe(before);
+  expect(shown().q[swung]).toBe(0.75);
+});
+
+it('adds to what is unkeyed already, and forgets it when another clip is bound', () => {
+  const { store, actor, shown } = open();
+  const { id } = actor();
+  store.dispatch(setValue(id, shown().q, 3, 0.25, 'turn'));
+  store.dispatch(setValue(id, shown().q, 1, 0.5, 'turn'));
+  expect(actor().unkeyed?.values).toEqual([1, 3]);
+  if (actor().morphWeights.length > 0) {
+    store.dispatch(setMorphWeight(id, shown().morphWeights, 0, 0.5, 'shape'));
+    expect(actor().unkeyed?.morphs).toEqual([0]);
+  }
+  store.amend(bindClip(id, null));
+  expect(actor().unkeyed).toBeNull();
+});
