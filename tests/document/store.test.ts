@@ -3,7 +3,6 @@ import { describe, expect, it } from 'vitest';
 import { buildCharacter } from '../../src/core/build-character.ts';
 import { setInfluences } from '../../src/document/weight-edits.ts';
 import type { Character } from '../../src/core/character.ts';
-import { axisDofs } from '../../src/core/pose.ts';
 import { DofKind } from '../../src/core/skeleton.ts';
 import {
   bindClip,
@@ -21,12 +20,10 @@ import { allSteps } from '../../src/document/history.ts';
 import { openCharacter } from '../../src/document/open-characters.ts';
 import { type Actor, type Scene, type Transform, unmoved } from '../../src/document/scene.ts';
 import { Store } from '../../src/document/store.ts';
-import { Evaluator } from '../../src/evaluation/evaluator.ts';
 import { methods } from '../../src/skinning/registry.ts';
 import { partsOfRig } from '../fixtures/character-of-rig.ts';
 import type { Rig } from '../fixtures/rig.ts';
 import { allRigs } from '../fixtures/rigs.ts';
-import { fullPool } from '../support/kernels.ts';
 
 const characters = Object.values(allRigs).map((rig) => withMorphAndClip(rig()));
 

@@ -118,7 +118,6 @@ describe('the transport', () => {
     transport.pass(0.5);
     const { id, q } = selectedActor(store, session)!;
     store.dispatch(setPose(id, q));
-    transport.pass(0.1);
     expect([session.playing.value, session.clipTime.value]).toEqual([false, 0.5]);
   });
 
