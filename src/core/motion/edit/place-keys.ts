@@ -1,0 +1,29 @@
+import type { ClipParts } from '../clip-parts.ts';
+import type { KeySelection } from '../key-selection.ts';
+import type { ChannelKey } from '../targets.ts';
+import { changeChannels } from './channels.ts';
+import { type AnyKey, mergedKeys, withKeys } from './keys.ts';
+import { type EditedKeys, indicesAt } from './selection.ts';
+
+/** Replaces each selected key by another one, which also replaces what is at its time. */
+export function placeKeys(
+  clip: ClipParts,
+  selection: KeySelection,
+  place: (key: AnyKey) => AnyKey,
+): EditedKeys {
+  const placed = new Map<ChannelKey, readonly number[]>();
+  const edited = changeChannels(clip, selection, (channel, key) => {
+    const indices = new Set(indicesAt(channel, selection.get(key)!));
+    if (indices.size === 0) return channel;
+    const put = (channel.keys as readonly AnyKey[]).filter((_, at) => indices.has(at)).map(place);
+    const kept = (channel.keys as readonly AnyKey[]).filter((_, at) => !indices.has(at));
+    const keys = mergedKeys(kept, put);
+    const own = new Set(put);
+    placed.set(
+      key,
+      keys.filter((each) => own.has(each)).map(({ time }) => time),
+    );
+    return withKeys(channel, keys);
+  });
+  return { clip: edited, selection: placed };
+}
