@@ -1,6 +1,7 @@
 import type { Character } from '../core/character.ts';
 import type { Diagnostic } from '../core/diagnostics.ts';
-import type { Actor, KeptState } from '../document/scene.ts';
+import type { ClipParts } from '../core/motion/clip-parts.ts';
+import { type Actor, boundClip, type KeptState } from '../document/scene.ts';
 import { nameKey } from '../formats/belonging/paths.ts';
 import { companionExtensions, textureExtensions } from '../formats/extensions.ts';
 import { baseName, extensionOf } from '../formats/file-entry.ts';
@@ -52,25 +53,38 @@ export function renews(
   return sameJoints && open.files.every((file) => came.has(nameOf(file)));
 }
 
-/** The state that an actor passes on to its successor when its files are read again. */
+/**
+ * The state that an actor passes on to its successor when its files are read again. Clips that the
+ * user changed or made stay as they are; the others are the files' new ones.
+ */
 export function keptState(before: Actor, character: Character): KeptState {
-  const { q, name, morphWeights, normalizeWeights, influences, clip, transform, fitted, look } =
-    before;
-  const { clips } = before;
+  const { q, name, morphWeights, normalizeWeights, influences, transform, fitted, look } = before;
   const { morphs } = before.character;
   const weights = new Map(morphs.map(({ name }, index) => [name, morphWeights[index]!]));
-  const bound = character.clips.findIndex(({ name }) => name === clips[clip ?? -1]?.name);
+  const clips = keptClips(before, character);
+  const bound = clips.findIndex(({ name }) => name === boundClip(before)?.name);
   return {
     q,
     name,
     transform,
     fitted,
     morphWeights: Float64Array.from(character.morphs, ({ name }) => weights.get(name) ?? 0),
+    clips,
     clip: bound === -1 ? null : bound,
     normalizeWeights,
     influences,
     look,
   };
+}
+
+function keptClips({ clips, character: old }: Actor, { clips: read }: Character): Actor['clips'] {
+  const isOfFile = (clip: ClipParts): boolean => old.clips.includes(clip);
+  if (clips.length === old.clips.length && clips.every(isOfFile)) return read;
+  const kept = clips.flatMap((clip) =>
+    isOfFile(clip) ? (read.find(({ name }) => name === clip.name) ?? []) : clip,
+  );
+  const known = [...old.clips, ...kept].map(({ name }) => name);
+  return [...kept, ...read.filter(({ name }) => !known.includes(name))];
 }
 
 /** Reports the missing files of a character, and how to add them. */

@@ -1,5 +1,6 @@
 import { buffersOf } from '../core/buffers-of.ts';
 import type { Character } from '../core/character.ts';
+import type { ChannelParts } from '../core/motion/clip-parts.ts';
 import { type Actor, type Scene, skinInUse } from './scene.ts';
 
 /** One step of undo. The scenes before and after share everything that did not change. */
@@ -54,7 +55,7 @@ export function replacePresent({ past, future }: History, present: Scene): Histo
   };
 }
 
-/** The bytes that only this step keeps in memory: buffers of `before` that `after` does not use. */
+/** The bytes that only this step keeps in memory: what `before` has and `after` does not use. */
 function sizeOf(entry: HistoryEntry): number {
   let size = knownSizes.get(entry);
   if (size === undefined) knownSizes.set(entry, (size = measure(entry)));
@@ -66,7 +67,17 @@ function measure({ before, after }: HistoryEntry): number {
   if (replaced.length === 0) return 0;
   const shared = new Set(after.actors.flatMap(buffersOfActor));
   const own = new Set(replaced.flatMap(buffersOfActor).filter((buffer) => !shared.has(buffer)));
-  return [...own].reduce((sum, buffer) => sum + buffer.byteLength, 0);
+  const buffers = [...own].reduce((sum, buffer) => sum + buffer.byteLength, 0);
+  const kept = new Set(after.actors.flatMap(channelsOfActor));
+  const channels = new Set(replaced.flatMap(channelsOfActor).filter((each) => !kept.has(each)));
+  return [...channels].reduce((sum, { keys }) => sum + keys.length * keyBytes, buffers);
+}
+
+/** About what a key takes in memory: its object with two numbers, and its part of the curve. */
+const keyBytes = 160;
+
+function channelsOfActor({ clips }: Actor): ChannelParts[] {
+  return clips.flatMap(({ channels }) => channels);
 }
 
 /** All buffers of an actor's character, of its look and of the weights that are computed from it. */

@@ -183,11 +183,11 @@ export function sameScene(a: Scene, b: Scene): boolean {
   );
 }
 
-/** Characters and clips are large and never changed in place, so they are compared by identity. */
+/** Characters are large and never changed in place, so they are compared by identity. */
 function sameActor(a: Actor, b: Actor): boolean {
-  const { character, clips, ...others } = a;
-  const { character: otherCharacter, clips: otherClips, ...rest } = b;
-  return character === otherCharacter && clips === otherClips && sameValue(others, rest);
+  const { character, ...others } = a;
+  const { character: otherCharacter, ...rest } = b;
+  return character === otherCharacter && sameValue(others, rest);
 }
 
 /**

@@ -44,6 +44,30 @@ describe('the history', () => {
     expect(record(record(emptyHistory, opened, small), posed, small).past).toHaveLength(1);
   });
 
+  it('counts the curves that an edit replaced, and not those that the clip kept', () => {
+    const key = { time: 0, value: 0, tangentIn: 'auto', tangentOut: 'auto' } as const;
+    const channel = (keyCount: number) => ({
+      target: null,
+      before: 'constant' as const,
+      after: 'constant' as const,
+      keys: Array.from({ length: keyCount }, (_, at) => ({ ...key, time: at })),
+    });
+    const clip = { file: '', name: 'walk', start: 0, end: 1, fps: 30 };
+    const sceneWith = (...channels: ReturnType<typeof channel>[]): Scene => {
+      const actor = documentWith(0).actors[0]!;
+      return { ...emptyScene, actors: [{ ...actor, clips: [{ ...clip, channels }] }] };
+    };
+    const [long, short] = [channel(1000), channel(1)];
+    const step = (before: Scene, after: Scene) => ({ label: 'edit', before, after });
+    const limit = 50_000;
+    const fits = (first: ReturnType<typeof step>): boolean => {
+      const next = step(sceneWith(long, short), sceneWith(long, channel(1)));
+      return record(record(emptyHistory, first, limit), next, limit).past.length === 2;
+    };
+    expect(fits(step(sceneWith(long, channel(2)), sceneWith(long, short)))).toBe(true);
+    expect(fits(step(sceneWith(channel(1000)), sceneWith(long, short)))).toBe(false);
+  });
+
   it('counts all that a replaced character keeps alive: morphs, images and the weights in use too', () => {
     const kilobytes = (count: number) => new Uint8Array(count * 1024);
     const morph = { ...character.morphs[0]!, offsets: new Float32Array(4 * 256) };

@@ -10,6 +10,7 @@ import type { Pin } from '../../src/posing/pins/pin.ts';
 import { normalWays, methods } from '../../src/skinning/registry.ts';
 import { partsOfRig } from '../fixtures/character-of-rig.ts';
 import { allRigs } from '../fixtures/rigs.ts';
+import { clipsOf } from './random-clips.ts';
 
 /** Every rig, with morphs and clips whose names are odd or not unique. */
 const characters = Object.values(allRigs).map((rig): Character => {
@@ -135,13 +136,13 @@ function asScene(actors: readonly Omit<Actor, 'id'>[]): readonly Actor[] {
 }
 
 function actorOf(character: Character): fc.Arbitrary<Omit<Actor, 'id'>> {
-  const { skeleton, morphs, clips } = character;
+  const { skeleton, morphs } = character;
   const values = fc.array(fc.option(number, { nil: undefined }), {
     minLength: skeleton.qRest.length,
     maxLength: skeleton.qRest.length,
   });
   const weight = fc.double({ min: -10, max: 10, noNaN: true });
-  return fc.record({
+  const actor = fc.record({
     name: fc.string(),
     character: fc.constant(character),
     source,
@@ -164,9 +165,16 @@ function actorOf(character: Character): fc.Arbitrary<Omit<Actor, 'id'>> {
     morphWeights: fc
       .array(weight, { minLength: morphs.length, maxLength: morphs.length })
       .map((weights) => Float64Array.from(weights)),
-    clips: fc.constant(clips),
-    clip: fc.option(fc.nat(clips.length - 1)),
-    unkeyed: fc.constant(null),
+    clips: clipsOf(character),
+    clip: fc.option(fc.nat(4)),
+    unkeyed: fc.option(
+      fc.record({
+        time: number,
+        values: indicesBelow(skeleton.qRest.length),
+        morphs: indicesBelow(morphs.length),
+        pins: indicesBelow(skeleton.jointCount),
+      }),
+    ),
     method: fc.constantFrom(...methods.map(({ id }) => id)),
     normals: fc.constantFrom(...normalWays.map(({ id }) => id)),
     normalizeWeights: fc.boolean(),
@@ -189,6 +197,27 @@ function actorOf(character: Character): fc.Arbitrary<Omit<Actor, 'id'>> {
       ),
     }),
   });
+  return actor.map(withoutMissing);
+}
+
+function indicesBelow(count: number): fc.Arbitrary<readonly number[]> {
+  return fc
+    .uniqueArray(fc.nat(Math.max(count - 1, 0)), { maxLength: Math.min(count, 4) })
+    .map((indices) => indices.sort((a, b) => a - b));
+}
+
+/** The actor with a bound clip only if it has that clip, and unkeyed pins only of its own. */
+function withoutMissing(actor: Omit<Actor, 'id'>): Omit<Actor, 'id'> {
+  const { clips, clip, pins, unkeyed } = actor;
+  const pinned = pins.map(({ joint }) => joint);
+  return {
+    ...actor,
+    clip: clip !== null && clip < clips.length ? clip : null,
+    unkeyed: unkeyed && {
+      ...unkeyed,
+      pins: unkeyed.pins.filter((joint) => pinned.includes(joint)),
+    },
+  };
 }
 
 /** Scenes with every field at any legal value. */

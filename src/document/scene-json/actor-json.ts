@@ -1,8 +1,10 @@
 import type { Character } from '../../core/character.ts';
+import type { ClipParts } from '../../core/motion/clip-parts.ts';
 import type { JsonValue } from '../../formats/json/decoder.ts';
 import { decodePose } from '../../formats/pose-json.ts';
 import { defaultDeformation, methods, normalWays } from '../../skinning/registry.ts';
 import { type Actor, type ActorId, createActor, type Source } from '../scene.ts';
+import { readClips, writeClips } from './clips-json.ts';
 import { countFrom1, flag, index, oneOf, orNull, text } from './codec.ts';
 import { type Codecs, readFields, writeFields } from './fields.ts';
 import { readJointValues, writeJointValues } from './joint-values.ts';
@@ -12,6 +14,7 @@ import { readMorphWeights, writeMorphWeights } from './morph-weights.ts';
 import { readNatures, writeNatures } from './natures-json.ts';
 import { type FindActor, readPins, writePins } from './pins-json.ts';
 import { transformJson } from './transform-json.ts';
+import { readUnkeyed, writeUnkeyed } from './unkeyed-json.ts';
 
 /** The fields of an actor that are read without its character. To save another one, add its row. */
 type PlainFields = Omit<
@@ -41,7 +44,7 @@ const plainFields: Codecs<PlainFields> = {
 
 /** The fields that need the character. `pose` is as in POSE.json, for people who write by hand. */
 const characterFields = [
-  ...['character', 'values', 'pose', 'pins', 'natures', 'morphs', 'clip'],
+  ...['character', 'values', 'pose', 'pins', 'natures', 'morphs', 'clips', 'clip', 'unkeyed'],
 ] as const;
 
 /** An actor whose character may still be on its way. */
@@ -63,10 +66,11 @@ export function writeActor(
   character: number,
   actors: readonly Actor[],
 ): Record<string, unknown> {
-  const { skeleton, morphs, clips } = actor.character;
+  const { skeleton, morphs } = actor.character;
   const values = writeJointValues(skeleton, actor.q);
   const natures = writeNatures(actor.natures, skeleton);
   const weights = writeMorphWeights(namesOf(morphs), actor.morphWeights);
+  const clips = writeClips(actor);
   return {
     character,
     ...writeFields(plainFields, actor, freshActor(actor.id, actor.character, actor.source)),
@@ -74,7 +78,9 @@ export function writeActor(
     ...(actor.pins.length > 0 && { pins: writePins(actor, actors) }),
     ...(natures && { natures }),
     ...(Object.keys(weights).length > 0 && { morphs: weights }),
-    ...(actor.clip !== null && { clip: keyAt(namesOf(clips), actor.clip) }),
+    ...(clips && { clips }),
+    ...(actor.clip !== null && { clip: keyAt(namesOf(actor.clips), actor.clip) }),
+    ...(actor.unkeyed && { unkeyed: writeUnkeyed(actor.unkeyed, actor.character) }),
   };
 }
 
@@ -97,22 +103,33 @@ export function actorOf(
   source: Source,
   found: FindActor = () => undefined,
 ): Actor {
-  const { skeleton, morphs, clips } = character;
+  const { skeleton, morphs } = character;
   const members = json.record('an object');
-  const [values, pose, pins, natures, weights, clip] = [
-    ...['values', 'pose', 'pins', 'natures', 'morphs', 'clip'],
+  const [values, pose, pins, natures, weights, clips, clip, unkeyed] = [
+    ...['values', 'pose', 'pins', 'natures', 'morphs', 'clips', 'clip', 'unkeyed'],
   ].map((key) => members?.get(key));
   const fresh = freshActor(id, character, source);
   const q = (pose && decodePose(pose, skeleton).value?.q) ?? fresh.q;
   if (values) readJointValues(values, skeleton, q);
+  const held = pins ? readPins(pins, skeleton, found) : fresh.pins;
+  const listed = (clips && readClips(clips, character)) ?? fresh.clips;
+  const kept = clips ? listed.filter((each) => each !== undefined) : fresh.clips;
   return {
     ...fresh,
     ...plain,
     q,
-    pins: pins ? readPins(pins, skeleton, found) : fresh.pins,
+    pins: held,
     natures: natures ? readNatures(natures, skeleton) : fresh.natures,
     morphWeights: weights ? readMorphWeights(weights, namesOf(morphs)) : fresh.morphWeights,
-    clip: clip ? readClip(clip, namesOf(clips)) : null,
+    clips: kept,
+    clip: clip ? readBoundClip(clip, listed) : null,
+    unkeyed: unkeyed
+      ? readUnkeyed(
+          unkeyed,
+          character,
+          held.map(({ joint }) => joint),
+        )
+      : null,
   };
 }
 
@@ -121,12 +138,19 @@ function freshActor(id: ActorId, character: Character, source: Source): Actor {
   return createActor(id, character, defaultDeformation(character).method, { source });
 }
 
-function readClip(json: JsonValue, names: readonly string[]): number | null {
+/**
+ * Returns the index of the bound clip among those that were read.
+ *
+ * @param clips as they are listed, with missing ones, because keys count them
+ */
+function readBoundClip(json: JsonValue, clips: readonly (ClipParts | undefined)[]): number | null {
   const key = text.read(json);
   if (key === undefined) return null;
-  const found = indexOfKey(names, key);
-  if (found < 0) json.fail('unknown', 'the name of a clip of the character, or # and its index');
-  return found < 0 ? null : found;
+  const names = clips.map((clip) => clip?.name ?? '#');
+  const listed = indexOfKey(names, key);
+  if (clips[listed]) return clips.slice(0, listed).filter((clip) => clip !== undefined).length;
+  json.fail('unknown', 'the name of a clip of the character, or # and its index');
+  return null;
 }
 
 function namesOf(things: readonly { readonly name: string }[]): readonly string[] {
