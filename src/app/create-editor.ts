@@ -43,7 +43,7 @@ export function createEditor(
 
   const editor: Editor = {
     ...opening,
-    transport: new Transport(store, session),
+    transport: new Transport(store, session, (message) => (notice.value = message)),
     ballAngles: new BallAngles(),
     placeAngles: new PlaceAngles(),
     recentEntries: signal([]),

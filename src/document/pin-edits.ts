@@ -131,10 +131,13 @@ export function whyNoFollowing(scene: Scene, follower: ActorId, followed: ActorI
   return `${own} can't follow ${other}, because ${other} follows ${own} already`;
 }
 
+/** @param state with its pins as they are shown, which a clip may move */
 function editPin(state: Actor, joint: number, label: string, edit: (pin: Pin) => Pin): Edit {
+  const seen = pinOf(state, joint);
+  const from = (pin: Pin): Pin => (seen ? { ...pin, place: seen.place, weight: seen.weight } : pin);
   return editActor(state.id, label, (actor) => ({
     ...actor,
-    pins: actor.pins.map((pin) => (pin.joint === joint ? edit(pin) : pin)),
+    pins: actor.pins.map((pin) => (pin.joint === joint ? edit(from(pin)) : pin)),
   }));
 }
 

@@ -1,20 +1,36 @@
 import { type Clip, clipFor } from '../core/motion/clip.ts';
 import type { ClipParts } from '../core/motion/clip-parts.ts';
 import { advance } from '../posing/playhead.ts';
+import { releaseClip } from './clip-edits.ts';
 import { bindClip } from './edits.ts';
+import { dropUnkeyed, droppedCount } from './keying-drop.ts';
+import type { ShownState } from './keying-targets.ts';
+import { snapped } from './key-time.ts';
 import { type Actor, boundClip } from './scene.ts';
 import { selectedActor } from './selected-actor.ts';
 import type { Session } from './session.ts';
 import type { Store } from './store.ts';
 
-/** Plays, pauses and seeks the clips of the selected character. None of this is a step of undo. */
+/** In seconds. */
+export interface TimeRange {
+  readonly start: number;
+  readonly end: number;
+}
+
+/**
+ * Plays, pauses and seeks the clips of the selected character. Only what it drops or releases is a
+ * step of undo.
+ */
 export class Transport {
   private readonly store: Store;
   private readonly session: Session;
+  private readonly tell: (message: string) => void;
 
-  constructor(store: Store, session: Session) {
+  /** @param tell shows a message to the user */
+  constructor(store: Store, session: Session, tell: (message: string) => void = () => undefined) {
     this.store = store;
     this.session = session;
+    this.tell = tell;
   }
 
   /**
@@ -38,78 +54,161 @@ export class Transport {
     return (this.state?.clip ?? null) !== null;
   }
 
+  /**
+   * The range that is played: the work range, as far as clips have it, or else all that bound clips
+   * have; undefined if no clip is bound.
+   */
+  get range(): TimeRange | undefined {
+    const { bound } = this;
+    if (bound.length === 0) return undefined;
+    const start = Math.min(...bound.map((clip) => clip.start));
+    const end = Math.max(...bound.map((clip) => clip.end));
+    const [from, to] = this.session.workRange.value ?? [start, end];
+    const inside = { start: Math.max(from, start), end: Math.min(to, end) };
+    return inside.end > inside.start ? inside : { start, end };
+  }
+
   togglePlay(): void {
-    const { playing, playMode, clipTime } = this.session;
-    if (playing.value && this.isBound) {
-      playing.value = false;
+    if (this.session.playing.value && (this.isBound || !this.clip)) {
+      this.session.playing.value = false;
       return;
     }
-    const clip = this.bind();
-    if (!clip) return;
-    if (playMode.value === 'once' && clipTime.value >= clip.end) clipTime.value = clip.start;
-    playing.value = true;
+    if (this.clip) this.play(() => this.bind());
   }
 
-  /** Shows the clip's pose at a time, and pauses. */
+  /** Plays a clip of every character that has one: the bound one, else the one that is chosen. */
+  playAll(): void {
+    const { state } = this;
+    this.play(() => {
+      for (const { id, clip, clips } of this.store.scene.value.actors) {
+        if (clip !== null || clips.length === 0) continue;
+        this.store.amend(bindClip(id, id === state?.id ? this.clipIndex : 0));
+      }
+    });
+  }
+
+  /**
+   * Shows the clip's pose at a time, or at the nearest frame if times snap, and pauses. Times beyond
+   * all clips are shown only where playback goes on there too; elsewhere clips repeat.
+   */
   seek(time: number): void {
-    if (!this.bind()) return;
-    this.session.playing.value = false;
-    this.session.clipTime.value = time;
+    const { session, clip } = this;
+    if (!clip) return;
+    const isEnd = time === clip.start || time === clip.end;
+    const at = isEnd ? time : snapped(session, time, clip.fps);
+    this.goTo(session.playMode.value === 'go on' ? at : this.within(at));
   }
 
+  /** Goes on or back by a frame, within the range that is played. */
   step(direction: 1 | -1): void {
-    const { clip } = this;
+    const { clip, session } = this;
     if (!clip) return;
-    const time = this.session.clipTime.value + direction / clip.fps;
-    this.seek(Math.min(Math.max(time, clip.start), clip.end));
+    const frame = session.clipTime.value * clip.fps;
+    const near = 1e-6; // of a frame
+    const next = direction > 0 ? Math.floor(frame + near) + 1 : Math.ceil(frame - near) - 1;
+    const time = (session.snapsToFrames.value ? next : frame + direction) / clip.fps;
+    const { start, end } = this.range ?? clip;
+    this.goTo(Math.min(Math.max(time, start), end));
   }
 
   /** Chooses another clip of the character, from its start. */
   choose(index: number): void {
     const { session, state } = this;
+    if (state && state.clip !== null && state.clip !== index) this.leave();
     session.clipIndex.value = index;
-    session.clipTime.value = this.clip?.start ?? 0;
     if (state && state.clip !== null) this.store.amend(bindClip(state.id, index));
+    session.workRange.value = null;
     session.clipTime.value = this.clip?.start ?? 0;
   }
 
-  /** Unbinds the clip, so that the character shows its own pose. */
-  release(): void {
+  /**
+   * Unbinds the clip, so that the character keeps what it shows as its own. It is a step of undo.
+   *
+   * @param shown what the character shows
+   */
+  release(shown: ShownState): void {
     const { state } = this;
     this.session.playing.value = false;
-    if (state && state.clip !== null) this.store.amend(bindClip(state.id, null));
+    if (state && state.clip !== null) this.store.dispatch(releaseClip(state, shown));
   }
 
   /** Advances playback by an interval of real time. */
   pass(seconds: number): void {
-    const { session } = this;
-    const clip = this.isBound ? this.clip : this.otherBoundClip;
-    if (!clip) {
+    const { session, range } = this;
+    if (!range) {
       session.playing.value = false;
       return;
     }
     const from = { time: session.clipTime.value, forward: session.playForward.value };
-    const moved = advance(clip, from, seconds * session.playSpeed.value, session.playMode.value);
+    const moved = advance(range, from, seconds * session.playSpeed.value, session.playMode.value);
     session.playForward.value = moved.forward;
     session.clipTime.value = moved.time;
     if (moved.ended) session.playing.value = false;
-  }
-
-  /** The clip of an actor that plays while another actor is selected. */
-  private get otherBoundClip(): ClipParts | undefined {
-    const bound = this.store.scene.value.actors.find(({ clip }) => clip !== null);
-    return bound && boundClip(bound);
   }
 
   private get state(): Actor | undefined {
     return selectedActor(this.store, this.session);
   }
 
-  private bind(): Clip | undefined {
+  /** The nearest time that a clip of the scene has. */
+  private within(time: number): number {
+    const { clip } = this;
+    const all = [...this.bound, ...(clip ? [clip] : [])];
+    const start = Math.min(...all.map((each) => each.start));
+    const end = Math.max(...all.map((each) => each.end));
+    return Math.min(Math.max(time, start), end);
+  }
+
+  private get bound(): readonly ClipParts[] {
+    return this.store.scene.value.actors.flatMap((actor) => boundClip(actor) ?? []);
+  }
+
+  private goTo(time: number): void {
+    const { session } = this;
+    if (time !== session.clipTime.value) this.leave();
+    this.bind();
+    session.playing.value = false;
+    session.clipTime.value = time;
+  }
+
+  /** @param bind binds the clips that are to be played */
+  private play(bind: () => void): void {
+    const { session } = this;
+    this.leave();
+    bind();
+    const { range } = this;
+    if (!range) return;
+    const { clipTime } = session;
+    const isOver = session.playMode.value === 'once' && clipTime.value >= range.end;
+    const isBeside = session.workRange.value !== null && !isInside(range, clipTime.value);
+    if (isOver || isBeside) clipTime.value = range.start;
+    session.playing.value = true;
+  }
+
+  /** Leaves the moment at which values are unkeyed: they are dropped, as a step of undo. */
+  private leave(): void {
+    const { store, tell } = this;
+    const scene = store.scene.peek();
+    if (scene.actors.every(({ unkeyed }) => unkeyed === null)) return;
+    const count = droppedCount(scene);
+    if (count === 0) {
+      store.amend(dropUnkeyed);
+      return;
+    }
+    store.dispatch(dropUnkeyed);
+    const brings =
+      count === 1 ? 'value dropped; Undo brings it back' : 'values dropped; Undo brings them back';
+    tell(`${count} unkeyed ${brings}`);
+  }
+
+  private bind(): void {
     const { state, clip } = this;
     if (state && clip && state.clip === null) {
       this.store.amend(bindClip(state.id, this.clipIndex));
     }
-    return clip;
   }
+}
+
+function isInside({ start, end }: TimeRange, time: number): boolean {
+  return time >= start && time <= end;
 }

@@ -66,7 +66,8 @@ function withEdits(old: Actor, actor: Actor, shown: Shown, time: number): Unkeye
   };
 }
 
-function differences(edited: Float64Array, shown: Float64Array): number[] {
+/** The indices at which two lists differ, bit by bit. */
+export function differences(edited: Float64Array, shown: Float64Array): number[] {
   const found: number[] = [];
   edited.forEach((value, at) => {
     if (!Object.is(value, shown[at])) found.push(at);
@@ -74,7 +75,8 @@ function differences(edited: Float64Array, shown: Float64Array): number[] {
   return found;
 }
 
-function isMoved({ joint, place, weight }: Pin, shown: readonly Pin[]): boolean {
+/** Whether a pin that was there before holds another place or has another weight. */
+export function isMoved({ joint, place, weight }: Pin, shown: readonly Pin[]): boolean {
   const seen = shown.find((pin) => pin.joint === joint);
   return seen !== undefined && !sameValue([place, weight], [seen.place, seen.weight]);
 }

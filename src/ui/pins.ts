@@ -10,6 +10,7 @@ import {
 import { type ActorId, actorById } from '../document/scene.ts';
 import { selectedActor } from '../document/selected-actor.ts';
 import { selectedJoints } from '../document/selected-joints.ts';
+import { shownPins } from '../evaluation/shown-state.ts';
 import { gripPoint } from '../posing/pins/grip-point.ts';
 import type { Editor } from './editor.ts';
 import { numberedNames } from './numbered-names.ts';
@@ -73,7 +74,7 @@ export function followWith(editor: Editor, joint: number, choice: FollowChoice |
   const shown = evaluations.selected();
   if (!shown) return;
   if (!choice) {
-    store.dispatch(holdPlace(shown, joint));
+    store.dispatch(holdPlace(shownPins(shown), joint));
     return;
   }
   const scene = store.scene.value;
@@ -90,7 +91,7 @@ export function followWith(editor: Editor, joint: number, choice: FollowChoice |
   const label = `${own} follows ${other.name}'s ${others}`;
   const point = gripPoint(other.character, choice.joint);
   const edit = followJoint(
-    shown,
+    shownPins(shown),
     joint,
     gripPoint(state.character, joint),
     { actor: choice.actor, joint: choice.joint, point, rotation },

@@ -1,6 +1,7 @@
 import type { FunctionComponent } from 'preact';
 import { loadPart } from '../core/failure.ts';
 import { selectedActor } from '../document/selected-actor.ts';
+import type { Actor } from '../document/scene.ts';
 import type { Editor } from './editor.ts';
 import { addAllJointsFolder } from './controls/all-joints-folder.ts';
 import { guiSection } from './controls/gui-section.tsx';
@@ -192,9 +193,7 @@ export const sections: readonly Section[] = [
     id: 'timeline',
     place: 'foot',
     tabs: ['animate'],
-    // The timeline stays while a character without clips is selected, so that the view keeps its
-    // height.
-    when: ({ store }) => store.scene.value.actors.some(({ clips }) => clips.length > 0),
+    when: ({ store }) => store.scene.value.actors.some(canMove),
     load: async () => (await loadPart(import('./panels/timeline/timeline.tsx'))).Timeline,
   },
   { id: 'status', place: 'foot', load: () => Promise.resolve(StatusLine) },
@@ -211,6 +210,11 @@ function listsJoints(editor: Editor): boolean {
 
 function workspaceOf({ workspaces, workspaceId }: Editor): Workspace {
   return workspaces.find(({ id }) => id === workspaceId.value)!;
+}
+
+/** Whether a clip can move something of an actor. */
+function canMove({ character, clips }: Actor): boolean {
+  return character.skeleton.jointCount + character.morphs.length + clips.length > 0;
 }
 
 function jointCount({ store, session }: Editor): number {

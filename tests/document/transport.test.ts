@@ -9,6 +9,7 @@ import { Store } from '../../src/document/store.ts';
 import { Transport } from '../../src/document/transport.ts';
 import { Evaluations } from '../../src/evaluation/evaluations.ts';
 import { holdEdits } from '../../src/evaluation/hold-edits.ts';
+import { shownState } from '../../src/evaluation/shown-state.ts';
 import { readOne } from '../support/files.ts';
 import { allThere } from '../support/kernels.ts';
 
@@ -21,7 +22,8 @@ const anim = `animation { range 0 2 numchannels 9
 async function open(files: Record<string, string>) {
   const session = new Session();
   const store = new Store((before, after) => reconcile(session, before, after));
-  const transport = new Transport(store, session);
+  const told: string[] = [];
+  const transport = new Transport(store, session, (message) => told.push(message));
   store.dispatch(
     openCharacter(session.selectedActorId.value, await readOne(files), 'linear-blend'),
   );
@@ -30,7 +32,8 @@ async function open(files: Record<string, string>) {
   const evaluations = new Evaluations(store, session, allThere);
   holdEdits(store, session, evaluations);
   const shownKnee = (): number => evaluations.selected()!.pose.q[kneeX]!;
-  return { store, session, transport, shownKnee };
+  const shown = () => shownState(evaluations.selected()!);
+  return { store, session, transport, told, shownKnee, shownState: shown };
 }
 
 describe('the transport', () => {
@@ -90,15 +93,17 @@ describe('the transport', () => {
     transport.togglePlay();
     transport.seek(1);
     transport.choose(0);
-    transport.release();
     expect(store.undoLabel.value).toBeNull();
   });
 
-  it('gives the character back to its own pose', async () => {
-    const { transport, shownKnee } = await open(files);
+  it('releases the character in the pose that it shows, as one step of undo', async () => {
+    const { store, transport, shownState, shownKnee } = await open(files);
     transport.seek(2);
-    transport.release();
-    expect(shownKnee()).toBe(0);
+    transport.release(shownState());
+    expect([shownKnee(), transport.isBound]).toEqual([-1, false]);
+    store.undo();
+    expect([shownKnee(), transport.isBound]).toEqual([-1, true]);
+    expect(store.undoLabel.value).toBeNull();
   });
 
   it('shows an edit over the clip, and undo takes it away', async () => {
@@ -119,6 +124,75 @@ describe('the transport', () => {
     const { id, q } = selectedActor(store, session)!;
     store.dispatch(setPose(id, q));
     expect([session.playing.value, session.clipTime.value]).toEqual([false, 0.5]);
+  });
+
+  it('drops what is unkeyed when it leaves the moment, and undo brings it back with its time', async () => {
+    const { store, session, transport, told, shownKnee } = await open(files);
+    transport.seek(1);
+    const { id, q } = selectedActor(store, session)!;
+    store.dispatch(setPose(id, q, 'Turn'));
+    const held = store.scene.value;
+    transport.seek(1);
+    expect(store.scene.value, 'at the same time nothing is left').toBe(held);
+    transport.seek(1.5);
+    expect(shownKnee()).toBeCloseTo(-0.75, 12);
+    expect(told).toEqual(['1 unkeyed value dropped; Undo brings it back']);
+    expect(store.undoLabel.value).toBe('Drop unkeyed values');
+    store.undo();
+    expect(store.scene.value).toBe(held);
+    expect([session.clipTime.value, shownKnee()]).toEqual([1, 0]);
+    transport.togglePlay();
+    expect([shownKnee(), session.playing.value]).toEqual([-0.5, true]);
+    expect(store.undoLabel.value).toBe('Drop unkeyed values');
+  });
+
+  it('shows times between the ends of clips, at frames if times snap', async () => {
+    const { session, transport } = await open(files);
+    transport.seek(7);
+    expect(session.clipTime.value).toBe(2);
+    transport.seek(0.51);
+    expect(session.clipTime.value).toBe(0.5);
+    session.snapsToFrames.value = false;
+    transport.seek(0.51);
+    expect(session.clipTime.value).toBe(0.51);
+    session.snapsToFrames.value = true;
+    transport.step(1);
+    expect(session.clipTime.value).toBeCloseTo(16 / 30, 12);
+    session.playMode.value = 'go on';
+    transport.seek(7);
+    expect(session.clipTime.value).toBe(7);
+  });
+
+  it('plays the work range', async () => {
+    const { session, transport } = await open(files);
+    session.workRange.value = [0.5, 1];
+    transport.togglePlay();
+    expect(session.clipTime.value).toBe(0.5);
+    transport.pass(0.6);
+    expect(session.clipTime.value).toBeCloseTo(0.6, 12);
+    session.workRange.value = [5, 6];
+    transport.pass(1.5);
+    expect(session.clipTime.value, 'a range beside the clip is without effect').toBeCloseTo(
+      0.1,
+      12,
+    );
+  });
+
+  it('plays all characters together, each its own clip, as long as the longest', async () => {
+    const { store, session, transport } = await open(files);
+    const long = await readOne({
+      'leg.skel': skel,
+      'long.anim': anim.replace('range 0 2', 'range 0 5'),
+    });
+    store.dispatch(openCharacter(null, long, 'linear-blend'));
+    store.dispatch(openCharacter(null, await readOne({ 'leg.skel': skel }), 'linear-blend'));
+    transport.playAll();
+    expect(store.scene.value.actors.map(({ clip }) => clip)).toEqual([0, 0, null]);
+    transport.pass(4.5);
+    expect(session.clipTime.value).toBe(4.5);
+    expect(transport.clip, 'the selected character has none').toBeUndefined();
+    transport.togglePlay();
+    expect(session.playing.value).toBe(false);
   });
 
   it('has a clip of the character that undo brings back, whichever was chosen of another', async () => {

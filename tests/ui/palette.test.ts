@@ -117,6 +117,9 @@ describe('the palette', () => {
     expect(listed()).not.toContain('release-clip');
     store.amend(bindClip(session.selectedActorId.value!, 0));
     expect(listed()).toContain('release-clip');
+    expect(listed()).not.toContain('whole-range');
+    session.workRange.value = [0, 0.5];
+    expect(listed()).toContain('whole-range');
     expect(listed()).not.toContain('worst-vertex');
     store.amend(setInfluences(session.selectedActorId.value!, 2));
     expect(listed()).toContain('worst-vertex');

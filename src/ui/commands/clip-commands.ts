@@ -1,5 +1,8 @@
+import { loadPart } from '../../core/failure.ts';
+import { selectedActor } from '../../document/selected-actor.ts';
+import { shownState } from '../../evaluation/shown-state.ts';
 import type { Editor } from '../editor.ts';
-import type { Command } from './command.ts';
+import { type Command, toggle } from './command.ts';
 
 const hasClip = ({ transport }: Editor): boolean => transport.clip !== undefined;
 
@@ -11,7 +14,7 @@ export const clipCommands = [
     keys: [{ key: 'p' }],
     isOn: ({ session }) => session.playing.value,
     describe: ({ session }) => (session.playing.value ? 'Pause' : 'Play'),
-    isEnabled: hasClip,
+    isEnabled: (editor) => hasClip(editor) || editor.session.playing.value,
     run: ({ transport }) => transport.togglePlay(),
   },
   {
@@ -56,9 +59,83 @@ export const clipCommands = [
     run: ({ transport }) => transport.step(1),
   },
   {
+    id: 'play-all',
+    label: 'Play all characters together',
+    isEnabled: ({ store }) => store.scene.value.actors.some(({ clips }) => clips.length > 0),
+    run: ({ transport }) => transport.playAll(),
+  },
+  {
     id: 'release-clip',
-    label: 'Release the clip',
+    label: 'Release the clip: what is shown becomes the pose',
+    short: 'Release the clip',
     isEnabled: ({ transport }) => transport.isBound,
-    run: ({ transport }) => transport.release(),
+    run: release,
+  },
+  {
+    id: 'new-clip',
+    label: 'New clip',
+    isEnabled: ({ store, session }) => selectedActor(store, session) !== undefined,
+    run: async (editor) => (await clips()).makeClip(editor),
+  },
+  {
+    id: 'duplicate-clip',
+    label: 'Duplicate the clip',
+    isEnabled: hasClip,
+    run: async (editor) => (await clips()).copyClip(editor),
+  },
+  {
+    id: 'delete-clip',
+    label: 'Delete the clip',
+    isEnabled: hasClip,
+    run: async (editor) => (await clips()).deleteClip(editor),
+  },
+  {
+    id: 'clip-settings',
+    label: 'Rename the clip, set its length and its frames a second',
+    short: 'Clip settings',
+    isEnabled: hasClip,
+    run: openSettings,
+  },
+  {
+    id: 'snap-to-frames',
+    label: 'Snap times to frames',
+    isOn: ({ session }) => session.snapsToFrames.value,
+    run: ({ session }) => toggle(session.snapsToFrames),
+  },
+  {
+    id: 'work-range-start',
+    label: 'Start the work range at the playhead',
+    isEnabled: hasClip,
+    run: async (editor) => (await clips()).setWorkRange(editor, 'start'),
+  },
+  {
+    id: 'work-range-end',
+    label: 'End the work range at the playhead',
+    isEnabled: hasClip,
+    run: async (editor) => (await clips()).setWorkRange(editor, 'end'),
+  },
+  {
+    id: 'whole-range',
+    label: 'Clear the work range: the whole clip plays',
+    short: 'Clear the work range',
+    isEnabled: ({ session }) => session.workRange.value !== null,
+    run: ({ session }) => void (session.workRange.value = null),
   },
 ] as const satisfies readonly Command[];
+
+function release({ transport, evaluations }: Editor): void {
+  const shown = evaluations.selected();
+  if (shown) transport.release(shownState(shown));
+}
+
+/** Opens the settings beside the list of clips, in the tab that has them. */
+function openSettings(editor: Editor): void {
+  editor.tab.value = 'animate';
+  requestAnimationFrame(() => {
+    document.querySelector<HTMLElement>('.clip-settings')?.showPopover();
+  });
+}
+
+function clips() {
+  return loadPart(import('../clips.ts'));
+}

@@ -8,6 +8,7 @@ import { fileCommands } from './file-commands.ts';
 import { ikCommands } from './ik-commands.ts';
 import { ikLabCommands } from './ik-lab-commands.ts';
 import { jointCommands } from './joint-commands.ts';
+import { keyCommands } from './key-commands.ts';
 import { pinCommands } from './pin-commands.ts';
 import { poseCommands } from './pose-commands.ts';
 import { shotCommands } from './shot-commands.ts';
@@ -29,6 +30,7 @@ const groups = [
   { label: 'Pose', commands: poseCommands },
   { label: 'Pose library', commands: libraryCommands },
   { label: 'Clip', commands: clipCommands },
+  { label: 'Keys', commands: keyCommands },
   { label: 'Weights', commands: weightCommands },
   { label: 'Camera', commands: [...cameraCommands, ...axisCommands] },
   { label: 'Shots', commands: shotCommands },

@@ -6,6 +6,7 @@ import type { Actor } from '../../document/scene.ts';
 import { selectedJoints } from '../../document/selected-joints.ts';
 import type { Looking, Posing } from '../editor.ts';
 import { valueIn, withValue } from '../joint-edits.ts';
+import { keyedState } from '../keyed-state.ts';
 import { axisNames, type JointValue, jointValues, valueName } from '../joint-values.ts';
 import { addValueRow, type ValueRow } from './value-row.ts';
 
@@ -63,6 +64,7 @@ export function addJointValues(
       isAngle,
       legal: [least, most],
       read: () => read(value, shown()),
+      keyed: () => keyedState(editor, evaluations.selected()?.state, 'values', index),
       begin: () => {
         const active = { name: fullName, index, isAngle, isChosen: true };
         start = shown().slice();

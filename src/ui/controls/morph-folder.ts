@@ -6,6 +6,7 @@ import { setMorphWeight } from '../../document/edits.ts';
 import type { ActorId } from '../../document/scene.ts';
 import { selectedActor } from '../../document/selected-actor.ts';
 import type { Looking } from '../editor.ts';
+import { keyedState } from '../keyed-state.ts';
 import { addSearch } from './search-field.ts';
 import { addValueRow, type ValueRow } from './value-row.ts';
 
@@ -47,11 +48,12 @@ export function addMorphFolder(gui: GUI, editor: Looking): void {
 
 function addMorphRow(
   folder: GUI,
-  { store, evaluations }: Looking,
+  editor: Looking,
   id: number,
   name: string,
   index: number,
 ): ValueRow {
+  const { store, evaluations } = editor;
   const label = `Shape ${name}`;
   const shown = (): Float64Array =>
     evaluations.selected()?.pose.morphWeights ?? new Float64Array(index + 1);
@@ -66,6 +68,7 @@ function addMorphRow(
     locked: false,
     legal: [-reach, reach],
     read: () => shown()[index] ?? 0,
+    keyed: () => keyedState(editor, evaluations.selected()?.state, 'morphs', index),
     begin: () => store.begin(label),
     preview: (gesture, value) => gesture.preview(set(value, label)),
     reset: () => store.dispatch(set(0, `Reset ${name}`)),

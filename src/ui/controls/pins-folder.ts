@@ -1,10 +1,18 @@
 import { effect } from '@preact/signals-core';
 import type { GUI } from 'lil-gui';
-import { holdRotation, pinOf, setPinWeight, unpinJoints } from '../../document/pin-edits.ts';
-import type { Actor } from '../../document/scene.ts';
+import {
+  holdRotation,
+  pinOf,
+  setPinWeight,
+  type ShownJoints,
+  unpinJoints,
+} from '../../document/pin-edits.ts';
+import { type Actor, actorById } from '../../document/scene.ts';
+import { shownPins } from '../../evaluation/shown-state.ts';
 import { pinMiss } from '../../posing/pins/pin-miss.ts';
 import type { Pin } from '../../posing/pins/pin.ts';
 import type { Editor } from '../editor.ts';
+import { keyedState } from '../keyed-state.ts';
 import { formatSize } from '../number-text.ts';
 import { type FollowChoice, followChoices, followWith } from '../pins.ts';
 import { addCommandRow } from './command-row.ts';
@@ -50,8 +58,11 @@ export function addPinsFolder(gui: GUI, editor: Editor): () => void {
 /** Adds the rows of one pin; returns what updates them. */
 function addPin(parent: GUI, editor: Editor, { id }: Actor, joint: number): () => void {
   const { store, session, evaluations } = editor;
-  const stateNow = (): Actor | undefined =>
-    store.scene.value.actors.find((actor) => actor.id === id);
+  const shownNow = (): ShownJoints | undefined => {
+    const state = actorById(store.scene.value, id);
+    return state && shownPins(evaluations.of(state));
+  };
+  const stateNow = (): Actor | undefined => shownNow()?.state;
   const pinNow = (): Pin | undefined => {
     const state = stateNow();
     return state && pinOf(state, joint);
@@ -67,7 +78,7 @@ function addPin(parent: GUI, editor: Editor, { id }: Actor, joint: number): () =
       field(
         () => (pinNow()?.rotation ? 'both' : 'place'),
         (kind) => {
-          const own = evaluations.selected();
+          const own = shownNow();
           if (own) store.dispatch(holdRotation(own, joint, kind === 'both'));
         },
       ),
@@ -96,6 +107,7 @@ function addPin(parent: GUI, editor: Editor, { id }: Actor, joint: number): () =
     locked: false,
     legal: [0, 1],
     read: () => pinNow()?.weight ?? 0,
+    keyed: () => keyedState(editor, stateNow(), 'pins', joint),
     begin: () => store.begin(`Weigh the pin of ${name}`),
     preview: (gesture, value) => gesture.preview(setPinWeight(stateNow()!, joint, value)),
     reset: () => store.dispatch(setPinWeight(stateNow()!, joint, 1)),

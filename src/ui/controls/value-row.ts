@@ -1,6 +1,7 @@
 import type { GUI } from 'lil-gui';
 import type { Gesture } from '../../document/store.ts';
 import { formatDegrees, parseTyped } from '../angle-text.ts';
+import { type KeyedState, keyedText } from '../keyed-state.ts';
 import { addSliderRole, type SliderRole, sliderTarget } from './slider-role.ts';
 
 /**
@@ -25,6 +26,8 @@ export interface ValueRowOptions {
   begin(): Gesture;
   preview(gesture: Gesture, value: number): void;
   reset(): void;
+  /** What the bound clip has to do with the value, which a mark shows; nothing, if absent. */
+  keyed?(): KeyedState;
 }
 
 export interface ValueRow {
@@ -155,5 +158,11 @@ export function addValueRow(folder: GUI, options: ValueRowOptions): ValueRow {
     }
     degrees.textContent = role.text();
     refreshRole();
+    if (!options.keyed || options.locked) return;
+    const keyed = options.keyed();
+    if (row.dataset['keyed'] === keyed) return;
+    row.dataset['keyed'] = keyed;
+    row.classList.toggle('unkeyed', keyed === 'unkeyed');
+    slider.setAttribute('aria-description', keyedText[keyed]);
   }
 }

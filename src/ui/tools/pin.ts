@@ -1,5 +1,6 @@
 import { rayInFrame } from '../../core/ray.ts';
 import { movePin, pinOf } from '../../document/pin-edits.ts';
+import { shownPins } from '../../evaluation/shown-state.ts';
 import { selectActor } from '../../document/reconcile.ts';
 import type { Pin } from '../../posing/pins/pin.ts';
 import { slideOnPlane } from '../../posing/slide.ts';
@@ -25,7 +26,7 @@ export const pinTool: Tool = {
     if (!handle || handle.follows) return null;
     const { session, store, evaluations } = editor;
     selectActor(session, store.scene.value, handle.actorId);
-    const pin = pinOf(evaluations.selected()!.state, handle.joint)!;
+    const pin = pinOf(shownPins(evaluations.selected()!).state, handle.joint)!;
     showHoveredHandle(editor, handle.id);
     return dragPin(editor, place, pin);
   },
@@ -37,7 +38,9 @@ export const pinTool: Tool = {
  */
 function dragPin(editor: Looking, from: ToolPlace, { joint, place }: Pin): ToolDrag {
   const { store, evaluations, viewer } = editor;
-  const { state, display } = evaluations.selected()!;
+  const shown = evaluations.selected()!;
+  const { display } = shown;
+  const { state } = shownPins(shown);
   const edit = (by: readonly number[]) =>
     movePin(state, joint, [place[0] + by[0]!, place[1] + by[1]!, place[2] + by[2]!]);
   const { look } = axesOf(viewer.viewCamera.value);
