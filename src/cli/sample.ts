@@ -1,40 +1,48 @@
 import { parseArgs } from 'node:util';
-import { channelFor, evaluateChannel } from '../core/motion/channel.ts';
-import { readAnim } from '../formats/cse169/anim.ts';
-import { baseName } from '../formats/file-entry.ts';
+import { printable } from '../core/diagnostics.ts';
+import { channelNamed, type SampledChannel } from '../formats/motion/sampled-channels.ts';
 import type { Command } from './command.ts';
-import { printDiagnostics, readFiles } from './files.ts';
+import { printDiagnostics } from './files.ts';
 import { parseWords } from './parse-words.ts';
+import { readChannels } from './read-motion-file.ts';
 import { UsageError } from './usage-error.ts';
 
 /**
- * `sample CLIP.anim --channel N --times t0,t1,…` prints values of a channel. Channels count from 0,
- * like joints: 0 to 2 are the root's translation, followed by three angles per joint.
+ * `sample MOTION.json|CLIP.anim --channel N|NAME --times t0,t1,…` prints values of a channel.
+ * Channels count from 0 in the order of the file; in an `.anim`, 0 to 2 are the root's translation,
+ * followed by three angles per joint.
  */
 export const sample: Command = {
   name: 'sample',
-  usage: 'sample CLIP.anim --channel N --times t0,t1,… [--json]',
+  usage: 'sample MOTION.json|CLIP.anim --channel N|NAME --times t0,t1,… [--json]',
   summary:
-    "Prints the values of one of a clip's channels, counted from 0, at the given times in seconds.",
+    "Prints the values of one of a motion's channels at the given times in seconds. A channel is its number, counted from 0, or its name: Right elbow.rx, Neck.rotation, smile or morph.smile, Left foot.x or pin.Left foot.x. A rotation is printed as x,y,z,w.",
   async run(words) {
     const { file, channel, times, json } = parseOptions(words);
-    const { files, diagnostics } = readFiles([file]);
-    const entry = files[0];
-    const parsed = entry && readAnim(baseName(entry.path), await entry.bytes());
-    printDiagnostics([...diagnostics, ...(parsed?.diagnostics ?? [])]);
-    if (!parsed?.value) return 1;
-    const { channels } = parsed.value;
-    const parts = channels[channel];
-    if (!parts) {
-      throw new UsageError(`expected --channel from 0 to ${channels.length - 1}, found ${channel}`);
-    }
-    const compiled = channelFor(parts);
-    const values = times.map((time) => evaluateChannel(compiled, time));
+    const { value: channels, diagnostics } = await readChannels(file);
+    printDiagnostics(diagnostics);
+    if (!channels) return 1;
+    const sampled =
+      typeof channel === 'number' ? channels[channel] : channelNamed(channels, channel);
+    if (!sampled) throw new UsageError(unknownChannel(channel, channels));
+    const values = times.map((time) => sampled.valueAt(time));
     if (json) console.log(JSON.stringify({ channel, times, values }, null, 2));
-    else times.forEach((time, index) => console.log(`${time}\t${values[index]!}`));
+    else times.forEach((time, index) => console.log(`${time}\t${String(values[index])}`));
     return 0;
   },
 };
+
+/** Names in a usage error; a clip may have thousands. */
+const mostNames = 40;
+
+function unknownChannel(channel: number | string, channels: readonly SampledChannel[]): string {
+  const found = typeof channel === 'number' ? channel : `"${printable(channel, 80)}"`;
+  if (channels.length === 0) return `expected a channel, found a motion without any`;
+  const names = channels.slice(0, mostNames).map(({ names: [name] }) => printable(name!, 80));
+  const more = channels.length - names.length;
+  const list = `${names.join(', ')}${more > 0 ? ` and ${more} more` : ''}`;
+  return `expected --channel from 0 to ${channels.length - 1} or a name, found ${found}; the channels are ${list}`;
+}
 
 function parseOptions(words: readonly string[]) {
   const { values, positionals } = parseWords(() =>
@@ -49,12 +57,13 @@ function parseOptions(words: readonly string[]) {
     }),
   );
   const [file] = positionals;
-  if (file === undefined || positionals.length > 1) throw new UsageError('expected one .anim file');
-  const channel = /^\d+$/.test(values.channel ?? '') ? Number(values.channel) : NaN;
-  if (Number.isNaN(channel)) {
-    throw new UsageError('expected --channel with a whole number, 0 or more');
+  if (file === undefined || positionals.length > 1) {
+    throw new UsageError('expected one MOTION.json or .anim file');
   }
-  const times = (values.times ?? '').split(',').map((word) => (word.trim() ? Number(word) : NaN));
+  const word = values.channel ?? '';
+  if (word === '') throw new UsageError('expected --channel with a number, 0 or more, or a name');
+  const channel = /^\d+$/.test(word) ? Number(word) : word;
+  const times = (values.times ?? '').split(',').map((each) => (each.trim() ? Number(each) : NaN));
   if (!times.every(Number.isFinite)) {
     throw new UsageError('expected --times with seconds and commas between them');
   }

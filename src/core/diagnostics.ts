@@ -15,6 +15,7 @@ export type DiagnosticArea =
   | 'skin'
   | 'morph'
   | 'anim'
+  | 'motion'
   | 'rig'
   | 'pmd'
   | 'vpd'
@@ -73,6 +74,7 @@ export type DiagnosticKind =
   | 'truncated' // fewer bytes than the file has
   | 'unknown' // no reader knows the file
   | 'unknown-joint' // a joint name that no joint has, or that several have
+  | 'unknown-morph' // the same for a morph
   | 'unreadable' // the file exists, but the browser can't read it
   | 'unwritable' // no file can be written there
   | 'uv' // texture coordinates that do not fit

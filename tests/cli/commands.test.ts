@@ -317,11 +317,12 @@ describe('sample', () => {
   });
 
   it.each([
-    [['--channel', '0', '--times', '1'], 'expected one .anim'],
+    [['--channel', '0', '--times', '1'], 'expected one MOTION.json or .anim'],
     [['a.anim', '--times', '1'], 'expected --channel'],
     [['a.anim', '--channel', '', '--times', '1'], 'expected --channel'],
     [['a.anim', '--channel', '0'], 'expected --times'],
     [['a.anim', '--channel', '99', '--times', '1'], 'from 0 to 11'],
+    [['a.anim', '--channel', 'knee.rx', '--times', '1'], 'the channels are #0.tx, #0.ty'],
   ])('is used wrongly as %j', async (words, message) => {
     const { code } = run('sample', { 'a.anim': legAnim }, ...words);
     await expect(code).rejects.toThrow(message);

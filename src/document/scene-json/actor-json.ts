@@ -8,7 +8,7 @@ import { readClips, writeClips } from './clips-json.ts';
 import { countFrom1, flag, index, oneOf, orNull, text } from './codec.ts';
 import { type Codecs, readFields, writeFields } from './fields.ts';
 import { readJointValues, writeJointValues } from './joint-values.ts';
-import { indexOfKey, keyAt } from './keys.ts';
+import { indexOfKey, keyAt } from '../../formats/json/keys.ts';
 import { lookJson } from './look-json.ts';
 import { readMorphWeights, writeMorphWeights } from './morph-weights.ts';
 import { readNatures, writeNatures } from './natures-json.ts';

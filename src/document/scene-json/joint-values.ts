@@ -3,7 +3,7 @@ import { jointRange } from '../../core/pose.ts';
 import type { Skeleton } from '../../core/skeleton.ts';
 import type { JsonValue } from '../../formats/json/decoder.ts';
 import { findJoint } from '../../formats/pose-json.ts';
-import { keyAt } from './keys.ts';
+import { keyAt } from '../../formats/json/keys.ts';
 
 /**
  * Returns the values of q by joint, for the joints that differ from the file's pose. Unlike

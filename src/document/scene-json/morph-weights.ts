@@ -1,7 +1,7 @@
 import { defaultLimits } from '../../core/limits.ts';
 import type { JsonValue } from '../../formats/json/decoder.ts';
 import { numberWithin } from './codec.ts';
-import { indexOfKey, keyAt } from './keys.ts';
+import { indexOfKey, keyAt } from '../../formats/json/keys.ts';
 
 const weight = numberWithin(-defaultLimits.weight, defaultLimits.weight);
 

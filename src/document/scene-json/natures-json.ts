@@ -9,7 +9,7 @@ import {
 } from '../../posing/natural/nature-settings.ts';
 import { checked, flag, numbers, numberWithin } from './codec.ts';
 import { type Codecs, readFields, writeFields } from './fields.ts';
-import { keyAt } from './keys.ts';
+import { keyAt } from '../../formats/json/keys.ts';
 
 /** In radians. */
 const range = checked(

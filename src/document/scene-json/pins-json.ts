@@ -7,7 +7,7 @@ import { type Followed, noPins, type Pin } from '../../posing/pins/pin.ts';
 import type { Actor, ActorId } from '../scene.ts';
 import { checked, index, numbers, numberWithin, orNull } from './codec.ts';
 import { type Codecs, readFields, writeFields } from './fields.ts';
-import { keyAt } from './keys.ts';
+import { keyAt } from '../../formats/json/keys.ts';
 
 /** Returns the actor at an index of the scene's list, if it is there. */
 export type FindActor = (

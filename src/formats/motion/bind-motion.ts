@@ -1,0 +1,50 @@
+import { DiagnosticLog, type Parsed } from '../../core/diagnostics.ts';
+import type {
+  ChannelParts,
+  ChannelTarget,
+  ClipParts,
+  RotationTarget,
+  ScalarTarget,
+} from '../../core/motion/clip-parts.ts';
+import { type AnimatedThing, channelKey } from '../../core/motion/targets.ts';
+import type { Motion, MotionChannel, NamedCurve } from './motion.ts';
+import { kept } from './read-channel.ts';
+
+/**
+ * Finds what a motion moves in a character. A channel whose target the character does not have is
+ * reported and kept for saving.
+ */
+export function bindMotion(motion: Motion, thing: AnimatedThing): Parsed<ClipParts> {
+  const { file, name, start, end, fps } = motion;
+  const log = new DiagnosticLog(file);
+  const unread = [...motion.unread];
+  const found = new Map<string, { channel: MotionChannel; parts: ChannelParts }>();
+  for (const channel of motion.channels) {
+    const place = channel.place.reporting({ log, effect: kept });
+    const target = channel.target.find(thing, place);
+    if (!target) {
+      unread.push(channel.raw);
+      continue;
+    }
+    const key = channelKey(target);
+    const earlier = found.get(key)?.channel.target.names[0];
+    if (earlier !== undefined) {
+      place.warn('duplicate', 'one channel for each target', earlier, 'the last one counts');
+      found.delete(key);
+    }
+    found.set(key, { channel, parts: withTarget(channel.curve, target) });
+  }
+  const channels = Array.from(found.values(), ({ parts }) => parts);
+  return {
+    value: { file, name, start, end, fps, channels, ...(unread.length > 0 && { unread }) },
+    diagnostics: log.diagnostics,
+  };
+}
+
+function withTarget(curve: NamedCurve, target: ChannelTarget): ChannelParts {
+  const { before, after } = curve;
+  if (curve.of === 'rotation') {
+    return { target: target as RotationTarget, before, after, keys: curve.keys };
+  }
+  return { target: target as ScalarTarget, before, after, keys: curve.keys };
+}

@@ -1,0 +1,45 @@
+import type { Diagnostic, Parsed } from '../../core/diagnostics.ts';
+import type { ClipParts } from '../../core/motion/clip-parts.ts';
+import { type AnimatedThing, slotOf } from '../../core/motion/targets.ts';
+import { readAnim } from '../cse169/anim.ts';
+import { bindChannels } from '../cse169/bind-channels.ts';
+import { extensionOf } from '../file-entry.ts';
+import { bindMotion } from './bind-motion.ts';
+import { readMotion } from './read-motion.ts';
+
+/** Reads a MOTION.json, or an `.anim` by its extension, for a character. */
+export function readBoundMotion(
+  file: string,
+  bytes: Uint8Array,
+  thing: AnimatedThing,
+): Parsed<ClipParts> {
+  if (extensionOf(file) === '.anim') return readBoundAnim(file, bytes, thing);
+  const read = readMotion(file, bytes);
+  if (!read.value) return { diagnostics: read.diagnostics };
+  const bound = bindMotion(read.value, thing);
+  return { ...bound, diagnostics: [...read.diagnostics, ...bound.diagnostics] };
+}
+
+function readBoundAnim(file: string, bytes: Uint8Array, thing: AnimatedThing): Parsed<ClipParts> {
+  const read = readAnim(file, bytes);
+  if (!read.value) return { diagnostics: read.diagnostics };
+  const bound = bindChannels(read.value, thing.skeleton.jointCount);
+  const diagnostics = [...read.diagnostics, ...bound.diagnostics];
+  if (!bound.value) return { diagnostics };
+  const still = bound.value.channels.filter(
+    ({ target, keys }) => target && !slotOf(target, thing) && keys.some(({ value }) => value !== 0),
+  );
+  if (still.length > 0) diagnostics.push(movesNothing(file, still.length));
+  return { value: bound.value, diagnostics };
+}
+
+function movesNothing(file: string, count: number): Diagnostic {
+  return {
+    severity: 'warning',
+    code: 'anim/ignored',
+    file,
+    expected: 'joints that turn about x, y and z, each by an angle',
+    found: `${count} channels for others`,
+    effect: 'these channels move nothing',
+  };
+}
