@@ -7,7 +7,7 @@ import type { Actor } from '../scene.ts';
 import { readChannel, writeChannel } from './channel-json.ts';
 import { numberWithin, text } from './codec.ts';
 import { type Codecs, readFields, writeFields } from './fields.ts';
-import { indexOfKey, keyAt } from './keys.ts';
+import { indexOfKey, keyAt } from '../../formats/json/keys.ts';
 
 const { coordinate } = defaultLimits;
 

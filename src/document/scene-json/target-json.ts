@@ -5,7 +5,7 @@ import { DofKind, type Skeleton } from '../../core/skeleton.ts';
 import type { JsonValue } from '../../formats/json/decoder.ts';
 import { findJoint } from '../../formats/pose-json.ts';
 import { oneOf, text } from './codec.ts';
-import { indexOfKey, keyAt } from './keys.ts';
+import { indexOfKey, keyAt } from '../../formats/json/keys.ts';
 
 type Members = Readonly<Record<string, unknown>>;
 

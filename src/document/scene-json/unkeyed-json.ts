@@ -5,7 +5,7 @@ import type { JsonValue } from '../../formats/json/decoder.ts';
 import { findJoint } from '../../formats/pose-json.ts';
 import type { Unkeyed } from '../../posing/unkeyed.ts';
 import { index, numberWithin } from './codec.ts';
-import { indexOfKey, keyAt } from './keys.ts';
+import { indexOfKey, keyAt } from '../../formats/json/keys.ts';
 
 const seconds = numberWithin(-defaultLimits.coordinate, defaultLimits.coordinate);
 
