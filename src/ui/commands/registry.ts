@@ -15,6 +15,7 @@ import { shotCommands } from './shot-commands.ts';
 import { placeCommands } from './place-commands.ts';
 import { turnCommands } from './turn-commands.ts';
 import { targetCommands } from './target-commands.ts';
+import { timelineCommands } from './timeline-commands.ts';
 import { viewCommands } from './view-commands.ts';
 import { weightCommands } from './weight-commands.ts';
 
@@ -31,6 +32,7 @@ const groups = [
   { label: 'Pose library', commands: libraryCommands },
   { label: 'Clip', commands: clipCommands },
   { label: 'Keys', commands: keyCommands },
+  { label: 'Timeline', commands: timelineCommands },
   { label: 'Weights', commands: weightCommands },
   { label: 'Camera', commands: [...cameraCommands, ...axisCommands] },
   { label: 'Shots', commands: shotCommands },

@@ -1,4 +1,5 @@
 import { type Signal, signal } from '@preact/signals-core';
+import type { KeyClipboard } from '../../core/motion/edit/copy-keys.ts';
 import { keepValue, keptValue } from '../kept.ts';
 
 /** How times are written: in seconds, or as numbers of frames. */
@@ -18,6 +19,9 @@ export function setTimeUnit(unit: TimeUnit): void {
 
 /** Whether the timeline has a row for every joint, or only for those that the clip moves. */
 export const showsAllJoints = signal(false);
+
+/** The keys that were copied last, of any character, or null. */
+export const copiedKeys = signal<KeyClipboard | null>(null);
 
 /** A time as the timeline writes it: "0.50 s", or "15" as a frame. */
 export function timeText(time: number, fps: number, unit: TimeUnit): string {
