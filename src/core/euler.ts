@@ -23,38 +23,67 @@ export function extractEuler(
   product: EulerProduct,
   near: readonly number[],
 ): [number, number, number] {
-  const r = (row: number, column: number): number => rotation[column * 4 + row]!;
-  const [kx, ky, kz] = [near[0]!, near[1]!, near[2]!];
-  if (product === 'zyx') {
-    const cosine = Math.hypot(r(2, 1), r(2, 2));
-    const y = Math.atan2(-r(2, 0), cosine);
-    if (cosine < gimbal) {
-      const x = y > 0 ? kz + Math.atan2(r(0, 1), r(1, 1)) : Math.atan2(-r(0, 1), r(1, 1)) - kz;
-      return [nearest(x, kx), nearest(y, ky), kz];
-    }
-    return nearer([Math.atan2(r(2, 1), r(2, 2)), y, Math.atan2(r(1, 0), r(0, 0))], near);
-  }
-  const cosine = Math.hypot(r(0, 0), r(0, 1));
-  const y = Math.atan2(r(0, 2), cosine);
-  if (cosine < gimbal) {
-    const sum = Math.atan2(r(1, 0), r(1, 1));
-    return [nearest(y > 0 ? sum - kz : kz - sum, kx), nearest(y, ky), kz];
-  }
-  return nearer([Math.atan2(-r(1, 2), r(2, 2)), y, Math.atan2(-r(0, 1), r(0, 0))], near);
+  const angles: [number, number, number] = [0, 0, 0];
+  writeEuler(rotation, product, near, angles);
+  return angles;
 }
 
+/** Like `extractEuler`; writes the angles (3), which may be those of `near`. */
+export function writeEuler(
+  r: ArrayLike<number>,
+  product: EulerProduct,
+  near: ArrayLike<number>,
+  angles: Numbers,
+): void {
+  const kx = near[0]!;
+  const ky = near[1]!;
+  const kz = near[2]!;
+  if (product === 'zyx') {
+    const cosine = Math.hypot(r[6]!, r[10]!);
+    const y = Math.atan2(-r[2]!, cosine);
+    if (cosine < gimbal) {
+      const x = y > 0 ? kz + Math.atan2(r[4]!, r[5]!) : Math.atan2(-r[4]!, r[5]!) - kz;
+      write(angles, nearest(x, kx), nearest(y, ky), kz);
+    } else writeNearer(angles, Math.atan2(r[6]!, r[10]!), y, Math.atan2(r[1]!, r[0]!), kx, ky, kz);
+    return;
+  }
+  const cosine = Math.hypot(r[0]!, r[4]!);
+  const y = Math.atan2(r[8]!, cosine);
+  if (cosine < gimbal) {
+    const sum = Math.atan2(r[1]!, r[5]!);
+    write(angles, nearest(y > 0 ? sum - kz : kz - sum, kx), nearest(y, ky), kz);
+  } else writeNearer(angles, Math.atan2(-r[9]!, r[10]!), y, Math.atan2(-r[4]!, r[0]!), kx, ky, kz);
+}
+
+/** Numbers that can be written, of an array of either kind. */
+type Numbers = Float64Array | number[];
+
 /** Chooses between (x, y, z) and (x + π, π − y, z + π), which are the same rotation. */
-function nearer(
-  [x, y, z]: readonly [number, number, number],
-  near: readonly number[],
-): [number, number, number] {
-  const wrapped = (angles: readonly number[]) => {
-    const triple = angles.map((angle, axis) => nearest(angle, near[axis]!));
-    const distance = triple.reduce((sum, angle, axis) => sum + Math.abs(angle - near[axis]!), 0);
-    return { triple: [triple[0]!, triple[1]!, triple[2]!] as [number, number, number], distance };
-  };
-  const [first, second] = [wrapped([x, y, z]), wrapped([x + Math.PI, Math.PI - y, z + Math.PI])];
-  return second.distance < first.distance ? second.triple : first.triple;
+function writeNearer(
+  angles: Numbers,
+  x: number,
+  y: number,
+  z: number,
+  kx: number,
+  ky: number,
+  kz: number,
+): void {
+  const x1 = nearest(x, kx);
+  const y1 = nearest(y, ky);
+  const z1 = nearest(z, kz);
+  const x2 = nearest(x + Math.PI, kx);
+  const y2 = nearest(Math.PI - y, ky);
+  const z2 = nearest(z + Math.PI, kz);
+  const first = Math.abs(x1 - kx) + Math.abs(y1 - ky) + Math.abs(z1 - kz);
+  const second = Math.abs(x2 - kx) + Math.abs(y2 - ky) + Math.abs(z2 - kz);
+  if (second < first) write(angles, x2, y2, z2);
+  else write(angles, x1, y1, z1);
+}
+
+function write(angles: Numbers, x: number, y: number, z: number): void {
+  angles[0] = x;
+  angles[1] = y;
+  angles[2] = z;
 }
 
 /** The angle, up to full turns, that is nearest to another. */

@@ -1,4 +1,5 @@
 import type { Extrapolation, ScalarChannelParts } from './clip-parts.ts';
+import { cycleAt, spanAt, timeInCycle } from './spans.ts';
 import { slopesOf } from './tangents.ts';
 
 /**
@@ -75,14 +76,11 @@ function extrapolate(
   const { times, values } = channel;
   if (rule === 'constant') return values[end]!;
   if (rule === 'linear') return values[end]! + slopes[end]! * (time - times[end]!);
-  const last = times.length - 1;
-  const start = times[0]!;
-  const period = times[last]! - start;
-  const cycle = Math.floor((time - start) / period); // negative before the keys
-  const into = Math.min(Math.max(time - start - cycle * period, 0), period);
-  if (rule === 'bounce' && cycle % 2 !== 0) return insideValue(channel, times[last]! - into);
-  const value = insideValue(channel, start + into);
-  return rule === 'cycle_offset' ? value + cycle * (values[last]! - values[0]!) : value;
+  const cycle = cycleAt(times, time);
+  const value = insideValue(channel, timeInCycle(times, rule, time, cycle));
+  return rule === 'cycle_offset'
+    ? value + cycle * (values[values.length - 1]! - values[0]!)
+    : value;
 }
 
 /**
@@ -92,13 +90,7 @@ function extrapolate(
 function insideValue({ times, values, cubics }: Channel, time: number): number {
   const last = times.length - 1;
   if (time >= times[last]!) return values[last]!;
-  let span = 0;
-  let above = last;
-  while (above - span > 1) {
-    const middle = (span + above) >> 1;
-    if (times[middle]! <= time) span = middle;
-    else above = middle;
-  }
+  const span = spanAt(times, time);
   const u = Math.max(0, (time - times[span]!) / (times[span + 1]! - times[span]!));
   const at = span * 4;
   return ((cubics[at]! * u + cubics[at + 1]!) * u + cubics[at + 2]!) * u + cubics[at + 3]!;
