@@ -2,7 +2,6 @@ import { readdirSync } from 'node:fs';
 import { resolve } from 'node:path';
 import { expect, it } from 'vitest';
 import { channelFor, evaluateChannel } from '../../src/core/motion/channel.ts';
-import type { Tangent } from '../../src/core/motion/clip-parts.ts';
 import { jointMatrices } from '../../src/core/forward-kinematics.ts';
 import { axisDofs } from '../../src/core/pose.ts';
 import { readAnim } from '../../src/formats/cse169/anim.ts';
@@ -160,37 +159,5 @@ describeWithShared('sample.anim', [data, 'reference/splines/anim-sample.json'], 
 
   it('has its play range', () => {
     expect([clip.start, clip.end]).toEqual(sample.range);
-  });
-});
-
-interface Curves {
-  readonly keys: readonly (readonly [number, number])[];
-  readonly times: readonly number[];
-  readonly curves: Readonly<Record<string, { readonly v: readonly number[] } | undefined>>;
-}
-
-describeWithShared('the splines of the reference', ['reference/splines/scalar.json'], () => {
-  const { keys, times, curves } = sharedJson('reference/splines/scalar.json') as Curves;
-
-  it.each<[string, Tangent]>([
-    ['catmull_rom_timed', 'smooth'],
-    ['linear', 'linear'],
-    ['flat', 'flat'],
-  ])('%s', (name, tangent) => {
-    const expected = curves[name]!.v;
-    const channel = channelFor({
-      target: null,
-      before: 'constant',
-      after: 'constant',
-      keys: keys.map(([time, value]) => ({
-        time,
-        value,
-        tangentIn: tangent,
-        tangentOut: tangent,
-      })),
-    });
-    const found = times.map((time) => evaluateChannel(channel, time));
-    // "linear" tangents bend at keys but are straight lines between them.
-    expect(largestDifference(found, expected)).toBeLessThan(1e-6);
   });
 });

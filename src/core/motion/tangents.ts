@@ -39,12 +39,13 @@ function slopeAt(
   if (tangent === 'linear') {
     return isBefore ? near.changeIn / near.spanIn : near.changeOut / near.spanOut;
   }
+  const isEnd = at === 0 || at === keys.length - 1;
   if (tangent === 'smooth') {
-    const isEnd = at === 0 || at === keys.length - 1;
     if (isEnd) return near.changeIn / near.spanIn;
     return (near.changeIn + near.changeOut) / (near.spanIn + near.spanOut);
   }
   if (tangent === 'auto') return autoSlope(keys, at, near);
+  if (isEnd) return (1 - tangent.tcb[0]) * (near.changeIn / near.spanIn);
   return tcbSlope(near, tangent.tcb, isBefore);
 }
 
@@ -90,8 +91,8 @@ function endSlope(ownSpan: number, otherSpan: number, own: number, other: number
 }
 
 /**
- * The slope by tension, continuity and bias, adjusted for spans of different lengths. (Kochanek and
- * Bartels 1984, "Interpolating splines with local tension, continuity, and bias control".)
+ * The slope by tension, continuity and bias, adjusted for spans of different lengths; at an end, only
+ * the tension counts. (Kochanek and Bartels 1984, "Interpolating splines with local tension, continuity, and bias control".)
  */
 function tcbSlope(near: Neighborhood, [tension, continuity, bias]: Tcb, isBefore: boolean): number {
   const side = isBefore ? -continuity : continuity;
