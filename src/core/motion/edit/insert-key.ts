@@ -54,7 +54,8 @@ function isBeyond(
   return !isInside && !isPlain && keys.length > 1;
 }
 
-function rotationWith(channel: RotationChannelParts, time: number): RotationChannelParts {
+/** A curve of rotations with a key on it more. */
+export function rotationWith(channel: RotationChannelParts, time: number): RotationChannelParts {
   const rotation = new Float64Array(4);
   evaluateRotation(rotationChannelFor(channel), time, rotation);
   const [x, y, z, w] = rotation;
@@ -128,31 +129,4 @@ function fixed(tangent: Tangent, slope: number): Tangent {
 
 function hasNumber({ tangentIn, tangentOut }: KeyParts): boolean {
   return typeof tangentIn === 'number' || typeof tangentOut === 'number';
-}
-
-/**
- * The largest angle in radians, over the times of the keys, between a squad curve as it is and with
- * a key inserted; 0 for a slerp, or if no key can be inserted.
- */
-export function squadTurnOnInsert(channel: RotationChannelParts, time: number): number {
-  const { keys } = channel;
-  const isInside = keys.length > 1 && time > keys[0]!.time && time < keys.at(-1)!.time;
-  if (channel.target.curve === 'slerp' || !isInside || keyAt(keys, time) >= 0) return 0;
-  const [own, other] = [
-    rotationChannelFor(channel),
-    rotationChannelFor(rotationWith(channel, time)),
-  ];
-  const [a, b] = [new Float64Array(4), new Float64Array(4)];
-  const at = firstFrom(keys, time);
-  const start = keys[Math.max(0, at - 2)]!.time;
-  const end = keys[Math.min(keys.length - 1, at + 1)]!.time;
-  let largest = 0;
-  for (let i = 0; i <= 2000; i++) {
-    const moment = start + ((end - start) * i) / 2000;
-    evaluateRotation(own, moment, a);
-    evaluateRotation(other, moment, b);
-    const cosine = Math.abs(a[0]! * b[0]! + a[1]! * b[1]! + a[2]! * b[2]! + a[3]! * b[3]!);
-    largest = Math.max(largest, 2 * Math.acos(Math.min(1, cosine)));
-  }
-  return largest;
 }
