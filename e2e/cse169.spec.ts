@@ -145,10 +145,12 @@ test('the range of a clip has its modes, and the curves shown are those of the s
   const atEnd = timeline().getByRole('combobox', { name: 'At the end' });
   await expect(atEnd.locator('option')).toHaveText(['Once', 'Loop', 'Ping-pong', 'Go on']);
   await page().getByRole('treeitem', { name: 'head', exact: true }).click();
-  await expect(timeline().locator('figcaption')).toHaveText('headXYZ');
+  await timeline().getByRole('button', { name: 'Curves', exact: true }).click();
+  const curves = timeline().getByRole('list', { name: 'Curves' });
+  await expect(curves.getByRole('listitem')).toHaveText(['head X●', 'head Y●', 'head Z●']);
   await timeline()
-    .locator('svg')
-    .click({ position: { x: 200, y: 20 } });
+    .locator('.ruler')
+    .click({ position: { x: 200, y: 12 } });
   expect(await clipTime()).toBeGreaterThan(0);
   await timeline().getByRole('button', { name: 'Release the clip' }).click();
 });

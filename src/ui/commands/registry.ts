@@ -3,6 +3,7 @@ import { axisCommands } from './axis-commands.ts';
 import { cameraCommands } from './camera-commands.ts';
 import { clipCommands } from './clip-commands.ts';
 import type { Command } from './command.ts';
+import { curveCommands } from './curve-commands.ts';
 import { editCommands } from './edit-commands.ts';
 import { fileCommands } from './file-commands.ts';
 import { ikCommands } from './ik-commands.ts';
@@ -33,6 +34,7 @@ const groups = [
   { label: 'Clip', commands: clipCommands },
   { label: 'Keys', commands: keyCommands },
   { label: 'Timeline', commands: timelineCommands },
+  { label: 'Curves', commands: curveCommands },
   { label: 'Weights', commands: weightCommands },
   { label: 'Camera', commands: [...cameraCommands, ...axisCommands] },
   { label: 'Shots', commands: shotCommands },

@@ -1,5 +1,4 @@
 import { loadPart } from '../../core/failure.ts';
-import type { Tangent } from '../../core/motion/clip-parts.ts';
 import type { Editor } from '../editor.ts';
 import { copiedKeys, setTimeUnit, showsAllJoints, timeUnit } from '../timeline/timeline-state.ts';
 import { type Command, toggle } from './command.ts';
@@ -103,7 +102,6 @@ export const timelineCommands = [
     isEnabled: hasKeys,
     run: async (editor) => (await edits()).nudgeKeys(editor, 1),
   },
-  ...tangentCommands(),
   {
     id: 'frame-keys',
     label: 'Show the selected keys from edge to edge, or all',
@@ -146,21 +144,3 @@ export const timelineCommands = [
     run: () => toggle(showsAllJoints),
   },
 ] as const satisfies readonly Command[];
-
-function tangentCommands() {
-  const row = <const Id extends string>(id: Id, short: string, tangent: Tangent) => ({
-    id: `tangents-${id}` as const,
-    label: `${short} tangents at the selected keys`,
-    short,
-    isEnabled: hasKeys,
-    run: async (editor: Editor) => (await edits()).setSelectedTangents(editor, tangent, short),
-  });
-  return [
-    row('auto', 'Auto', 'auto'),
-    row('smooth', 'Smooth', 'smooth'),
-    row('linear', 'Linear', 'linear'),
-    row('flat', 'Flat', 'flat'),
-    row('stepped', 'Stepped', 'stepped'),
-    row('tcb', 'TCB', { tcb: [0, 0, 0] }),
-  ] as const;
-}

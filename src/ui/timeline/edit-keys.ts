@@ -1,11 +1,11 @@
-import type { ClipParts, Tangent } from '../../core/motion/clip-parts.ts';
+import type { ClipParts } from '../../core/motion/clip-parts.ts';
 import { copyKeys, pasteKeys } from '../../core/motion/edit/copy-keys.ts';
 import { moveKeys } from '../../core/motion/edit/move-keys.ts';
 import { removeKeys } from '../../core/motion/edit/remove-keys.ts';
 import { keysWithin, selectedIn } from '../../core/motion/edit/selection.ts';
-import { setTangents } from '../../core/motion/edit/tangents.ts';
 import { type KeySelection, noKeys } from '../../core/motion/key-selection.ts';
 import { channelKey } from '../../core/motion/targets.ts';
+import { curveModel } from '../curve-editor/curve-model.ts';
 import type { Editor } from '../editor.ts';
 import { chosenClip } from './chosen-clip.ts';
 import { editKeys } from './key-gesture.ts';
@@ -64,16 +64,12 @@ export function nudgeKeys(editor: Editor, frames: number): void {
   );
 }
 
-export function setSelectedTangents(editor: Editor, tangent: Tangent, name: string): void {
-  editKeys(editor, `${name} tangents`, (clip, selection) => ({
-    clip: setTangents(clip, selection, 'both', tangent),
-    selection,
-  }));
-}
-
+/** Selects the clip's keys; among curves, those that are seen and not locked. */
 export function selectAllKeys(editor: Editor): void {
+  const { session } = editor;
   const chosen = chosenClip(editor);
-  if (chosen) editor.session.selectedKeys.value = allKeys(chosen.clip);
+  if (session.timelineView.value === 'curves') curveModel(editor).selectAll();
+  else if (chosen) session.selectedKeys.value = allKeys(chosen.clip);
 }
 
 /** The first and the last time of the selected keys, or of all, in seconds; null without any. */
@@ -89,10 +85,14 @@ export function spanOfKeys(
   );
 }
 
-/** Shows the selected keys from edge to edge, or all keys. */
+/** Shows the selected keys from edge to edge, or all keys; of curves their values too. */
 export function frameKeys(editor: Editor): void {
   const chosen = chosenClip(editor);
   if (!chosen) return;
+  if (editor.session.timelineView.value === 'curves') {
+    curveModel(editor).frame();
+    return;
+  }
   const { clip } = chosen;
   const { selectedKeys, timeWindow } = editor.session;
   const span = spanOfKeys(clip, selectedKeys.value) ?? spanOfKeys(clip, allKeys(clip));
