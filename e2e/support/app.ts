@@ -52,8 +52,6 @@ export async function startOver(page: Page, workspace = 'studio'): Promise<void>
     const later = (): Promise<unknown> => new Promise((resolve) => setTimeout(resolve));
     const button = (command: string) =>
       document.querySelector<HTMLButtonElement>(`[data-command="${command}"]`);
-    // Binding a clip is not a step of undo.
-    button('release-clip')?.click();
     // What is drawn, and how, is reset only by a change of workspace, which may be a step of undo.
     const menu = document.querySelector<HTMLSelectElement>('[data-section="view"] select')!;
     const ids = Array.from(menu.options, ({ value }) => value);
@@ -63,6 +61,11 @@ export async function startOver(page: Page, workspace = 'studio'): Promise<void>
       await later();
     }
     for (; !button('undo')!.disabled; await later()) button('undo')!.click();
+    // Binding a clip is not a step of undo, and releasing it keeps its pose.
+    const release = button('release-clip');
+    if (!release || release.disabled) return;
+    release.click();
+    window.sinew.pose({});
   }, workspaceLabels[workspace] ?? workspace);
   await choose(page, 'Compare with', 'Nothing');
   await openTab(page, 'pose');

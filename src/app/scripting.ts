@@ -168,7 +168,7 @@ export function createScripting(editor: Editor, ready: Promise<void>): Scripting
         return;
       }
       if (index !== editor.transport.clipIndex) editor.transport.choose(index);
-      editor.transport.seek(time);
+      editor.transport.goTo(time);
     },
     togglePlay: () => editor.transport.togglePlay(),
     vertices(device, name) {

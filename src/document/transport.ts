@@ -99,6 +99,16 @@ export class Transport {
     this.goTo(session.playMode.value === 'go on' ? at : this.within(at));
   }
 
+  /** Shows the clip's pose at exactly this time, and pauses. */
+  goTo(time: number): void {
+    const { session, clip } = this;
+    if (!clip) return;
+    if (time !== session.clipTime.value) this.leave();
+    this.bind();
+    session.playing.value = false;
+    session.clipTime.value = time;
+  }
+
   /** Goes on or back by a frame, within the range that is played. */
   step(direction: 1 | -1): void {
     const { clip, session } = this;
@@ -161,14 +171,6 @@ export class Transport {
 
   private get bound(): readonly ClipParts[] {
     return this.store.scene.value.actors.flatMap((actor) => boundClip(actor) ?? []);
-  }
-
-  private goTo(time: number): void {
-    const { session } = this;
-    if (time !== session.clipTime.value) this.leave();
-    this.bind();
-    session.playing.value = false;
-    session.clipTime.value = time;
   }
 
   /** @param bind binds the clips that are to be played */

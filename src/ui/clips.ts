@@ -108,3 +108,15 @@ export function setWorkRange({ session, transport, notice }: Editor, side: 'star
   session.workRange.value = range;
   notice.value = `Only ${range[0].toFixed(2)} to ${range[1].toFixed(2)} s play`;
 }
+
+/** Opens the settings beside the list of clips, as soon as their tab is there. */
+export function openClipSettings({ tab }: Editor): void {
+  tab.value = 'animate';
+  let framesLeft = 120;
+  const open = (): void => {
+    const settings = document.querySelector<HTMLElement>('.clip-settings');
+    settings?.showPopover();
+    if (!settings && framesLeft-- > 0) requestAnimationFrame(open);
+  };
+  requestAnimationFrame(open);
+}

@@ -94,7 +94,7 @@ export const clipCommands = [
     label: 'Rename the clip, set its length and its frames a second',
     short: 'Clip settings',
     isEnabled: hasClip,
-    run: openSettings,
+    run: async (editor) => (await clips()).openClipSettings(editor),
   },
   {
     id: 'snap-to-frames',
@@ -126,14 +126,6 @@ export const clipCommands = [
 function release({ transport, evaluations }: Editor): void {
   const shown = evaluations.selected();
   if (shown) transport.release(shownState(shown));
-}
-
-/** Opens the settings beside the list of clips, in the tab that has them. */
-function openSettings(editor: Editor): void {
-  editor.tab.value = 'animate';
-  requestAnimationFrame(() => {
-    document.querySelector<HTMLElement>('.clip-settings')?.showPopover();
-  });
 }
 
 function clips() {

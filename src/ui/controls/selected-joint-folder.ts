@@ -45,6 +45,7 @@ export function addSelectedJointFolder(gui: GUI, editor: Editor): () => void {
         lock = addNote(values, '');
         addNote(values, rotationOrder(state.character.skeleton));
         addPartnerNote(values, editor, state.character.skeleton, joint);
+        addCommandRow(values, editor, 'set-key');
         addCommandRow(values, editor, 'pin');
         addCommandRow(values, editor, 'reset-joint');
         addCommandRow(values, editor, 'reset-branch');

@@ -43,6 +43,11 @@ export function ViewOverlay({ editor }: { readonly editor: Editor }) {
       <LightText editor={editor} />
       <PinText editor={editor} />
       <LitBoneLabel editor={editor} />
+      {editor.session.autoKey.value && (
+        <div class="recording">
+          <span>Auto-key</span>
+        </div>
+      )}
       {editor.session.showWeights.value && <Loaded editor={editor} load={loadWeights} />}
     </>
   );

@@ -31,7 +31,7 @@ export function Timeline({ editor }: { readonly editor: Editor }) {
         <Sheet editor={editor} actor={actor} clip={clip} index={index} />
       ) : (
         <div class="keys-sheet empty">
-          <p class="hint">{printable(actor.name, 80)} has no clips</p>
+          <p class="hint">No keys yet: pose {printable(actor.name, 80)} and press k</p>
         </div>
       )}
     </section>

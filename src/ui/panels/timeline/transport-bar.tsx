@@ -1,7 +1,9 @@
 import { selectedActor } from '../../../document/selected-actor.ts';
 import type { PlayMode } from '../../../posing/playhead.ts';
 import type { Editor } from '../../editor.ts';
+import { numberedNames } from '../../numbered-names.ts';
 import { CommandButton } from '../command-button.tsx';
+import { ClipSettings } from './clip-settings.tsx';
 
 const speeds = [0.1, 0.25, 0.5, 1, 2, 4];
 const modes: Readonly<Record<PlayMode, string>> = {
@@ -29,12 +31,13 @@ export function TransportBar({ editor }: { readonly editor: Editor }) {
         value={clipIndex}
         onChange={({ currentTarget }) => transport.choose(Number(currentTarget.value))}
       >
-        {state.clips.map(({ name }, i) => (
+        {numberedNames(state.clips.map(({ name }) => name)).map((name, i) => (
           <option key={i} value={i}>
             {name}
           </option>
         ))}
       </select>
+      <ClipSettings editor={editor} />
       <CommandButton editor={editor} command="clip-start" sign="|◂" />
       <CommandButton editor={editor} command="step-back" sign="◂" />
       <CommandButton
@@ -44,6 +47,8 @@ export function TransportBar({ editor }: { readonly editor: Editor }) {
         sign={playing.value ? '❚❚' : '▶'}
       />
       <CommandButton editor={editor} command="step-on" sign="▸" />
+      <CommandButton editor={editor} command="set-key" class="set-key" sign="◆" />
+      <CommandButton editor={editor} command="auto-key" class="auto-key" sign="●" />
       <CommandButton editor={editor} command="release-clip" sign="✕" />
       <input
         type="range"
