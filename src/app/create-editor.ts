@@ -20,6 +20,7 @@ import { attempt } from '../ui/attempt.ts';
 import type { Drawer, Editor, Keeping } from '../ui/editor.ts';
 import { createHints } from '../ui/hints.ts';
 import { focusJoint } from '../ui/focus-joint.ts';
+import { plainMovie } from '../view/movie/movie-settings.ts';
 import { plainSettings } from '../view/picture/picture-size.ts';
 import { posedPoints } from '../view/posed-points.ts';
 import { verifyShown } from '../view/verify.ts';
@@ -50,6 +51,7 @@ export function createEditor(
     showsHistory: signal(false),
     letterKeys: signal(true),
     picture: signal(plainSettings),
+    movie: signal(plainMovie),
     tab: signal('pose'),
     hints: createHints(canvas, opening),
     drawer: signal<Drawer | null>(null),
@@ -212,6 +214,16 @@ export function createEditor(
       await evaluations.settled();
       const { savePicture } = await loadPart(import('./save-picture.ts'));
       await savePicture(editor, opening.parts, target);
+    },
+
+    async saveMovie() {
+      const { saveMovie } = await loadPart(import('./movie/save-movie.ts'));
+      await saveMovie(editor);
+    },
+
+    async movieChoices(plan) {
+      const { movieChoices } = await loadPart(import('./movie/save-movie.ts'));
+      return movieChoices(plan);
     },
 
     async verify() {

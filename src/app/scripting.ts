@@ -16,6 +16,7 @@ import type { Editor } from '../ui/editor.ts';
 import { fileEntry } from '../ui/file-entry.ts';
 import type { KernelId } from '../skinning/method.ts';
 import type { Camera } from '../document/camera.ts';
+import type { MovieSettings } from '../view/movie/movie-settings.ts';
 import type { PictureFormat } from '../view/picture/encode-picture.ts';
 import type { PassImageId } from '../view/picture/make-passes.ts';
 import { posedPoints } from '../view/posed-points.ts';
@@ -92,6 +93,8 @@ export interface Scripting {
   readonly shots: readonly Pick<Shot, 'id' | 'name' | 'aspect'>[];
   /** Returns the view's pixels as a file, or those of the same view at another size. */
   capture(options?: CaptureOptions): Promise<Blob>;
+  /** Returns a movie as a file; absent options are as the dialog has them at first. */
+  movie(options?: Partial<MovieSettings>): Promise<Blob>;
   readonly problems: readonly Diagnostic[];
   /** Live WebGL objects by kind. */
   readonly liveObjects: Readonly<Record<string, number>>;
@@ -188,6 +191,11 @@ export function createScripting(editor: Editor, ready: Promise<void>): Scripting
       await evaluations.settled(options.views?.flatMap(({ method }) => method ?? []));
       const { capture } = await loadPart(import('./capture.ts'));
       return capture(editor, options);
+    },
+    async movie(options = {}) {
+      await settled();
+      const { movieOf } = await loadPart(import('./movie/movie-of.ts'));
+      return movieOf(editor, options);
     },
     get problems() {
       return session.problems.value;

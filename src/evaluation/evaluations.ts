@@ -20,12 +20,12 @@ export interface Overrides {
  * picking, panels, pictures and exports share. Reading subscribes to the scene and the time.
  */
 export class Evaluations {
-  private readonly store: Store;
+  private readonly store: Pick<Store, 'scene'>;
   private readonly session: Session;
   private readonly evaluators = new Map<string, Evaluator>();
-  private readonly pool: EvaluationPool;
+  readonly pool: EvaluationPool;
 
-  constructor(store: Store, session: Session, kernels = new Kernels()) {
+  constructor(store: Pick<Store, 'scene'>, session: Session, kernels = new Kernels()) {
     this.pool = new EvaluationPool(kernels);
     this.store = store;
     this.session = session;

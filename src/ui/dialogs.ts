@@ -31,6 +31,10 @@ export const dialogs: Readonly<Record<DialogId, DialogEntry>> = {
     title: 'Save a file instead',
     load: async () => (await loadPart(import('./panels/long-link.tsx'))).LongLink,
   },
+  movie: {
+    title: 'Save a movie',
+    load: async () => (await loadPart(import('./panels/movie-dialog.tsx'))).MovieDialog,
+  },
   wanted: {
     title: 'Files of the scene',
     load: async () => (await loadPart(import('./panels/wanted.tsx'))).Wanted,

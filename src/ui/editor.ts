@@ -12,6 +12,8 @@ import type { FileEntry } from '../formats/format.ts';
 import type { PoseFormat } from '../formats/pose-formats.ts';
 import type { NamedPose } from '../posing/named-pose.ts';
 import type { ReadCharacter, ReadProgress } from '../formats/read-characters.ts';
+import type { MoviePlan } from '../view/movie/movie-plan.ts';
+import type { MovieFormatId, MovieSettings } from '../view/movie/movie-settings.ts';
 import type { PictureSettings } from '../view/picture/picture-size.ts';
 import type { Viewer } from '../view/viewer.ts';
 import type { Hint } from './hints.ts';
@@ -48,7 +50,8 @@ export interface BundledScene {
 export type ThemeChoice = 'system' | 'light' | 'dark';
 
 /** A sheet over the page; dialogs.ts has the contents. */
-export type DialogId = 'arrival' | 'gallery' | 'keys' | 'long link' | 'palette' | 'wanted';
+export type DialogId =
+  'arrival' | 'gallery' | 'keys' | 'long link' | 'movie' | 'palette' | 'wanted';
 
 /** The panel that is open on narrow pages: a sheet on phones; on tablets, the unfolded outliner. */
 export type Drawer = 'left' | 'right';
@@ -61,6 +64,18 @@ export interface Progress {
 
 /** Where a picture goes; with its passes it is in an archive. */
 export type PictureTarget = 'file' | 'clipboard' | 'passes';
+
+/** A form in which movies are saved. */
+export interface MovieChoice {
+  readonly id: MovieFormatId;
+  readonly label: string;
+  /** Whether frames may be transparent. */
+  readonly isTransparent: boolean;
+  /** The reason why this browser can't save it, or null if it can. */
+  readonly whyNot: string | null;
+  /** About how large the file will be. */
+  readonly bytes: number;
+}
 
 /** The scene and the state of the view. */
 export interface Looking {
@@ -183,6 +198,8 @@ export interface PageState {
   readonly dialog: Signal<DialogId | null>;
   /** How pictures are saved, by `j` too. */
   readonly picture: Signal<PictureSettings>;
+  /** How movies are saved. */
+  readonly movie: Signal<MovieSettings>;
   /** The ids of the palette's entries that were used in this session, the last first. */
   readonly recentEntries: Signal<readonly string[]>;
   /** Whether the list of steps is open. */
@@ -255,6 +272,10 @@ export interface Actions {
   /** Copies a link that opens the scene as it is viewed now, or offers the file in its place. */
   copyLink(): Promise<void>;
   savePicture(target: PictureTarget): Promise<void>;
+  /** Makes a movie by the settings, frame by frame, and saves it. */
+  saveMovie(): Promise<void>;
+  /** All forms in which a movie may be saved. */
+  movieChoices(plan: MoviePlan): Promise<readonly MovieChoice[]>;
   verify(): Promise<void>;
   /** Measures this machine with a bundled character and saves a report. */
   checkMachine(): Promise<void>;

@@ -10,6 +10,7 @@ import { ikCommands } from './ik-commands.ts';
 import { ikLabCommands } from './ik-lab-commands.ts';
 import { jointCommands } from './joint-commands.ts';
 import { keyCommands } from './key-commands.ts';
+import { movieCommands } from './movie-commands.ts';
 import { pinCommands } from './pin-commands.ts';
 import { poseCommands } from './pose-commands.ts';
 import { shotCommands } from './shot-commands.ts';
@@ -35,6 +36,7 @@ const groups = [
   { label: 'Keys', commands: keyCommands },
   { label: 'Timeline', commands: timelineCommands },
   { label: 'Curves', commands: curveCommands },
+  { label: 'Movie', commands: movieCommands },
   { label: 'Weights', commands: weightCommands },
   { label: 'Camera', commands: [...cameraCommands, ...axisCommands] },
   { label: 'Shots', commands: shotCommands },

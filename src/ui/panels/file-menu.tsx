@@ -48,6 +48,7 @@ export function FileMenu({ editor }: { readonly editor: Editor }) {
       <CommandButton editor={editor} command="copy-pose" role="menuitem" />
       <CommandButton editor={editor} command="choose-image" role="menuitem" />
       <hr />
+      <CommandButton editor={editor} command="save-movie" role="menuitem" />
       <CommandButton editor={editor} command="check-machine" role="menuitem" />
     </Menu>
   );

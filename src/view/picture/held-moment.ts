@@ -1,4 +1,4 @@
-import type { Evaluation, StillEvaluation } from '../../evaluation/evaluation.ts';
+import type { Evaluation } from '../../evaluation/evaluation.ts';
 import type { Overrides } from '../../evaluation/evaluations.ts';
 import type { Frame } from '../frame.ts';
 import type { RenderView } from '../render-view.ts';
@@ -8,7 +8,7 @@ import type { Viewer } from '../viewer.ts';
 
 /** What was shown at one moment. */
 export interface HeldMoment {
-  readonly shown: readonly StillEvaluation[];
+  readonly shown: readonly Evaluation[];
   release(): void;
 }
 

@@ -1,8 +1,10 @@
 import { Failure } from '../../core/failure.ts';
+import type { Overrides } from '../../evaluation/evaluations.ts';
 import { RenderTarget } from '../../gl/render-target.ts';
 import type { Frame } from '../frame.ts';
 import { type PictureWindow, sideBySide, type ViewContent } from '../render-view.ts';
 import type { Renderer } from '../renderer.ts';
+import type { ViewOptions } from '../view-options.ts';
 import type { CaptureSize, Viewer } from '../viewer.ts';
 import { averageSamples } from './average-samples.ts';
 import type { Picture } from './encode-picture.ts';
@@ -20,6 +22,10 @@ export interface PictureRequest {
   readonly samples: number;
   /** The most samples on a side of a tile; chosen by the size if absent. */
   readonly tileLimit?: number;
+  /** Gives what is shown; the page at the moment of the call, if absent. */
+  readonly hold?: (overrides?: Overrides) => HeldMoment;
+  /** How the scene is viewed, where that differs from the page. */
+  readonly options?: Partial<ViewOptions>;
 }
 
 /** The work on a picture, as its caller follows it. */
@@ -42,21 +48,22 @@ export interface TileOfView {
 const plainHeight = 1080;
 
 /**
- * Draws a picture of the present moment, in tiles where it is large. Between tiles the page goes on,
- * whatever changes there.
+ * Draws a picture of the present moment, or of another one that is held, in tiles where it is large.
+ * Between tiles the page goes on, whatever changes there.
  *
  * @throws Failure if it can't be made, or if the signal aborts it
  */
 export async function makePicture(
   viewer: Viewer,
-  { size, contents, showSurroundings, samples, tileLimit }: PictureRequest,
+  { size, contents, showSurroundings, samples, tileLimit, hold, options }: PictureRequest,
   work: PictureWork = {},
 ): Promise<Picture> {
   checkPictureSize(size);
   const { width, height } = size;
   const picture = { width, height, pixels: new Uint8ClampedArray(width * height * 4) };
+  const changed = { ...options, showSurroundings };
   const lineScale = samples * Math.max(1, height / plainHeight);
-  await eachTile(viewer, { size, contents, samples, tileLimit }, work, (part) => {
+  await eachTile(viewer, { size, contents, samples, tileLimit, hold }, work, (part) => {
     const { content, held, view, tile } = part;
     const drawn = {
       ...content,
@@ -64,7 +71,7 @@ export async function makePicture(
       window: windowOf(view, tile, samples),
       lineScale,
     };
-    const pixels = drawApart(viewer, drawn, held.shown, { showSurroundings }, captureFrame);
+    const pixels = drawApart(viewer, drawn, held.shown, changed, captureFrame);
     const drawnPixels = { ...drawn.viewport, pixels };
     averageSamples(drawnPixels, samples, picture, view.x + tile.x, tile.y);
   });
@@ -82,8 +89,10 @@ export async function eachTile(
     contents,
     samples,
     tileLimit,
+    hold = (overrides) => holdMoment(viewer, overrides),
   }: Pick<PictureRequest, 'size' | 'contents' | 'samples'> & {
     readonly tileLimit: number | undefined;
+    readonly hold?: PictureRequest['hold'] | undefined;
   },
   { signal, onProgress }: PictureWork,
   visit: (part: TileOfView) => void,
@@ -91,7 +100,7 @@ export async function eachTile(
   const moments: HeldMoment[] = [];
   try {
     const parts = sideBySide(contents, width, height).flatMap((content): TileOfView[] => {
-      const held = holdMoment(viewer, content.overrides);
+      const held = hold(content.overrides);
       moments.push(held);
       const view = content.viewport;
       return tilesOf(view, samples, tileLimit).map((tile) => ({ content, held, view, tile }));

@@ -86,6 +86,7 @@ export function TransportBar({ editor }: { readonly editor: Editor }) {
           </option>
         ))}
       </select>
+      <CommandButton editor={editor} command="save-movie" />
     </div>
   );
 }
