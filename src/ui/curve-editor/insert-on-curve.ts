@@ -1,6 +1,7 @@
 import { isRotationChannel } from '../../core/motion/clip-parts.ts';
 import { channelOf } from '../../core/motion/edit/channels.ts';
-import { insertKey, squadTurnOnInsert } from '../../core/motion/edit/insert-key.ts';
+import { insertKey } from '../../core/motion/edit/insert-key.ts';
+import { squadTurnOnInsert } from '../../core/motion/edit/squad-turn.ts';
 import type { ChannelKey } from '../../core/motion/targets.ts';
 import { formatDegrees } from '../angle-text.ts';
 import type { Editor } from '../editor.ts';
