@@ -8,7 +8,7 @@ interface MenuProperties {
   readonly children: ComponentChildren;
 }
 
-/** A button with a list that opens below it, over everything, and closes by any press or Escape. */
+/** A button with a list that opens below or above it, over everything, and closes by any press or Escape. */
 export function Menu({ id, label, children }: MenuProperties) {
   const button = useRef<HTMLButtonElement>(null);
   const list = useRef<HTMLDivElement>(null);
@@ -18,8 +18,14 @@ export function Menu({ id, label, children }: MenuProperties) {
     const isOpen = list.current?.matches(':popover-open') === true;
     button.current?.setAttribute('aria-expanded', String(isOpen));
     if (!isOpen || !list.current || !button.current) return;
-    const { left, bottom } = button.current.getBoundingClientRect();
-    Object.assign(list.current.style, { left: `${left}px`, top: `${bottom + 4}px` });
+    const { left, top, bottom } = button.current.getBoundingClientRect();
+    const { offsetWidth, offsetHeight } = list.current;
+    // At the foot of the page it opens above its button.
+    const isBelow = bottom + 4 + offsetHeight <= window.innerHeight;
+    Object.assign(list.current.style, {
+      left: `${Math.max(0, Math.min(left, window.innerWidth - offsetWidth))}px`,
+      top: `${isBelow ? bottom + 4 : Math.max(0, top - 4 - offsetHeight)}px`,
+    });
     items()[0]?.focus();
   };
   const onKeyDown = (event: KeyboardEvent): void => {

@@ -7,7 +7,7 @@ import { type KeySelection, noKeys } from '../../core/motion/key-selection.ts';
 import { channelKey } from '../../core/motion/targets.ts';
 import { curveModel } from '../curve-editor/curve-model.ts';
 import type { Editor } from '../editor.ts';
-import { chosenClip } from './chosen-clip.ts';
+import { chosenClip } from '../clips.ts';
 import { editKeys } from './key-gesture.ts';
 import { framing } from './time-axis.ts';
 import { copiedKeys } from './timeline-state.ts';

@@ -3,7 +3,7 @@ import type { EditedKeys } from '../../core/motion/edit/selection.ts';
 import type { KeySelection } from '../../core/motion/key-selection.ts';
 import { editClip } from '../../document/clip-edits.ts';
 import type { Editor } from '../editor.ts';
-import { chosenClip } from './chosen-clip.ts';
+import { chosenClip } from '../clips.ts';
 
 /** Returns an edited clip and what is selected then, from those at which a gesture began. */
 export type KeyEdit = (clip: ClipParts, selection: KeySelection) => EditedKeys;

@@ -1,4 +1,4 @@
-import type { RefObject } from 'preact';
+import type { ComponentChildren, RefObject } from 'preact';
 import type { ClipParts } from '../../../core/motion/clip-parts.ts';
 import type { Editor } from '../../editor.ts';
 import { rulerMarks } from '../../timeline/marks.ts';
@@ -11,6 +11,8 @@ interface RulerProperties {
   readonly clip: ClipParts;
   readonly timeWindow: TimeWindow;
   readonly width: number;
+  /** What else can be dragged in it. */
+  readonly children: ComponentChildren;
   readonly element: RefObject<HTMLDivElement | null>;
 }
 
@@ -18,7 +20,8 @@ interface RulerProperties {
  * Seconds or frames above a view of the timeline. A drag in it shows the pose of every time that it
  * passes; by keys, the slider of the transport does the same.
  */
-export function Ruler({ editor, clip, timeWindow, width, element }: RulerProperties) {
+export function Ruler(properties: RulerProperties) {
+  const { editor, clip, timeWindow, width, element, children } = properties;
   const { session, transport } = editor;
   const seekAt = (event: PointerEvent): void => {
     const { left } = element.current!.getBoundingClientRect();
@@ -34,7 +37,10 @@ export function Ruler({ editor, clip, timeWindow, width, element }: RulerPropert
         element.current!.setPointerCapture(event.pointerId);
         seekAt(event);
       }}
-      onPointerMove={(event) => (event.buttons & 1) === 1 && seekAt(event)}
+      onPointerMove={(event) => {
+        if (element.current!.hasPointerCapture(event.pointerId) && (event.buttons & 1) === 1)
+          seekAt(event);
+      }}
     >
       <div class="marks" aria-hidden="true">
         {rulerMarks(timeWindow, width, clip.fps, timeUnit.value).map(({ x, text }) => (
@@ -43,6 +49,7 @@ export function Ruler({ editor, clip, timeWindow, width, element }: RulerPropert
           </span>
         ))}
       </div>
+      {children}
     </div>
   );
 }

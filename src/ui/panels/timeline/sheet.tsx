@@ -1,3 +1,4 @@
+import '../../styles/timeline-sheet.css';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import type { ClipParts } from '../../../core/motion/clip-parts.ts';
 import type { Actor } from '../../../document/scene.ts';
@@ -6,7 +7,11 @@ import { addAxisGestures } from '../../timeline/axis-gestures.ts';
 import { shownWindow } from '../../timeline/shown-time.ts';
 import { timelineViews, type TimelineViewComponent } from '../../timeline/views.ts';
 import { attempt } from '../../attempt.ts';
+import { CommandButton } from '../command-button.tsx';
+import { Menu } from '../menu.tsx';
 import { Playhead } from './playhead.tsx';
+import { RangeHandles } from './range-handles.tsx';
+import { Ranges } from './ranges.tsx';
 import { Ruler } from './ruler.tsx';
 
 interface SheetProperties {
@@ -15,6 +20,21 @@ interface SheetProperties {
   readonly clip: ClipParts;
   readonly index: number;
 }
+
+const moreCommands = [
+  'all-joints-in-timeline',
+  'time-in-frames',
+  'snap-to-frames',
+  'frame-keys',
+  'frame-clip',
+  'all-keys',
+  'paste-keys',
+  'paste-keys-reversed',
+  'work-range-start',
+  'work-range-end',
+  'work-range-keys',
+  'whole-range',
+] as const;
 
 /** The ruler of a clip, and below it the chosen view of its keys, with the line of the playhead. */
 export function Sheet({ editor, actor, clip, index }: SheetProperties) {
@@ -65,8 +85,16 @@ export function Sheet({ editor, actor, clip, index }: SheetProperties) {
             {label}
           </button>
         ))}
+        <Menu id="timeline-menu" label="More">
+          {moreCommands.map((command) => (
+            <CommandButton key={command} editor={editor} command={command} role="menuitem" />
+          ))}
+        </Menu>
       </div>
-      <Ruler editor={editor} element={ruler} {...shared} />
+      <Ranges session={session} {...shared} />
+      <Ruler editor={editor} element={ruler} {...shared}>
+        <RangeHandles editor={editor} actor={actor} index={index} {...shared} />
+      </Ruler>
       <div class="sheet-view">
         {View && width > 0 && <View editor={editor} actor={actor} index={index} {...shared} />}
       </div>

@@ -1,7 +1,10 @@
+import { useRef } from 'preact/hooks';
 import { printable } from '../../../core/diagnostics.ts';
 import { selectedActor } from '../../../document/selected-actor.ts';
 import type { Editor } from '../../editor.ts';
 import { runKey } from '../../keys.ts';
+import { copiedKeys } from '../../timeline/timeline-state.ts';
+import { HeightEdge } from './height-edge.tsx';
 import { Sheet } from './sheet.tsx';
 import { TransportBar } from './transport-bar.tsx';
 
@@ -11,6 +14,7 @@ import { TransportBar } from './transport-bar.tsx';
  */
 export function Timeline({ editor }: { readonly editor: Editor }) {
   const { store, session, transport } = editor;
+  const section = useRef<HTMLElement>(null);
   const actor = selectedActor(store, session);
   if (!actor) return null;
   const index = transport.clipIndex;
@@ -21,11 +25,20 @@ export function Timeline({ editor }: { readonly editor: Editor }) {
     if (target instanceof HTMLSelectElement) return;
     if (target instanceof HTMLInputElement && target.type !== 'range') return;
     if (key === ' ' && target instanceof HTMLButtonElement) return;
+    if (isOfPoses(event)) return;
     runKey(editor, event, ['timeline']);
     if (event.defaultPrevented) event.stopPropagation();
   };
+  // Without keys to copy or paste, these are for poses and files here too.
+  const isOfPoses = ({ key, ctrlKey, metaKey }: KeyboardEvent): boolean => {
+    if (!ctrlKey && !metaKey) return false;
+    const letter = key.toLowerCase();
+    if (letter === 'v') return copiedKeys.value === null;
+    return (letter === 'c' || letter === 'x') && session.selectedKeys.value.size === 0;
+  };
   return (
-    <section class="timeline" aria-label="Timeline" onKeyDown={onKey}>
+    <section class="timeline" aria-label="Timeline" ref={section} onKeyDown={onKey}>
+      <HeightEdge timeline={section} />
       <TransportBar editor={editor} />
       {clip ? (
         <Sheet editor={editor} actor={actor} clip={clip} index={index} />
