@@ -10,7 +10,8 @@ interface CommandButtonProperties {
   /** A symbol or an icon instead of text; the command's label is then its accessible name. */
   readonly sign?: string;
   readonly icon?: IconId;
-  readonly role?: 'menuitem';
+  /** In a menu; a toggle there is checked while it is on. */
+  readonly role?: 'menuitem' | 'menuitemcheckbox';
   /** Runs before the command does. */
   readonly onRun?: () => void;
 }
@@ -41,6 +42,7 @@ export function CommandButton({
       title={titleOf(command, editor)}
       aria-label={hasText ? undefined : (command.describe?.(editor) ?? command.label)}
       aria-pressed={isPressed}
+      aria-checked={role === 'menuitemcheckbox' ? command.isOn?.(editor) : undefined}
       disabled={command.isEnabled?.(editor) === false}
       onClick={() => {
         onRun?.();

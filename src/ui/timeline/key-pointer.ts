@@ -26,7 +26,7 @@ export interface ShownRows {
   /** How far the rows are scrolled, in CSS pixels. */
   scrollTop(): number;
   /** Gives a row the focus, and reads its key at a time. */
-  focus(row: TimelineRow, time: number | null): void;
+  readonly focus: (row: TimelineRow, time: number | null) => void;
   showBox(box: KeyBox | null): void;
   openMenu(x: number, y: number): void;
   scroll(pixels: number): void;

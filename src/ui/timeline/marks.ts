@@ -1,4 +1,4 @@
-import { markStep, type TimeWindow, xOfTime } from './time-axis.ts';
+import { type TimeWindow, xOfTime } from './time-axis.ts';
 import type { TimeUnit } from './timeline-state.ts';
 
 /** A mark of the ruler. */
@@ -10,7 +10,7 @@ export interface RulerMark {
 }
 
 /** Room for a label, and for a mark without one, in CSS pixels. */
-const [labelPixels, markPixels] = [56, 9];
+const [labelPixels, markPixels] = [56, 7];
 
 /** The marks of the ruler: labels at frames or round seconds, and as many marks between as fit. */
 export function rulerMarks(
@@ -20,36 +20,32 @@ export function rulerMarks(
   unit: TimeUnit,
 ): readonly RulerMark[] {
   if (width <= 0) return [];
-  const labelStep = markStep(shown, width, fps, labelPixels);
-  const step = finerStep(labelStep, markStep(shown, width, fps, markPixels));
+  const perPixel = (shown[1] - shown[0]) / width;
+  // Frames are whole; seconds are not.
+  const [base, least] = unit === 'frames' ? [1 / fps, 1 / fps] : [1, 0];
+  const labelStep = roundStep(labelPixels * perPixel, base, least);
+  const finer = roundStep(markPixels * perPixel, base, least);
+  const step = isMultiple(labelStep, finer) ? finer : labelStep;
   const first = Math.ceil(shown[0] / step - 1e-9);
   const count = Math.floor(shown[1] / step + 1e-9) - first + 1;
+  const digits = Math.max(0, Math.ceil(-Math.log10(labelStep) - 1e-9));
   return Array.from({ length: Math.max(0, count) }, (_, i) => {
     const time = (first + i) * step;
-    const isLabeled = isMultiple(time, labelStep);
-    const text = isLabeled ? labelText(time, labelStep, fps, unit) : '';
+    const number = unit === 'frames' ? String(Math.round(time * fps)) : time.toFixed(digits);
+    // A time a little below 0 would be written as −0.
+    const text = isMultiple(time, labelStep) ? number.replace(/^-(0(\.0*)?)$/, '$1') : '';
     return { x: xOfTime(shown, width, time), text };
   });
 }
 
-/** The finest step of which the labels' step is a multiple. */
-function finerStep(labelStep: number, step: number): number {
-  return isMultiple(labelStep, step) ? step : labelStep;
+/** The least 1, 2 or 5 times a power of ten of a base, at least as long as two steps, in seconds. */
+function roundStep(atLeast: number, base: number, least: number): number {
+  const wanted = Math.max(atLeast, least) / base;
+  const power = 10 ** Math.floor(Math.log10(wanted) + 1e-9);
+  const factor = [1, 2, 5, 10].find((each) => each * power >= wanted * (1 - 1e-9))!;
+  return factor * power * base;
 }
 
 function isMultiple(value: number, step: number): boolean {
   return Math.abs(value / step - Math.round(value / step)) < 1e-6;
-}
-
-function labelText(time: number, step: number, fps: number, unit: TimeUnit): string {
-  // A time of −0 would be written with its sign.
-  if (unit === 'frames') return String(Math.round(time * fps) + 0);
-  const digits = isMultiple(step, 1)
-    ? 0
-    : isMultiple(step, 0.1)
-      ? 1
-      : isMultiple(step, 0.01)
-        ? 2
-        : 3;
-  return (time + 0).toFixed(digits).replace(/^-(0(\.0*)?)$/, '$1');
 }

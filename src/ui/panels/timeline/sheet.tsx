@@ -21,10 +21,8 @@ interface SheetProperties {
   readonly index: number;
 }
 
+const toggles = ['all-joints-in-timeline', 'time-in-frames', 'snap-to-frames'] as const;
 const moreCommands = [
-  'all-joints-in-timeline',
-  'time-in-frames',
-  'snap-to-frames',
   'frame-keys',
   'frame-clip',
   'all-keys',
@@ -86,6 +84,15 @@ export function Sheet({ editor, actor, clip, index }: SheetProperties) {
           </button>
         ))}
         <Menu id="timeline-menu" label="More">
+          {toggles.map((command) => (
+            <CommandButton
+              key={command}
+              editor={editor}
+              command={command}
+              role="menuitemcheckbox"
+            />
+          ))}
+          <hr />
           {moreCommands.map((command) => (
             <CommandButton key={command} editor={editor} command={command} role="menuitem" />
           ))}

@@ -14,7 +14,7 @@ interface TimeHandleProperties {
   /** In seconds. */
   readonly time: number;
   /** Begins to change the time. */
-  begin(): TimeDrag;
+  readonly begin: () => TimeDrag;
 }
 
 /** A change of a time in progress. */

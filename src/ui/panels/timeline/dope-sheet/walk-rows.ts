@@ -11,11 +11,11 @@ interface RowWalk extends Pick<ShownRows, 'editor' | 'clip' | 'rows' | 'timeWind
   /** The row that has the focus. */
   readonly row: TimelineRow;
   readonly cursor: { readonly row: RowId; readonly time: number } | null;
-  fold(row: TimelineRow, part: 'branch' | 'channels'): void;
+  readonly fold: (row: TimelineRow, part: 'branch' | 'channels') => void;
   /** Selects the joint of a row. */
-  select(row: TimelineRow, isMore: boolean): void;
+  readonly select: (row: TimelineRow, isMore: boolean) => void;
   /** Says a text to screen readers. */
-  say(text: string): void;
+  readonly say: (text: string) => void;
 }
 
 /**
