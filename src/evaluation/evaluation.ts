@@ -74,7 +74,9 @@ export interface Evaluation {
   still(): StillEvaluation;
 }
 
-/** An evaluation of one moment. */
+/** An evaluation that stays at one moment until it is moved to another one. */
 export interface StillEvaluation extends Evaluation {
+  /** Moves it to another state of the same actor, at a time of its bound clip in seconds. */
+  evaluate(state: Actor, time: number, followed?: Float64Array | null): Evaluation;
   dispose(): void;
 }

@@ -16,6 +16,8 @@ export type PassId =
   | 'normal-lines'
   | 'hidden-skeleton'
   | 'bone-lines'
+  | 'ghosts'
+  | 'trails'
   | 'overlay'
   | 'axes';
 

@@ -46,7 +46,18 @@ export const overlayPass: Pass = {
     showsPins(options) ||
     hasTargets(options) ||
     showsSketch(options),
-  create(gpu, programs) {
+  create: overlayDrawer(overlayOf),
+};
+
+/**
+ * Returns what creates a pass that draws shapes over the scene.
+ *
+ * @param shapesOf returns the shapes of a frame, with the picture's pixels per CSS pixel
+ */
+export function overlayDrawer(
+  shapesOf: (frame: Frame, cssScale: number) => Overlay,
+): Pass['create'] {
+  return (gpu, programs) => {
     const { gl } = gpu;
     const program = programs.pass('overlay');
     // The overlay is drawn on the page alone, so that the picture fills the canvas.
@@ -55,7 +66,7 @@ export const overlayPass: Pass = {
     return {
       draw(frame) {
         const cssScale = frame.viewport.height / canvas.clientHeight;
-        pieces.write(overlayOf(frame, cssScale));
+        pieces.write(shapesOf(frame, cssScale));
         program.use();
         program.set(frame.uniforms);
         program.set({ cssScale });
@@ -74,13 +85,19 @@ export const overlayPass: Pass = {
       },
       dispose: () => pieces.dispose(),
     };
-  },
-};
+  };
+}
+
+/** The view of a frame in CSS pixels. */
+export function overlayViewOf({ camera, viewport }: Frame, cssScale: number): OverlayView {
+  return { camera, width: viewport.width / cssScale, height: viewport.height / cssScale };
+}
 
 /** @param cssScale the picture's pixels per CSS pixel */
-function overlayOf({ characters, options, camera, viewport }: Frame, cssScale: number): Overlay {
+function overlayOf(frame: Frame, cssScale: number): Overlay {
+  const { characters, options } = frame;
   const character = characters.find(({ state }) => state.id === options.selectedActorId);
-  const view = { camera, width: viewport.width / cssScale, height: viewport.height / cssScale };
+  const view = overlayViewOf(frame, cssScale);
   const lights = showsLights(options)
     ? lightLines(options.environment, view, options.hoveredHandle)
     : [];

@@ -1,0 +1,62 @@
+import type { ReadonlySignal } from '@preact/signals-core';
+import type { CharacterView } from '../character-view.ts';
+import { drawOpaque } from '../draw-skin.ts';
+import type { Frame } from '../frame.ts';
+import type { Ghost } from '../ghosts.ts';
+import type { Pass } from '../pass.ts';
+import type { Viewer } from '../viewer.ts';
+
+/** Ghosts have no highlights. */
+const matte = { specular: [0, 0, 0], shininess: 0 };
+
+/**
+ * Draws ghosts, each in one color. Only the nearest layer of each is blended, so that it looks like
+ * a pale copy and not like the inside of a body.
+ */
+export function ghostsPass(viewer: Viewer, shown: ReadonlySignal<readonly Ghost[]>): Pass {
+  return {
+    id: 'ghosts',
+    isShown: ({ showOverlay }) => showOverlay && shown.value.length > 0,
+    create({ gl }, programs) {
+      const program = programs.pass('mesh');
+      return {
+        draw(frame) {
+          const ghosts = shown.peek();
+          const views = viewer.present().viewsOf(ghosts.map(({ evaluation }) => evaluation));
+          program.use();
+          program.set(frame.uniforms);
+          program.set(matte);
+          gl.depthFunc(gl.LEQUAL);
+          gl.blendFuncSeparate(
+            gl.SRC_ALPHA,
+            gl.ONE_MINUS_SRC_ALPHA,
+            gl.ONE,
+            gl.ONE_MINUS_SRC_ALPHA,
+          );
+          for (const { evaluation, color, opacity } of ghosts) {
+            const view = views.find((each) => each.evaluation === evaluation);
+            if (!view) continue;
+            program.set({ albedo: color, opacity });
+            gl.colorMask(false, false, false, false);
+            drawSkin(frame, view);
+            gl.colorMask(true, true, true, true);
+            gl.depthFunc(gl.EQUAL);
+            gl.enable(gl.BLEND);
+            drawSkin(frame, view);
+            gl.disable(gl.BLEND);
+            gl.depthFunc(gl.LEQUAL);
+          }
+          gl.depthFunc(gl.LESS);
+        },
+        dispose: () => undefined,
+      };
+
+      function drawSkin(frame: Frame, view: CharacterView): void {
+        program.set({ sceneFromCharacter: view.display.sceneFromCharacter });
+        for (const { submesh, alpha } of view.surfaces) {
+          if (alpha > 0.5) drawOpaque(frame, view, program, submesh);
+        }
+      }
+    },
+  };
+}
