@@ -1,10 +1,10 @@
 import type { Character } from '../../core/character.ts';
-import { type ClipParts, isRotationChannel } from '../../core/motion/clip-parts.ts';
+import type { ClipParts } from '../../core/motion/clip-parts.ts';
 import type { Diagnostic } from '../../core/diagnostics.ts';
 import { noJoint } from '../../core/skin.ts';
 import type { OutputFile, Written } from '../format.ts';
 import { lost } from '../lost.ts';
-import { writeAnim } from './write-anim.ts';
+import { writeAnimOf } from './anim-of-clip.ts';
 import { writeMorph } from './write-morph.ts';
 import { writeSkel, writtenNames } from './write-skel.ts';
 import { writeSkin } from './write-skin.ts';
@@ -26,11 +26,10 @@ export function writeCse169(
       files.push({ path: `${morph.name}.morph`, bytes: writeMorph(morph, mesh) });
     }
   }
-  for (const clip of clips) {
-    const channels = clip.channels.flatMap((each) => (isRotationChannel(each) ? [] : each));
-    files.push({ path: `${clip.name}.anim`, bytes: writeAnim({ ...clip, channels }) });
-  }
-  return { files, losses: losses(character) };
+  const motions = clips.map((clip) => writeAnimOf(clip, skeleton, skeleton.qRest));
+  files.push(...motions.flatMap((motion) => motion.files));
+  const ofMotions = motions.flatMap((motion) => motion.losses);
+  return { files, losses: [...losses(character), ...ofMotions] };
 }
 
 function losses(character: Character): Diagnostic[] {
