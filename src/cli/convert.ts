@@ -4,29 +4,39 @@ import { parseArgs } from 'node:util';
 import type { Character } from '../core/character.ts';
 import { type Diagnostic, hasErrors } from '../core/diagnostics.ts';
 import type { Pose } from '../core/pose.ts';
-import { convertCharacter } from '../formats/convert.ts';
+import type { ClipParts } from '../core/motion/clip-parts.ts';
+import { convertCharacter, type Converted } from '../formats/convert.ts';
+import { writeAnimOf } from '../formats/cse169/anim-of-clip.ts';
 import { baseName } from '../formats/file-entry.ts';
 import type { OutputFile, Written } from '../formats/format.ts';
 import { holdsPosesOf, poseFormats } from '../formats/pose-formats.ts';
 import { poseToJson } from '../formats/write-pose-json.ts';
 import { readCharacters } from '../formats/read-characters.ts';
-import { convertTargets, loadWriter, writtenWord } from '../formats/registry.ts';
+import {
+  type ConvertTarget,
+  convertTargets,
+  loadWriter,
+  shapeOf,
+  writtenWord,
+} from '../formats/registry.ts';
+import { writeMotion } from '../formats/motion/write-motion.ts';
 import { savedFiles } from '../formats/saved-files.ts';
 import type { Command } from './command.ts';
 import { printDiagnostics, readFiles, unwritable, userPath } from './files.ts';
 import { parseWords } from './parse-words.ts';
+import { readMotionFile } from './read-motion-file.ts';
 import { formatOfPose, givenPose } from './read-pose-file.ts';
 import { UsageError } from './usage-error.ts';
 
 const words = convertTargets.map(writtenWord);
-const usage = `convert FILES --to ${words.join('|')} --out DIR [--pose POSE.json|POSE.vpd]`;
+const usage = `convert FILES --to ${words.join('|')} --out DIR [--pose POSE.json|POSE.vpd] [--motion MOTION.json|CLIP.anim]`;
 
-/** `convert FILES --to FORMAT --out DIR [--pose POSE]` writes the files of another format. */
+/** `convert FILES --to FORMAT --out DIR [--pose POSE] [--motion MOTION]` writes the files of another format. */
 export const convert: Command = {
   name: 'convert',
   usage,
   summary:
-    'Writes one character, and a pose if one is given, as the files of a course, and reports what is lost.',
+    'Writes one character, and a pose and a motion if they are given, as the files of a course, and reports what is lost. A motion becomes an .anim for CSE169, otherwise a MOTION.json.',
   async run(words) {
     const options = parseOptions(words);
     const { files, diagnostics: missing } = readFiles(options.files);
@@ -35,6 +45,11 @@ export const convert: Command = {
     if (characters.length > 1) throw new UsageError('expected the files of one character');
     const character = characters[0]?.character;
     const pose = character && (await givenPose(options.pose, character, found));
+    const motion =
+      character && options.motion !== undefined
+        ? await readMotionFile(options.motion, character)
+        : { diagnostics: [] };
+    found.push(...motion.diagnostics);
     if (!character || !pose || hasErrors(found)) {
       printDiagnostics(found);
       return 1;
@@ -45,8 +60,12 @@ export const convert: Command = {
     printDiagnostics([...found, ...converted.losses, ...losses]);
     if (hasErrors(losses)) return 1;
     const poseFile = await writtenPose(options.pose, converted.character, converted.pose);
-    printDiagnostics(poseFile.losses);
-    return writeAll(options.out, [...written, ...poseFile.files]) ? 0 : 1;
+    const motionFile = motion.value && writtenMotion(motion.value, converted, options.to);
+    const lostLast = [...poseFile.losses, ...(motionFile?.losses ?? [])];
+    printDiagnostics(lostLast);
+    if (hasErrors(lostLast)) return 1;
+    const all = [...written, ...poseFile.files, ...(motionFile?.files ?? [])];
+    return writeAll(options.out, all) ? 0 : 1;
   },
 };
 
@@ -58,16 +77,17 @@ function parseOptions(words: readonly string[]) {
         to: { type: 'string' },
         out: { type: 'string' },
         pose: { type: 'string' },
+        motion: { type: 'string' },
       },
       allowPositionals: true,
     }),
   );
-  const { to, out, pose } = values;
+  const { to, out, pose, motion } = values;
   if (files.length === 0) throw new UsageError('expected files, found none');
   const target = convertTargets.find((id) => writtenWord(id) === to);
   if (!target) throw new UsageError(`expected ${words.map((word) => `--to ${word}`).join(' or ')}`);
   if (out === undefined) throw new UsageError('expected --out with a folder');
-  return { files, to: target, out, pose };
+  return { files, to: target, out, pose, motion };
 }
 
 /**
@@ -91,6 +111,19 @@ async function writtenPose(
   if (path === undefined || !isHeld) return written;
   const files = written.files.map(({ bytes }) => ({ path: baseName(path), bytes }));
   return { ...written, files };
+}
+
+/** The motion as the format holds it: an `.anim` where it has clips, otherwise a MOTION.json. */
+function writtenMotion(
+  motion: ClipParts,
+  { character, pose, convertClip }: Converted,
+  to: ConvertTarget,
+): Written {
+  const { clip, losses } = convertClip(motion);
+  const written = shapeOf(to).clips
+    ? writeAnimOf(clip, character.skeleton, pose.q)
+    : writeMotion(clip, character);
+  return { files: written.files, losses: [...losses, ...written.losses] };
 }
 
 function writeAll(folder: string, files: readonly OutputFile[]): boolean {

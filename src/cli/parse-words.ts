@@ -8,3 +8,10 @@ export function parseWords<T>(parse: () => T): T {
     throw new UsageError(error instanceof Error ? error.message : String(error));
   }
 }
+
+/** Joins an option and its value, because `parseArgs` would take `-1,0` for another option. */
+export function joinValue(words: readonly string[], option: string): string[] {
+  const at = words.indexOf(option);
+  if (at === -1 || at + 1 >= words.length) return [...words];
+  return [...words.slice(0, at), `${option}=${words[at + 1]!}`, ...words.slice(at + 2)];
+}

@@ -3,8 +3,7 @@ import { parseArgs } from 'node:util';
 import type { Character } from '../core/character.ts';
 import { hasErrors } from '../core/diagnostics.ts';
 import type { Mesh } from '../core/mesh.ts';
-import type { Pose } from '../core/pose.ts';
-import { createActor } from '../document/scene.ts';
+import { createActor, type KeptState } from '../document/scene.ts';
 import { EvaluationPool } from '../evaluation/evaluation-pool.ts';
 import type { Evaluation } from '../evaluation/evaluation.ts';
 import { Evaluator } from '../evaluation/evaluator.ts';
@@ -21,8 +20,9 @@ import {
 } from '../skinning/registry.ts';
 import type { Command } from './command.ts';
 import { printDiagnostics, readFiles, unwritable, userPath } from './files.ts';
-import { parseWords } from './parse-words.ts';
-import { readPoseFile } from './read-pose-file.ts';
+import { joinValue, parseWords } from './parse-words.ts';
+import { motionOf } from './motion-of.ts';
+import { givenPose } from './read-pose-file.ts';
 import { UsageError } from './usage-error.ts';
 import { wasmKernel } from './wasm-kernel.ts';
 
@@ -30,7 +30,7 @@ const methodIds = methods.map(({ short }) => short).join('|');
 const normalsIds = normalWays.map(({ id }) => id).join('|');
 
 /**
- * `pose FILES --pose POSE --out OUT` writes posed vertices in the file's order and units, in
+ * `pose FILES [--pose POSE] [--motion MOTION --time T] --out OUT` writes posed vertices in the file's order and units, in
  * Sinew's right-handed space or, with `--keep-file-space`, in the space of the file. An OBJ gets
  * normals if `--normals` says which. With `--influences`, it prints how far the vertices are from where
  * all of their influences put them.
@@ -38,25 +38,29 @@ const normalsIds = normalWays.map(({ id }) => id).join('|');
 export const pose: Command = {
   name: 'pose',
   usage:
-    `pose FILES --pose POSE.json|POSE.vpd [--method ${methodIds}] [--normals ${normalsIds}] [--influences K] [--normalize] [--keep-file-space]` +
+    `pose FILES [--pose POSE.json|POSE.vpd] [--motion MOTION.json|CLIP.anim --time T] [--method ${methodIds}] [--normals ${normalsIds}] [--influences K] [--normalize] [--keep-file-space]` +
     ' --out OUT.obj|OUT.f32',
   summary:
-    'Writes the posed vertices of one character, in the order and the units of its file, as an OBJ mesh or as raw floats. An OBJ has normals if --normals says which. With --influences only the K strongest weights of each vertex are kept, and the error that this makes is printed.',
+    'Writes the posed vertices of one character, in the order and the units of its file, as an OBJ mesh or as raw floats. The pose is that of --pose, or of the file, with what --motion moves as it is at --time, in seconds. An OBJ has normals if --normals says which. With --influences only the K strongest weights of each vertex are kept, and the error that this makes is printed.',
   async run(words) {
     const options = parseOptions(words);
     const { files, diagnostics: missing } = readFiles(options.files);
     const { characters, diagnostics } = await readCharacters(files);
     const found = [...missing, ...diagnostics];
     const character = characters[0]?.character;
-    const parsed = character && (await readPoseFile(options.pose, character));
-    found.push(...(parsed?.diagnostics ?? []));
+    const posed = character && (await givenPose(options.pose, character, found));
+    const motion =
+      character && options.motion !== undefined
+        ? await motionOf(options.motion, character)
+        : { diagnostics: [] };
+    found.push(...motion.diagnostics);
     printDiagnostics(found);
     if (characters.length > 1) throw new UsageError('expected the files of one character');
-    if (!character || character.mesh.pointCount === 0 || !parsed?.value || hasErrors(found)) {
+    if (!character || character.mesh.pointCount === 0 || !posed || hasErrors(found)) {
       if (character?.mesh.pointCount === 0) console.error('error: there is no mesh to pose');
       return 1;
     }
-    const evaluation = await evaluate(character, parsed.value, options);
+    const evaluation = await evaluate(character, { ...posed, ...motion.value }, options);
     if (!writeOut(options.out, bytesOf(evaluation, options))) return 1;
     const truncation = truncationOf(evaluation);
     if (truncation) console.log(truncationLines(truncation).join('\n'));
@@ -69,9 +73,11 @@ type Options = ReturnType<typeof parseOptions>;
 function parseOptions(words: readonly string[]) {
   const { values, positionals: files } = parseWords(() =>
     parseArgs({
-      args: [...words],
+      args: joinValue(words, '--time'),
       options: {
         pose: { type: 'string' },
+        motion: { type: 'string' },
+        time: { type: 'string' },
         method: { type: 'string' },
         normals: { type: 'string' },
         influences: { type: 'string' },
@@ -82,9 +88,18 @@ function parseOptions(words: readonly string[]) {
       allowPositionals: true,
     }),
   );
-  const { pose: posePath, method, normals, out, normalize } = values;
+  const { pose: posePath, motion, method, normals, out, normalize } = values;
   if (files.length === 0) throw new UsageError('expected files, found none');
-  if (posePath === undefined) throw new UsageError('expected --pose POSE.json or POSE.vpd');
+  if (posePath === undefined && motion === undefined) {
+    throw new UsageError('expected --pose POSE.json or POSE.vpd, or --motion with --time');
+  }
+  if ((motion === undefined) !== (values.time === undefined)) {
+    throw new UsageError('expected --motion and --time together');
+  }
+  const time = values.time?.trim() ? Number(values.time) : NaN;
+  if (values.time !== undefined && !Number.isFinite(time)) {
+    throw new UsageError(`expected --time in seconds, found "${values.time}"`);
+  }
   // The id of a kernel such as `joint-normals` stands for its method and its way of normals.
   const kernel = method === undefined ? undefined : kernelNamed(method);
   if (method !== undefined && !kernel)
@@ -102,10 +117,14 @@ function parseOptions(words: readonly string[]) {
   }
   const keepFileSpace = values['keep-file-space'];
   const deformation = { method: kernel?.id, normals: way, normalize, influences };
-  return { files, pose: posePath, ...deformation, keepFileSpace, out };
+  return { files, pose: posePath, motion, time, ...deformation, keepFileSpace, out };
 }
 
-async function evaluate(character: Character, posed: Pose, options: Options): Promise<Evaluation> {
+async function evaluate(
+  character: Character,
+  posed: KeptState,
+  options: Options,
+): Promise<Evaluation> {
   const deformation = options.method
     ? deformationOf(options.method)
     : defaultDeformation(character);
@@ -121,7 +140,10 @@ async function evaluate(character: Character, posed: Pose, options: Options): Pr
   const pool = new EvaluationPool();
   await pool.kernels.loadFor(actor);
   pool.kernels.wasm = await wasmKernel();
-  return new Evaluator(actor, pool);
+  return new Evaluator(actor, pool).evaluate(
+    actor,
+    options.motion === undefined ? 0 : options.time,
+  );
 }
 
 function bytesOf(evaluation: Evaluation, options: Options): Uint8Array {

@@ -3,7 +3,7 @@ import { printable } from '../core/diagnostics.ts';
 import { channelNamed, type SampledChannel } from '../formats/motion/sampled-channels.ts';
 import type { Command } from './command.ts';
 import { printDiagnostics } from './files.ts';
-import { parseWords } from './parse-words.ts';
+import { joinValue, parseWords } from './parse-words.ts';
 import { readChannels } from './read-motion-file.ts';
 import { UsageError } from './usage-error.ts';
 
@@ -47,7 +47,7 @@ function unknownChannel(channel: number | string, channels: readonly SampledChan
 function parseOptions(words: readonly string[]) {
   const { values, positionals } = parseWords(() =>
     parseArgs({
-      args: joinTimes(words),
+      args: joinValue(words, '--times'),
       options: {
         channel: { type: 'string' },
         times: { type: 'string' },
@@ -68,11 +68,4 @@ function parseOptions(words: readonly string[]) {
     throw new UsageError('expected --times with seconds and commas between them');
   }
   return { file, channel, times, json: values.json };
-}
-
-/** Joins `--times` and its value, because `parseArgs` would take `-1,0` for another option. */
-function joinTimes(words: readonly string[]): string[] {
-  const at = words.indexOf('--times');
-  if (at === -1 || at + 1 >= words.length) return [...words];
-  return [...words.slice(0, at), `--times=${words[at + 1]!}`, ...words.slice(at + 2)];
 }

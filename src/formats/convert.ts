@@ -3,11 +3,13 @@ import { buildCharacter } from '../core/build-character.ts';
 import type { Character } from '../core/character.ts';
 import type { Diagnostic } from '../core/diagnostics.ts';
 import { jointMatrices } from '../core/forward-kinematics.ts';
+import type { ClipParts } from '../core/motion/clip-parts.ts';
 import type { Pose } from '../core/pose.ts';
 import { DofKind, type Skeleton } from '../core/skeleton.ts';
 import { firstRoot } from '../core/subtree.ts';
 import { noJoint } from '../core/skin.ts';
 import { ballValue, quaternionOf } from './ball-values.ts';
+import { convertClip, type ConvertedClip } from './convert-clip.ts';
 import { partsLost } from './convert-losses.ts';
 import { convertParts, tripleAt } from './convert-parts.ts';
 import { bindMatrix } from './cse169/write-skin.ts';
@@ -21,6 +23,8 @@ export interface Converted {
   /** The pose that looks the same as the given one, in the angles of the other format. */
   readonly pose: Pose;
   readonly losses: readonly Diagnostic[];
+  /** Converts a clip of the character; equal angles are different rotations in the two formats. */
+  readonly convertClip: (clip: ClipParts) => ConvertedClip;
 }
 
 /**
@@ -38,7 +42,9 @@ export function convertCharacter(character: Character, to: ConvertTarget, pose: 
   const { skeleton, skin, name } = character;
   const losses: Diagnostic[] = [];
   const shape = shapeOf(to);
-  if (skeleton.jointCount === 0 || fitsShape(character, shape)) return { character, pose, losses };
+  if (skeleton.jointCount === 0 || fitsShape(character, shape)) {
+    return { character, pose, losses, convertClip: (clip) => ({ clip, losses: [] }) };
+  }
   const insertRoot = !shape.firstJointWeights && firstJointHasWeight(character);
   const bound = bindPlaces(character);
   const target: Target = {
@@ -68,7 +74,13 @@ export function convertCharacter(character: Character, to: ConvertTarget, pose: 
     );
   }
   losses.push(...partsLost(character, shape));
-  return { character: built, pose: { q }, losses };
+  const conversion = { from: character, to: built, target, q: pose.q };
+  return {
+    character: built,
+    pose: { q },
+    losses,
+    convertClip: (clip) => convertClip(clip, conversion),
+  };
 }
 
 function first(skeleton: Skeleton): number {
