@@ -204,7 +204,7 @@ describe('convert with a motion', () => {
     expect(value!.channels.map(({ curve }) => curve.of)).toEqual(['rotation']);
   });
 
-  it('is refused where the joints are other ones', async () => {
+  it('writes a MOTION.json beside files of the same format', async () => {
     const contents = { 'a.pmd': squarePmd, 'm.json': '{"channels":[]}' };
     const words = ['a.pmd', '--to', 'pmd', '--out', 'new', '--motion', 'm.json'];
     expect(await run('convert', contents, ...words).code).toBe(0);
