@@ -69,39 +69,38 @@ function scalarWith(
   time: number,
 ): { readonly keys: readonly KeyParts[]; readonly fixed: readonly number[] } {
   const compiled = channelFor(channel);
+  const { slopesIn, slopesOut } = compiled;
   const at = firstFrom(channel.keys, time);
   const tangent = tangentAt(channel, time, at);
-  const put = {
-    time,
-    value: evaluateChannel(compiled, time),
-    tangentIn: tangent,
-    tangentOut: tangent,
-  };
+  const value = evaluateChannel(compiled, time);
+  const put: KeyParts = { time, value, tangentIn: tangent, tangentOut: tangent };
   const keys = channel.keys.toSpliced(at, 0, put);
-  const { slopesIn, slopesOut } = compiled;
-  const isOutside = at === 0 || at === channel.keys.length;
-  const isAlone = channel.keys.length === 1;
+  /** Where a key that was there stood. */
+  const former = (index: number): number => (index < at ? index : index - 1);
+  const isThere = (index: number): boolean => index >= 0 && index < keys.length;
   const fix = (index: number): void => {
-    const own = index < at ? index : index - 1;
-    const facing = isOutside ? tangent : null;
-    const [slopeIn, slopeOut] = isAlone ? [0, 0] : [slopesIn[own]!, slopesOut[own]!];
+    const { tangentIn, tangentOut } = keys[index]!;
     keys[index] = {
       ...keys[index]!,
-      tangentIn: (at === 0 ? facing : null) ?? fixed(keys[index]!.tangentIn, slopeIn),
-      tangentOut: (isOutside && at > 0 ? facing : null) ?? fixed(keys[index]!.tangentOut, slopeOut),
+      tangentIn: fixed(tangentIn, slopesIn[former(index)]!),
+      tangentOut: fixed(tangentOut, slopesOut[former(index)]!),
     };
   };
-  const neighbors = [at - 1, at + 1].filter((index) => index >= 0 && index < keys.length);
+  const neighbors = [at - 1, at + 1].filter(isThere);
   neighbors.forEach(fix);
+  if (channel.keys.length === 1) {
+    // The only key had no slope, whatever its tangents say.
+    keys[neighbors[0]!] = { ...keys[neighbors[0]!]!, tangentIn: 0, tangentOut: 0 };
+  } else if (at === 0) keys[1] = { ...keys[1]!, tangentIn: tangent };
+  else if (at === channel.keys.length) keys[at - 1] = { ...keys[at - 1]!, tangentOut: tangent };
   // The automatic slope of an end also depends on the key after its neighbor.
   const slopes = slopesOf(keys);
-  const farther = [at - 2, at + 2].filter((index) => {
-    const own = index < at ? index : index - 1;
-    return (
-      keys[index] &&
-      (slopes.slopesIn[index] !== slopesIn[own] || slopes.slopesOut[index] !== slopesOut[own])
-    );
-  });
+  const farther = [at - 2, at + 2].filter(
+    (index) =>
+      isThere(index) &&
+      (slopes.slopesIn[index] !== slopesIn[former(index)] ||
+        slopes.slopesOut[index] !== slopesOut[former(index)]),
+  );
   farther.forEach(fix);
   const changed = [...farther, ...neighbors, at].filter((index) => hasNumber(keys[index]!));
   return { keys, fixed: changed.sort((a, b) => a - b).map((index) => keys[index]!.time) };
