@@ -3,6 +3,7 @@ import { boneAt, type BoneTarget } from '../view/pick.ts';
 import { bodyHandleAt, handleAt } from '../view/pick-gizmo.ts';
 import { pointAt } from '../view/pick-point.ts';
 import type { Looking } from './editor.ts';
+import { trailKeysOf } from './motion-display.ts';
 import type { ToolPlace } from './tool.ts';
 
 /**
@@ -16,7 +17,7 @@ const mostTriangles = 400_000;
  * plays no limb is highlighted, since it would not stay under the pointer.
  */
 export function hoverAt(editor: Looking, place: ToolPlace | null): void {
-  const handle = place && handleAt(editor, place);
+  const handle = place && (trailKeysOf(editor.session)?.at(place) ?? handleAt(editor, place));
   if (handle !== null) {
     showHoveredHandle(editor, handle);
     return;

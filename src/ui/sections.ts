@@ -76,6 +76,14 @@ export const sections: readonly Section[] = [
       guiSection((await loadPart(import('./controls/pose-folder.ts'))).addPoseFolder),
   },
   {
+    id: 'motion',
+    place: 'right',
+    tabs: ['animate'],
+    when: (editor) => jointCount(editor) > 0,
+    load: async () =>
+      guiSection((await loadPart(import('./controls/motion-view-folder.ts'))).addMotionViewFolder),
+  },
+  {
     id: 'poses',
     place: 'right',
     tabs: ['pose'],

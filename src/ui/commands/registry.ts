@@ -11,6 +11,7 @@ import { ikLabCommands } from './ik-lab-commands.ts';
 import { jointCommands } from './joint-commands.ts';
 import { keyCommands } from './key-commands.ts';
 import { movieCommands } from './movie-commands.ts';
+import { motionViewCommands } from './motion-view-commands.ts';
 import { pinCommands } from './pin-commands.ts';
 import { poseCommands } from './pose-commands.ts';
 import { shotCommands } from './shot-commands.ts';
@@ -37,6 +38,7 @@ const groups = [
   { label: 'Timeline', commands: timelineCommands },
   { label: 'Curves', commands: curveCommands },
   { label: 'Movie', commands: movieCommands },
+  { label: 'Motion in the view', commands: motionViewCommands },
   { label: 'Weights', commands: weightCommands },
   { label: 'Camera', commands: [...cameraCommands, ...axisCommands] },
   { label: 'Shots', commands: shotCommands },

@@ -9,10 +9,12 @@ import { pinTool } from './pin.ts';
 import { placeTool } from './place.ts';
 import { ringTool } from './ring.ts';
 import { targetTool } from './target.ts';
+import { trailTool } from './trail.ts';
 
 /** Every tool; the first one that accepts a drag gets it. */
 export const tools: readonly Tool[] = [
   lightTool,
+  trailTool,
   pinTool,
   targetTool,
   ringTool,
