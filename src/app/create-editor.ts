@@ -49,6 +49,7 @@ export function createEditor(
     placeAngles: new PlaceAngles(),
     recentEntries: signal([]),
     showsHistory: signal(false),
+    showsRotationLab: signal(false),
     letterKeys: signal(true),
     picture: signal(plainSettings),
     movie: signal(plainMovie),

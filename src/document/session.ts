@@ -10,6 +10,7 @@ import type { PlayMode } from '../posing/playhead.ts';
 import type { ShotId } from './shots.ts';
 import type { WeightViewId } from '../skinning/weights/views.ts';
 import type { IkSketch } from './ik-sketch.ts';
+import type { RotationPaths } from './rotation-paths.ts';
 import type { Verification } from './verification.ts';
 
 /** The processor that skins the vertices. */
@@ -192,6 +193,8 @@ export class Session {
   /** Whether the IK lab is open, and what it draws. */
   readonly showIkLab = signal(false);
   readonly ikSketch = signal<IkSketch | null>(null);
+  /** What the rotation lab draws, while it is open. */
+  readonly rotationPaths = signal<RotationPaths | null>(null);
   /** The result of verifying the selected actor. */
   readonly verification = signal<Verification | null>(null);
   /** The problems of the last files. */

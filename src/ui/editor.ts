@@ -204,6 +204,8 @@ export interface PageState {
   readonly recentEntries: Signal<readonly string[]>;
   /** Whether the list of steps is open. */
   readonly showsHistory: Signal<boolean>;
+  /** Whether the rotation lab is open. */
+  readonly showsRotationLab: Signal<boolean>;
   /** Whether single-letter keys act; users of speech input, for example, may turn them off. */
   readonly letterKeys: Signal<boolean>;
   readonly tab: Signal<TabId>;

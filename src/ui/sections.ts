@@ -113,6 +113,13 @@ export const sections: readonly Section[] = [
     load: async () => (await loadPart(import('./panels/ik-lab.tsx'))).IkLabPanel,
   },
   {
+    id: 'rotation-lab',
+    place: 'right',
+    tabs: ['animate'],
+    when: (editor) => jointCount(editor) > 0,
+    load: async () => (await loadPart(import('./panels/rotation-lab.tsx'))).RotationLabPanel,
+  },
+  {
     id: 'method',
     place: 'right',
     tabs: ['deform'],

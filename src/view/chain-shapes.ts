@@ -62,8 +62,8 @@ function ringAt(place: ReadonlyVec3, view: OverlayView, color: readonly number[]
   return { id, points: circleAt(place, view, ringRadius), color, opacity: 1, width: apartWidth };
 }
 
-/** A circle that faces the viewer, of a constant size in the picture. */
-function circleAt(center: ReadonlyVec3, view: OverlayView, radius: number): vec3[] {
+/** A circle that faces the viewer, of a constant size in the picture; the radius is in CSS pixels. */
+export function circleAt(center: ReadonlyVec3, view: OverlayView, radius: number): vec3[] {
   const { right, up } = axesOf(view.camera);
   const size = Math.max(0, radius * pixelSizeAt(view, center));
   const [first, second] = [right, up].map((axis) => vec3.scale(new Float64Array(3), axis, size));

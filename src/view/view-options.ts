@@ -39,6 +39,7 @@ const plainOptions = [
   'showTargets',
   'byTouch',
   'ikSketch',
+  'rotationPaths',
 ] as const;
 
 type PlainOptions = {

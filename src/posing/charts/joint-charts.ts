@@ -1,10 +1,10 @@
 import { bonesOf } from '../../core/bones.ts';
 import type { Character } from '../../core/character.ts';
 import type { Quaternion } from '../../core/motion/clip-parts.ts';
+import { jointRotation } from '../../core/motion/joint-rotation.ts';
 import { DofKind, type Skeleton } from '../../core/skeleton.ts';
 import type { RotationChart } from './chart.ts';
 import { type EulerAxis, eulerChart } from './euler-chart.ts';
-import { aboutAxis, noTurn, product } from './quaternions.ts';
 import { rotationVectorChart } from './rotation-vector-chart.ts';
 import { swingTwistChart } from './swing-twist-chart.ts';
 
@@ -41,13 +41,10 @@ export function jointCharts(character: Character, joint: number): JointCharts | 
 
 /** The product of a joint's own turns, R₁ · R₂ · …, as a unit quaternion xyzw. */
 export function ownRotation(skeleton: Skeleton, joint: number, q: Float64Array): Quaternion {
-  return turningDofs(skeleton, joint).reduce<Quaternion>((sum, dof) => {
-    const at = skeleton.dofQ[dof]!;
-    if (skeleton.dofKind[dof] === DofKind.ball) {
-      return product(sum, [q[at]!, q[at + 1]!, q[at + 2]!, q[at + 3]!]);
-    }
-    return product(sum, aboutAxis(axisOf(skeleton, dof), q[at]!));
-  }, noTurn);
+  const rotation = new Float64Array(4);
+  jointRotation(skeleton, joint, q, rotation);
+  const [x, y, z, w] = rotation;
+  return [x!, y!, z!, w!];
 }
 
 function turningDofs({ dofStart, dofKind }: Skeleton, joint: number): number[] {

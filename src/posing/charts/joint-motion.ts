@@ -1,19 +1,17 @@
 import type { Character } from '../../core/character.ts';
 import { clipFor, evaluateClip } from '../../core/motion/clip.ts';
-import type { ChannelParts, ClipParts, RotationCurve } from '../../core/motion/clip-parts.ts';
+import type { ChannelParts, ClipParts } from '../../core/motion/clip-parts.ts';
+import type { RotationForm } from '../../core/motion/convert-rotation.ts';
 import { DofKind } from '../../core/skeleton.ts';
 import type { RotationMotion } from './chart-curve.ts';
 import { ownRotation } from './joint-charts.ts';
-
-/** How a clip keeps a joint's rotation: a spline for each angle, or a curve of quaternions. */
-export type StoredAs = 'euler' | RotationCurve;
 
 /** What a clip does to the rotation of one joint. */
 export interface JointMotion extends RotationMotion {
   /** The joint's values at each time, each the whole of q. */
   readonly values: readonly Float64Array[];
   /** How the clip keeps the rotation. */
-  readonly stored: StoredAs;
+  readonly stored: RotationForm;
   /** The times of the keys that turn the joint, in seconds, increasing. */
   readonly keys: readonly number[];
   /** All of q at a time, of which only the joint's values are of use; the next call overwrites it. */
@@ -24,8 +22,8 @@ export interface JointMotion extends RotationMotion {
 const [rate, fewest, most] = [60, 240, 2400];
 
 /** Returns how a clip keeps a joint's rotation, or null if the clip does not turn it. */
-export function storedAs({ channels }: ClipParts, source: number): StoredAs | null {
-  const turning = channels.filter((channel) => turns(channel, source));
+export function storedAs({ channels }: ClipParts, source: number): RotationForm | null {
+  const turning = channels.filter((channel) => turnsJoint(channel, source));
   const curve = turning.flatMap(({ target }) => (target?.of === 'rotation' ? target.curve : []));
   return curve[0] ?? (turning.length > 0 ? 'euler' : null);
 }
@@ -47,7 +45,7 @@ export function jointMotion(
   const stored = storedAs(parts, source);
   if (!stored) return null;
   const { start, end } = parts;
-  const channels = parts.channels.filter((channel) => turns(channel, source));
+  const channels = parts.channels.filter((channel) => turnsJoint(channel, source));
   const keys = increasing(channels.flatMap((channel) => channel.keys.map(({ time }) => time)));
   const count = Math.min(Math.max(Math.ceil((end - start) * rate), fewest), most);
   const even = Array.from({ length: count + 1 }, (_, i) => start + ((end - start) * i) / count);
@@ -64,7 +62,8 @@ export function jointMotion(
   return { times, rotations, values, stored, keys, valuesAt };
 }
 
-function turns({ target }: ChannelParts, source: number): boolean {
+/** Whether a channel turns a joint: its rotation, or one of its hinges. */
+export function turnsJoint({ target }: ChannelParts, source: number): boolean {
   if (target?.of === 'rotation') return target.joint === source;
   return target?.of === 'value' && target.kind === DofKind.hinge && target.joint === source;
 }

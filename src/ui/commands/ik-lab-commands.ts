@@ -1,5 +1,5 @@
 import { selectedActor } from '../../document/selected-actor.ts';
-import { toggleIkLab } from '../toggle-ik-lab.ts';
+import { toggleLab } from '../toggle-lab.ts';
 import type { Command } from './command.ts';
 
 /** The command of the panel that explains inverse kinematics. */
@@ -11,6 +11,6 @@ export const ikLabCommands = [
     isOn: ({ session }) => session.showIkLab.value,
     isEnabled: ({ store, session }) =>
       (selectedActor(store, session)?.character.skeleton.jointCount ?? 0) > 0,
-    run: toggleIkLab,
+    run: (editor) => toggleLab(editor, editor.session.showIkLab, 'pose', 'ik-lab'),
   },
 ] as const satisfies readonly Command[];

@@ -14,6 +14,7 @@ import { movieCommands } from './movie-commands.ts';
 import { motionViewCommands } from './motion-view-commands.ts';
 import { pinCommands } from './pin-commands.ts';
 import { poseCommands } from './pose-commands.ts';
+import { rotationLabCommands } from './rotation-lab-commands.ts';
 import { shotCommands } from './shot-commands.ts';
 import { placeCommands } from './place-commands.ts';
 import { turnCommands } from './turn-commands.ts';
@@ -39,6 +40,7 @@ const groups = [
   { label: 'Curves', commands: curveCommands },
   { label: 'Movie', commands: movieCommands },
   { label: 'Motion in the view', commands: motionViewCommands },
+  { label: 'Rotations', commands: rotationLabCommands },
   { label: 'Weights', commands: weightCommands },
   { label: 'Camera', commands: [...cameraCommands, ...axisCommands] },
   { label: 'Shots', commands: shotCommands },

@@ -1,23 +1,12 @@
 import { loadPart } from '../../core/failure.ts';
 import type { Editor } from '../editor.ts';
 import type { SectionComponent } from '../sections.ts';
-import { Loaded } from './loaded.tsx';
+import { LabPanel } from './lab-panel.tsx';
 
-/** The head of the IK lab; what is in it is loaded when it is opened. */
 export function IkLabPanel({ editor }: { readonly editor: Editor }) {
   const { showIkLab } = editor.session;
   return (
-    <details class="ik-lab" open={showIkLab.value}>
-      <summary
-        onClick={(event) => {
-          event.preventDefault();
-          showIkLab.value = !showIkLab.value;
-        }}
-      >
-        IK lab
-      </summary>
-      {showIkLab.value && <Loaded editor={editor} load={loadLab} />}
-    </details>
+    <LabPanel editor={editor} class="ik-lab" title="IK lab" isOpen={showIkLab} load={loadLab} />
   );
 }
 

@@ -23,6 +23,7 @@ import type { Pass } from '../pass.ts';
 import { pinHandles, pinShapes, showsPins } from '../pin-handles.ts';
 import { placeGizmoOf, placeHandles, placeShapes } from '../place-gizmo.ts';
 import { gizmoLines, gizmoSectors } from '../ring-lines.ts';
+import { pathShapes, showsPaths } from '../rotation-paths.ts';
 
 /** The floats of a piece: three corners, its color with opacity, and its two widths. */
 const pieceSize = 15;
@@ -45,7 +46,8 @@ export const overlayPass: Pass = {
     showsLights(options) ||
     showsPins(options) ||
     hasTargets(options) ||
-    showsSketch(options),
+    showsSketch(options) ||
+    showsPaths(options),
   create: overlayDrawer(overlayOf),
 };
 
@@ -106,11 +108,16 @@ function overlayOf(frame: Frame, cssScale: number): Overlay {
     sketched && showsSketch(options)
       ? sketchShapes(options.ikSketch!, sketched.evaluation.display, view)
       : [];
+  const traced = characters.find(({ state }) => state.id === options.rotationPaths?.actorId);
+  const paths =
+    traced && showsPaths(options)
+      ? pathShapes(options.rotationPaths!, traced.evaluation.display, view)
+      : [];
   const handles = showsPins(options)
     ? characters.flatMap(({ evaluation }) => pinHandles(evaluation))
     : [];
   const pins = pinShapes(handles, view, options.hoveredHandle);
-  if (!character) return [...lights, ...pins, ...sketch];
+  if (!character) return [...lights, ...pins, ...sketch, ...paths];
   const { evaluation } = character;
   const [joint, place] = [gizmoOf(options), placeGizmoOf(options)];
   const move = moveGizmoOf(options);
@@ -119,6 +126,7 @@ function overlayOf(frame: Frame, cssScale: number): Overlay {
     ...lights,
     ...pins,
     ...sketch,
+    ...paths,
     ...(chain?.actorId === character.state.id ? chainShapes(evaluation, view, chain) : []),
     ...(nature ? natureShapes(natureArcs(evaluation, view, nature)) : []),
     ...(move ? placeShapes(moveHandles(evaluation, view, move), move) : []),
