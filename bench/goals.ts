@@ -20,6 +20,7 @@ export type GroupId =
   | 'memory'
   | 'kinematics'
   | 'inverse-kinematics'
+  | 'clip-edits'
   | 'frames'
   | 'command-line'
   | 'first-frame'
@@ -80,6 +81,10 @@ export const goals: readonly Goal[] = [
   {
     ...{ id: 'ik-frame', group: 'inverse-kinematics', unit: 'ms', good: 'low', must: 2, aim: 1 },
     ...{ contender: 'a frame of a drag, two hands, 30 degrees of freedom', against: 'the clock' },
+  },
+  {
+    ...{ id: 'clip-edit', group: 'clip-edits', unit: 'ms', good: 'low', must: 4, aim: 1 },
+    ...{ contender: 'an edit of a clip of 100 joints × 1,000 keys', against: 'the clock' },
   },
   ...faster('frames', [
     ['frame-posed-13k', 'a posed frame without a GPU, 13k vertices', 'three.js', 1.2, 2],

@@ -19,6 +19,7 @@ export const limits: Readonly<Record<string, string>> = {
   pmd: 'names are decoded from Shift-JIS, and every section is checked',
   kinematics: 'sines and cosines take most of the time, for both',
   'ik-frame': 'a matrix of 30 × 30 is filled and factorized in each of at most ten steps',
+  'clip-edit': 'the 1,000 keys of the edited curve are copied, and its spans computed anew',
   'frame-posed-13k': fragments,
   'frame-posed-100k': fragments,
   'frame-camera-13k': fragments,

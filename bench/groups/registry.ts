@@ -1,5 +1,6 @@
 import type { GroupId } from '../goals.ts';
 import type { BenchOptions, GroupResult } from '../harness/group.ts';
+import { clipEdits } from './clip-edits.ts';
 import { commandLine } from './command-line.ts';
 import { firstFrame } from './first-frame.ts';
 import { frames } from './frames.ts';
@@ -21,6 +22,7 @@ export const groups: Readonly<Record<GroupId, Group>> = {
   memory,
   kinematics,
   'inverse-kinematics': inverseKinematics,
+  'clip-edits': clipEdits,
   'command-line': commandLine,
   'first-frame': firstFrame,
   frames,

@@ -31,20 +31,26 @@ const compiled = new WeakMap<ScalarChannelParts, Channel>();
 
 /** @param parts keys at increasing times */
 function compileChannel({ keys, before, after }: ScalarChannelParts): Channel {
-  const times = Float64Array.from(keys, ({ time }) => time);
-  const values = Float64Array.from(keys, ({ value }) => value);
+  const times = new Float64Array(keys.length);
+  const values = new Float64Array(keys.length);
+  keys.forEach(({ time, value }, at) => {
+    times[at] = time;
+    values[at] = value;
+  });
   const { slopesIn, slopesOut } = slopesOf(keys);
   const spanCount = Math.max(0, keys.length - 1);
   const cubics = new Float64Array(spanCount * 4);
   for (let span = 0; span < spanCount; span++) {
-    const [p0, p1] = [values[span]!, values[span + 1]!];
-    if (isStepped(keys, span)) {
-      cubics[span * 4 + 3] = p0;
-      continue;
-    }
+    const p0 = values[span]!;
+    const p1 = values[span + 1]!;
+    cubics[span * 4 + 3] = p0;
+    if (isStepped(keys, span)) continue;
     const h = times[span + 1]! - times[span]!;
-    const [v0, v1] = [h * slopesOut[span]!, h * slopesIn[span + 1]!];
-    cubics.set([2 * p0 - 2 * p1 + v0 + v1, -3 * p0 + 3 * p1 - 2 * v0 - v1, v0, p0], span * 4);
+    const v0 = h * slopesOut[span]!;
+    const v1 = h * slopesIn[span + 1]!;
+    cubics[span * 4] = 2 * p0 - 2 * p1 + v0 + v1;
+    cubics[span * 4 + 1] = -3 * p0 + 3 * p1 - 2 * v0 - v1;
+    cubics[span * 4 + 2] = v0;
   }
   return { before, after, times, values, slopesIn, slopesOut, cubics };
 }

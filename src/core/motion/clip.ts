@@ -1,5 +1,5 @@
 import { type Channel, channelFor, evaluateChannel } from './channel.ts';
-import { type ClipParts, isRotationChannel } from './clip-parts.ts';
+import { type ChannelParts, type ClipParts, isRotationChannel } from './clip-parts.ts';
 import { type RotationTrack, evaluateTrack, rotationTrack } from './rotation-track.ts';
 import { type AnimatedThing, type Slot, type SlotList, slotOf } from './targets.ts';
 
@@ -43,20 +43,41 @@ export function clipFor(parts: ClipParts, thing: AnimatedThing): Clip {
 
 const compiled = new WeakMap<AnimatedThing, WeakMap<ClipParts, Clip>>();
 
-/** Slopes and cubics are computed once, here, so that playing allocates nothing. */
+/**
+ * Slopes and cubics are computed once, so that playing allocates nothing; of an edited clip only
+ * those of its edited curves.
+ */
 function compileClip(parts: ClipParts, thing: AnimatedThing): Clip {
   const { name, start, end, fps, channels } = parts;
-  const rotations = channels.flatMap((each) =>
-    isRotationChannel(each) ? (rotationTrack(each, thing.skeleton) ?? []) : [],
-  );
-  const all = channels.flatMap((each): readonly SlotCurve[] => {
-    if (isRotationChannel(each) || !each.target) return [];
-    const slot = slotOf(each.target, thing);
-    return slot ? [{ ...slot, channel: channelFor(each) }] : [];
-  });
-  const of = (list: SlotList): readonly SlotCurve[] => all.filter((each) => each.list === list);
-  const curves = { q: of('q'), morphWeights: of('morphWeights'), pins: of('pins') };
+  const curves = { q: [], morphWeights: [], pins: [] } as Record<SlotList, SlotCurve[]>;
+  const rotations: RotationTrack[] = [];
+  for (const channel of channels) {
+    const curve = curveFor(channel, thing);
+    if (!curve) continue;
+    if ('list' in curve) curves[curve.list].push(curve);
+    else rotations.push(curve);
+  }
   return { name, start, end, fps, curves, rotations };
+}
+
+/** Returns null if the character does not have what the channel moves. */
+function curveFor(channel: ChannelParts, thing: AnimatedThing): SlotCurve | RotationTrack | null {
+  let known = curvesOf.get(thing);
+  if (!known) curvesOf.set(thing, (known = new WeakMap()));
+  let curve = known.get(channel);
+  if (curve === undefined) known.set(channel, (curve = compileCurve(channel, thing)));
+  return curve;
+}
+
+const curvesOf = new WeakMap<
+  AnimatedThing,
+  WeakMap<ChannelParts, SlotCurve | RotationTrack | null>
+>();
+
+function compileCurve(channel: ChannelParts, thing: AnimatedThing) {
+  if (isRotationChannel(channel)) return rotationTrack(channel, thing.skeleton);
+  const slot = channel.target && slotOf(channel.target, thing);
+  return slot && { ...slot, channel: channelFor(channel) };
 }
 
 /**

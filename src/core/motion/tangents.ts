@@ -22,9 +22,19 @@ interface Neighborhood {
 
 /** Computes the slopes of keys at increasing times from their tangents. */
 export function slopesOf(keys: readonly KeyParts[]): Slopes {
-  const slopes = (side: 'tangentIn' | 'tangentOut'): Float64Array =>
-    Float64Array.from(keys, (key, at) => slopeAt(keys, at, key[side], side === 'tangentIn'));
-  return { slopesIn: slopes('tangentIn'), slopesOut: slopes('tangentOut') };
+  const slopesIn = new Float64Array(keys.length);
+  const slopesOut = new Float64Array(keys.length);
+  keys.forEach(({ tangentIn, tangentOut }, at) => {
+    slopesIn[at] = slopeAt(keys, at, tangentIn, true);
+    // Most rules give both sides the same slope.
+    const isShared = tangentOut === tangentIn && isTwoSided(tangentOut);
+    slopesOut[at] = isShared ? slopesIn[at] : slopeAt(keys, at, tangentOut, false);
+  });
+  return { slopesIn, slopesOut };
+}
+
+function isTwoSided(tangent: Tangent): boolean {
+  return tangent === 'auto' || tangent === 'smooth';
 }
 
 function slopeAt(

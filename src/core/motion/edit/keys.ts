@@ -46,8 +46,16 @@ export function mergedKeys<Key extends AnyKey>(
     if (former && sameTime(former.time, key.time)) placed.pop();
     placed.push(key);
   }
-  const others = kept.filter(({ time }) => keyAt(placed, time) < 0);
-  return [...others, ...placed].sort((a, b) => a.time - b.time);
+  const merged: Key[] = [];
+  let next = 0;
+  for (const key of kept) {
+    while (next < placed.length && placed[next]!.time < key.time) merged.push(placed[next++]!);
+    const [before, after] = [placed[next - 1], placed[next]];
+    const isReplaced =
+      (before && sameTime(before.time, key.time)) || (after && sameTime(after.time, key.time));
+    if (!isReplaced) merged.push(key);
+  }
+  return [...merged, ...placed.slice(next)];
 }
 
 /** The channel with other keys, which are of its own kind. */
