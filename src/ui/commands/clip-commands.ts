@@ -80,12 +80,14 @@ export const clipCommands = [
   {
     id: 'duplicate-clip',
     label: 'Duplicate the clip',
+    short: 'Duplicate',
     isEnabled: hasClip,
     run: async (editor) => (await clips()).copyClip(editor),
   },
   {
     id: 'delete-clip',
     label: 'Delete the clip',
+    short: 'Delete',
     isEnabled: hasClip,
     run: async (editor) => (await clips()).deleteClip(editor),
   },

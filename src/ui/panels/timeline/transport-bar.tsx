@@ -1,5 +1,8 @@
+import { useEffect } from 'preact/hooks';
+import { loadPart } from '../../../core/failure.ts';
 import { selectedActor } from '../../../document/selected-actor.ts';
 import type { PlayMode } from '../../../posing/playhead.ts';
+import { attempt } from '../../attempt.ts';
 import type { Editor } from '../../editor.ts';
 import { numberedNames } from '../../numbered-names.ts';
 import { CommandButton } from '../command-button.tsx';
@@ -19,6 +22,8 @@ export function TransportBar({ editor }: { readonly editor: Editor }) {
   const state = selectedActor(store, session);
   const { clipTime, playing, playSpeed, playMode } = session;
   const { clip, clipIndex } = transport;
+  // A key that is set and a seek right after it stay in their order.
+  useEffect(() => attempt(editor, loadPart(import('../../set-key.ts'))), [editor]);
   if (!state) return null;
   const { start, end } = clip ?? { start: 0, end: 0 };
   const time = clipTime.value;
