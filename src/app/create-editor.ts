@@ -173,6 +173,21 @@ export function createEditor(
         losses.length > 0 ? 'Pose saved; what got lost is under Problems' : 'Pose saved';
     },
 
+    async saveMotion(form) {
+      const actor = selected();
+      const index = editor.transport.clipIndex;
+      if (!actor?.clips[index]) {
+        notice.value = 'There is no motion to save';
+        return;
+      }
+      const { saveMotion } = await loadPart(import('./save-motion.ts'));
+      const losses = saveMotion(actor, index, form);
+      session.problems.value = losses;
+      if (hasErrors(losses)) notice.value = 'The motion was not saved; Problems says why';
+      else if (losses.length > 0) notice.value = 'Motion saved; what got lost is under Problems';
+      else notice.value = 'Motion saved';
+    },
+
     async saveAs(format) {
       const shown = evaluations.selected();
       if (!shown) return;

@@ -55,6 +55,8 @@ export interface OpenOutcome {
   readonly posed: boolean;
   /** The name of an image that covers the selected character now, if one came. */
   readonly cover?: string;
+  /** What came of a motion, if one was among the files, for the status line. */
+  readonly motion?: string;
   /** Whether the characters were added beside the others. */
   readonly added: boolean;
 }

@@ -9,6 +9,7 @@ import { poseFormatOf } from '../formats/pose-formats.ts';
 import type { ReadCharacter, ReadProgress } from '../formats/read-characters.ts';
 import { areImages, coverWithImage } from './dropped-image.ts';
 import type { FileOpener, OpenOutcome } from './open-files.ts';
+import { motionsAmong, openMotions } from './open-motions.ts';
 import { loadBytes } from './read-bytes.ts';
 import { readFiles } from './read-files.ts';
 import { areCompanions, completeFiles, keptState, missingParts, renews } from './renewal.ts';
@@ -44,8 +45,11 @@ export async function openOwnFiles(
 ): Promise<OpenOutcome | undefined> {
   // This is checked after each await, because the signal may change during any of them.
   const isOver = (): boolean => signal.aborted;
-  const { poses, notes: pictures, parts, diagnostics: unreadable } = await sortFiles(files);
+  const sorted = await sortFiles(files);
+  const { poses, notes: pictures, diagnostics: unreadable } = sorted;
   const notes = pictures.map(readPictureNote);
+  const unloadedMotions: Diagnostic[] = [];
+  const { motions, parts } = await motionsAmong(sorted, opener, unloadedMotions);
   const open = addAll && !areCompanions(parts) ? undefined : opener.openedFiles;
   const completed = completeFiles(parts, open);
   const images = areImages(completed) ? completed : [];
@@ -58,7 +62,7 @@ export async function openOwnFiles(
   const characters = await withHashes(read);
   await opener.prepare(characters);
   if (isOver()) return undefined;
-  const problems = [...unreadable, ...unloaded, ...diagnostics];
+  const problems = [...unreadable, ...unloadedMotions, ...unloaded, ...diagnostics];
   const cover = await coverWithImage(opener, images, signal, problems);
   if (isOver()) return undefined;
   const [first] = characters;
@@ -89,6 +93,7 @@ export async function openOwnFiles(
     const { id, morphWeights } = opener.selected;
     opener.store.dispatch(setPoseAndShape(id, { morphWeights, ...pose }, 'Open a pose'));
   }
+  const motion = openMotions(opener, motions, problems);
   problems.push(...characters.flatMap((each) => missingParts(each.character)));
   opener.session.problems.value = problems;
   return {
@@ -96,6 +101,7 @@ export async function openOwnFiles(
     opened: first?.character ?? null,
     reopened: renewed !== undefined,
     posed: pose !== undefined,
+    ...(motion !== undefined && { motion }),
     ...(cover !== undefined && { cover }),
     added: add && !renewed,
   };

@@ -45,9 +45,10 @@ export async function receiveFiles(
     ...(add === 'ask' && { ask }),
   });
   if (!outcome) return;
-  const { found, opened, reopened, posed, cover, added } = outcome;
+  const { found, opened, reopened, posed, cover, motion, added } = outcome;
   if (!opened) {
-    if (cover !== undefined) {
+    if (motion !== undefined) opening.notice.value = motion;
+    else if (cover !== undefined) {
       const covered = printable(opener.selected?.name ?? '', 60);
       opening.notice.value = `${printable(cover, 60)} covers ${covered}; Undo takes it off`;
     } else {

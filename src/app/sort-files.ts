@@ -2,6 +2,7 @@ import type { Diagnostic } from '../core/diagnostics.ts';
 import { loadPart } from '../core/failure.ts';
 import { extensionOf } from '../formats/file-entry.ts';
 import type { FileEntry } from '../formats/format.ts';
+import { decodeText } from '../formats/text/decode-text.ts';
 import { poseFormatOf } from '../formats/pose-formats.ts';
 import { pictureKeyword } from './picture-note.ts';
 import { readBytes } from './read-bytes.ts';
@@ -20,6 +21,8 @@ export interface PoseFile {
 
 interface SortedFiles {
   readonly poses: readonly PoseFile[];
+  /** MOTION.json files. */
+  readonly motions: readonly PoseFile[];
   /** The notes of pictures that Sinew saved, not yet parsed. */
   readonly notes: readonly JsonText[];
   /** Files that may be parts of characters, including textures. */
@@ -34,6 +37,7 @@ interface SortedFiles {
  */
 export async function sortFiles(files: readonly FileEntry[]): Promise<SortedFiles> {
   const poses: PoseFile[] = [];
+  const motions: PoseFile[] = [];
   const notes: JsonText[] = [];
   const parts: FileEntry[] = [];
   const diagnostics: Diagnostic[] = [];
@@ -47,14 +51,22 @@ export async function sortFiles(files: readonly FileEntry[]): Promise<SortedFile
     const bytes = await readBytes(file, diagnostics);
     if (!bytes) continue;
     if (isPose) {
-      poses.push({ path, bytes });
+      if (await isMotion(path, bytes)) motions.push({ path, bytes });
+      else poses.push({ path, bytes });
       continue;
     }
     const text = await noteOf(bytes);
     if (text === undefined) parts.push(file);
     else notes.push({ path, text });
   }
-  return { poses, notes, parts, diagnostics };
+  return { poses, motions, notes, parts, diagnostics };
+}
+
+/** Whether a JSON file describes a motion; what knows is loaded at the first JSON file. */
+async function isMotion(path: string, bytes: Uint8Array): Promise<boolean> {
+  if (extensionOf(path) !== '.json') return false;
+  const { isMotionText } = await loadPart(import('../ui/open-motion.ts'));
+  return isMotionText(decodeText(bytes));
 }
 
 /** Few users drop pictures, so the reader is loaded at first use. */

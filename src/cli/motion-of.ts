@@ -1,8 +1,8 @@
 import type { Character } from '../core/character.ts';
 import type { Parsed } from '../core/diagnostics.ts';
+import { pinOf } from '../document/open-clip.ts';
 import type { KeptState } from '../document/scene.ts';
 import { pinsToMake } from '../formats/motion/pins-to-make.ts';
-import type { Pin } from '../posing/pins/pin.ts';
 import { readMotionFile } from './read-motion-file.ts';
 
 /** Reads a motion as the bound clip of a character, with the pins that it moves. */
@@ -10,14 +10,8 @@ export async function motionOf(path: string, character: Character): Promise<Pars
   const { value: clip, diagnostics } = await readMotionFile(path, character);
   if (!clip) return { diagnostics };
   const made = pinsToMake(clip, character, []);
-  const pins = made.pins.map((pin): Pin => ({
-    ...pin,
-    point: [0, 0, 0],
-    rotation: null,
-    follows: null,
-  }));
   return {
-    value: { clips: [clip], clip: 0, pins },
+    value: { clips: [clip], clip: 0, pins: made.pins.map(pinOf) },
     diagnostics: [...diagnostics, ...made.diagnostics],
   };
 }

@@ -88,7 +88,7 @@ function withShown(actor: Actor, { q, morphWeights, pins }: ShownState): Actor {
 }
 
 /** The name itself, or with the first number that makes it another than the others'. */
-function freeName(others: readonly ClipParts[], name: string): string {
+export function freeName(others: readonly ClipParts[], name: string): string {
   const taken = new Set(others.map((clip) => clip.name));
   let free = name;
   for (let number = 2; taken.has(free); number++) free = `${name} ${number}`;

@@ -11,8 +11,12 @@ import type { DropTarget } from './drop-zone.ts';
 /** In CSS pixels. */
 const tolerance = 8;
 
-/** Extensions of what goes to a character: images and poses. */
-const givenExtensions = [...pictureExtensions, ...poseFormats.map(({ extension }) => extension)];
+/** Extensions of what goes to a character: images, poses and motions. */
+const givenExtensions = [
+  ...pictureExtensions,
+  ...poseFormats.map(({ extension }) => extension),
+  '.anim',
+];
 
 /** A part of the view on which files can be dropped. */
 interface Half {

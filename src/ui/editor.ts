@@ -228,6 +228,9 @@ export interface Posing {
   readonly placeAngles: PlaceAngles;
 }
 
+/** The files that a motion is saved in: MOTION.json, or CSE169's `.anim`. */
+export type MotionForm = 'json' | 'anim';
+
 /** What a user can do with the selected character, apart from editing single values. */
 export interface Actions {
   readonly scenes: readonly BundledScene[];
@@ -262,6 +265,8 @@ export interface Actions {
   bundledPoses(id: string, character: Character): Promise<readonly BundledPose[]>;
   /** Saves the pose that the selected character shows; as POSE.json, if no other form is given. */
   savePose(format?: PoseFormat): Promise<void>;
+  /** Saves the bound clip of the selected character, or the one that Play would bind. */
+  saveMotion(form: MotionForm): Promise<void>;
   /** Saves the character in a course's format, converted as far as that format allows. */
   saveAs(format: ConvertTarget): Promise<void>;
   exportMesh(): Promise<void>;

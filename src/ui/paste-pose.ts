@@ -1,4 +1,4 @@
-import { hasErrors } from '../core/diagnostics.ts';
+import { type Diagnostic, hasErrors } from '../core/diagnostics.ts';
 import { setPose } from '../document/edits.ts';
 import { noParent, type Skeleton } from '../core/skeleton.ts';
 import { firstRoot } from '../core/subtree.ts';
@@ -7,6 +7,7 @@ import { readPoseJson } from '../formats/read-pose-json.ts';
 import { mirrorJoints, symmetryOf } from '../posing/symmetry/symmetry.ts';
 import type { Editor } from './editor.ts';
 import { mirrorRemarks } from './mirroring.ts';
+import { isMotionText, openMotion } from './open-motion.ts';
 import { clipboardText } from './pose-clipboard.ts';
 
 /** Pastes the pose on the clipboard, onto the joints that it names or onto their partners. */
@@ -32,6 +33,10 @@ export function pasteText(editor: Editor, text: string, isMirrored: boolean): vo
   const onto = isMirrored
     ? mirrorJoints(symmetry, poseToEdit.q, poseToEdit.q, all).q
     : poseToEdit.q;
+  if (isMotionText(text)) {
+    pasteMotion(editor, text);
+    return;
+  }
   const { value, diagnostics } = readPoseJson('pasted pose', text, skeleton, onto);
   session.problems.value = diagnostics;
   const problems = diagnostics.length > 0 ? '; Problems says what was not used' : '';
@@ -47,6 +52,14 @@ export function pasteText(editor: Editor, text: string, isMirrored: boolean): vo
   const mirrored = mirrorJoints(symmetry, value.q, poseToEdit.q, namedJoints(text, skeleton));
   store.dispatch(setPose(state.id, mirrored.q, 'Paste the pose mirrored'));
   notice.value = `Pose pasted mirrored${mirrorRemarks(mirrored)}${problems}`;
+}
+
+/** A motion belongs to a character as a whole, so that it is pasted as it is. */
+function pasteMotion(editor: Editor, text: string): void {
+  const problems: Diagnostic[] = [];
+  const bytes = new TextEncoder().encode(text);
+  editor.notice.value = openMotion(editor, 'pasted', bytes, problems);
+  editor.session.problems.value = problems;
 }
 
 /** The joints of a text that was read as a pose. */

@@ -7,6 +7,8 @@ import { type Command, toggleDialog } from './command.ts';
 
 const hasCharacter = ({ store }: Editor): boolean => store.scene.value.actors.length > 0;
 
+const hasClip = ({ transport }: Editor): boolean => transport.clip !== undefined;
+
 /** Commands that read or write files. */
 export const fileCommands = [
   {
@@ -102,6 +104,20 @@ export const fileCommands = [
     label: 'Save the pose',
     short: 'Save pose',
     run: (editor) => editor.savePose(),
+  },
+  {
+    id: 'save-motion',
+    label: 'Save the motion',
+    short: 'Save motion',
+    isEnabled: hasClip,
+    run: (editor) => editor.saveMotion('json'),
+  },
+  {
+    id: 'save-motion-anim',
+    label: 'Save the motion as .anim',
+    short: 'Save motion as .anim',
+    isEnabled: hasClip,
+    run: (editor) => editor.saveMotion('anim'),
   },
   {
     id: 'export-mesh',

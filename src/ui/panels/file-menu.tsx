@@ -46,6 +46,8 @@ export function FileMenu({ editor }: { readonly editor: Editor }) {
         </button>
       ))}
       <CommandButton editor={editor} command="copy-pose" role="menuitem" />
+      <CommandButton editor={editor} command="save-motion" role="menuitem" />
+      <CommandButton editor={editor} command="save-motion-anim" role="menuitem" />
       <CommandButton editor={editor} command="choose-image" role="menuitem" />
       <hr />
       <CommandButton editor={editor} command="save-movie" role="menuitem" />
