@@ -8,7 +8,7 @@ import { coarse, sharedPage, test } from './support/test.ts';
 
 // Keys by hand: what is edited over a clip, what records, and the whole job of a wave.
 test.use({ ...coarse, viewport: { width: 1280, height: 900 } });
-test.describe.configure({ timeout: 120_000 });
+test.describe.configure({ timeout: 240_000 });
 const page = sharedPage(async (page) => {
   await openApp(page, 'model=human');
 });
@@ -57,13 +57,13 @@ test('a wave of three keys from an empty timeline, played and saved as a GIF: 15
     await expect.poll(() => time().inputValue()).not.toBe(start);
   });
   await test.step('it is saved', async () => {
-    const saved = page().waitForEvent('download', { timeout: 90_000 });
+    const saved = page().waitForEvent('download', { timeout: 180_000 });
     await user.click(page().getByRole('button', { name: 'File' }));
     await user.click(page().getByRole('menuitem', { name: 'Save a movie' }));
     const dialog = page().getByRole('dialog');
     await user.click(dialog.getByRole('radio', { name: /GIF/ }));
-    // Enter in the field saves; fewer frames take less time.
-    await user.type(dialog.getByLabel('Rate'), '4');
+    await user.choose(dialog.getByLabel('Size'), '640 × 360');
+    await user.click(dialog.getByRole('button', { name: 'Save', exact: true }));
     const bytes = readFileSync(await (await saved).path());
     expect(bytes.subarray(0, 6).toString('latin1')).toBe('GIF89a');
   });
@@ -141,10 +141,11 @@ test('clips are made, named, measured and deleted beside their list', async () =
   expect(await violations(page(), onlyColors)).toEqual([]);
   await page().emulateMedia({ colorScheme: 'light' });
   await settings.getByRole('button', { name: 'Duplicate' }).click();
-  expect(await clips()).toEqual(['Wave', 'Wave 2']);
+  await expect.poll(clips).toEqual(['Wave', 'Wave 2']);
   await settings.getByRole('button', { name: 'New clip' }).click();
+  await expect.poll(clips).toEqual(['Wave', 'Wave 2', 'Motion']);
   await settings.getByRole('button', { name: 'Delete' }).click();
-  expect(await clips()).toEqual(['Wave', 'Wave 2']);
+  await expect.poll(clips).toEqual(['Wave', 'Wave 2']);
   await page().keyboard.press('Escape');
   expect(await armNow(), 'what was shown stays').toEqual(shown);
   for (let step = 0; step < 6; step++) await page().keyboard.press('Control+z');
