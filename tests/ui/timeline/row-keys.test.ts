@@ -1,5 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import type { ChannelParts } from '../../../src/core/motion/clip-parts.ts';
 import {
   firstAtOrAfter,
   keysOfRow,
@@ -8,7 +9,7 @@ import {
 } from '../../../src/ui/timeline/row-keys.ts';
 import { keyText } from '../../../src/ui/timeline/key-text.ts';
 import { timelineRows } from '../../../src/ui/timeline/rows.ts';
-import { channel, clipOf, legs, turn } from './clip.ts';
+import { channel, clipOf, key, legs, turn } from './clip.ts';
 
 const times = fc.uniqueArray(fc.integer({ min: 0, max: 60 }), { maxLength: 12 }).map((frames) =>
   Float64Array.from(
@@ -42,9 +43,9 @@ describe('the keys of a row', () => {
   });
 
   it('do not hold where equal values have a curve between them', () => {
-    const [from, to] = channel(turn(0, 0), [0, 1], [5, 5]).keys as never[];
-    const bent = { ...channel(turn(0, 0), []), keys: [{ ...(from as object), tangentOut: 3 }, to] };
-    expect([...keysOfRow([bent as never]).isHeld]).toEqual([0, 0]);
+    const [from, to] = [key(0, 5), key(1, 5)];
+    const bent = { ...channel(turn(0, 0), []), keys: [{ ...from, tangentOut: 3 }, to] };
+    expect([...keysOfRow([bent as ChannelParts]).isHeld]).toEqual([0, 0]);
   });
 
   it('are found as a search through all of them finds them', () => {

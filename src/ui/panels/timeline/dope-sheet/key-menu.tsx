@@ -11,7 +11,7 @@ interface KeyMenuProperties {
 /** What the menu offers for keys, in groups. */
 const groups: readonly (readonly CommandId[])[] = [
   ['tangents-auto', 'tangents-smooth', 'tangents-linear', 'tangents-flat'],
-  ['tangents-stepped', 'tangents-tcb'],
+  ['tangents-fixed', 'tangents-stepped', 'tangents-tcb'],
   ['copy-keys', 'cut-keys', 'paste-keys', 'paste-keys-reversed'],
   ['duplicate-keys', 'remove-keys'],
   ['frame-keys', 'work-range-keys'],

@@ -55,6 +55,9 @@ export function walkRows(walk: RowWalk, event: KeyboardEvent): void {
   if (action) {
     event.preventDefault();
     action();
+  } else if (key === 'Home' || key === 'End') {
+    // The command that follows goes there with the playhead, and reading goes on from it.
+    focus(row, null);
   } else if (key === 'Delete' || key === 'Backspace') {
     // The command that follows removes what is selected: by keys that is, at least, what was read.
     const time = timeAtCursor(walk);
