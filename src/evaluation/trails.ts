@@ -1,9 +1,9 @@
 import { bonesOf } from '../core/bones.ts';
 import type { Character } from '../core/character.ts';
 import type { ChannelParts, ClipParts } from '../core/motion/clip-parts.ts';
-import { noParent } from '../core/skeleton.ts';
 import type { TrailSettings } from '../document/motion-view.ts';
 import { type Actor, type ActorId, boundClip } from '../document/scene.ts';
+import { chainLength, pathTo } from '../posing/ik/chain.ts';
 import { placeOf } from '../posing/ik/chain-problem.ts';
 import type { Vector3 } from '../posing/ik/problem.ts';
 import { changedSpan } from './changed-span.ts';
@@ -18,7 +18,7 @@ export interface Trail {
   readonly point: Vector3;
   /** At each frame, increasing in time. */
   readonly frames: readonly TrailPoint[];
-  /** At each key of the joint and of those that carry it. */
+  /** At each key of the joint and of the others in the chain that moves it. */
   readonly keys: readonly TrailPoint[];
 }
 
@@ -69,7 +69,7 @@ export class Trails {
         time,
         place: placeOf(this.jointsAt(actor, places, time), joint, point),
       });
-      const keys = keyTimes(carryingChannels(clip, actor.character, joint));
+      const keys = keyTimes(chainChannels(clip, actor, joint));
       return {
         ...{ actorId: actor.id, joint, point },
         frames: times.map(at),
@@ -139,18 +139,16 @@ function framesOf(
   );
 }
 
-/** The channels that turn or move a joint or one above it. */
-function carryingChannels(
+/** The channels of the joints of the chain that moves a joint; see `chainLength`. */
+function chainChannels(
   { channels }: ClipParts,
-  { skeleton }: Character,
+  { character: { skeleton }, pins }: Actor,
   joint: number,
 ): readonly ChannelParts[] {
-  const carriers = new Set<number>();
-  for (let at = joint; at !== noParent; at = skeleton.parents[at]!) {
-    carriers.add(skeleton.sourceIndex[at]!);
-  }
+  const chain = pathTo(skeleton, joint).slice(-chainLength(skeleton, joint, null, pins));
+  const sources = new Set(chain.map((each) => skeleton.sourceIndex[each]!));
   return channels.filter(
     ({ target }) =>
-      (target?.of === 'value' || target?.of === 'rotation') && carriers.has(target.joint),
+      (target?.of === 'value' || target?.of === 'rotation') && sources.has(target.joint),
   );
 }

@@ -10,7 +10,7 @@ import { Moments } from '../evaluation/moments.ts';
 import { timeInClip } from '../posing/playhead.ts';
 import { addPassBefore } from './add-pass.ts';
 import { ghostsPass } from './passes/ghosts.ts';
-import { linear } from './theme.ts';
+import { afterColor, beforeColor } from './trail-shapes.ts';
 import type { Viewer } from './viewer.ts';
 
 /** A copy of a character at another moment. */
@@ -21,16 +21,15 @@ export interface Ghost {
   readonly opacity: number;
 }
 
-const [beforeColor, afterColor] = [linear('#3f7fd6'), linear('#e0782a')];
 /** The opacity of the ghosts that are nearest to the present. */
-const nearest = 0.5;
+const nearest = 0.6;
 
 /** Shows ghosts of the selected character whenever the session asks for them. */
 export function showGhosts(viewer: Viewer, store: Store, session: Session): void {
   const moments = new Moments(store, session, viewer.evaluations);
   const { ghosts } = motionViewOf(session);
   const shown = signal<readonly Ghost[]>([]);
-  addPassBefore(viewer, 'overlay', ghostsPass(viewer, shown));
+  addPassBefore(viewer, 'skeleton', ghostsPass(viewer, shown));
   effect(() => {
     const actor = selectedActor(store, session);
     const clip = actor && boundClip(actor);

@@ -14,7 +14,7 @@ export interface PlacedTrail extends Trail {
 }
 
 /** In CSS pixels: the line, and the radii of the dots of frames, of keys and of the present. */
-const [lineWidth, frameRadius, keyRadius, rim, presentRadius] = [2, 2.25, 5, 1.5, 3.5];
+const [lineWidth, frameRadius, keyRadius, rim, presentRadius] = [2, 2.25, 4.5, 1.5, 3.5];
 const hoverScale = 1.3;
 /** What comes before the present is cool and what comes after it warm, as ghosts are. */
 export const [beforeColor, afterColor] = [linear('#2f6fd0'), linear('#d9691c')];

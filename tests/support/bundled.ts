@@ -3,6 +3,9 @@ import { join } from 'node:path';
 import { gunzipSync } from 'node:zlib';
 import type { Catalogue } from '../../src/app/catalogue.ts';
 import type { Character } from '../../src/core/character.ts';
+import type { Parsed } from '../../src/core/diagnostics.ts';
+import type { ClipParts } from '../../src/core/motion/clip-parts.ts';
+import { readBoundMotion } from '../../src/formats/motion/read-bound-motion.ts';
 import { readOne } from './files.ts';
 
 const folder = join(import.meta.dirname, '../../public/data');
@@ -13,7 +16,7 @@ export const catalogue = JSON.parse(
 
 export const bundledIds: readonly string[] = catalogue.characters.map(({ id }) => id);
 
-/** Reads a bundled character as the page does. */
+/** Reads a bundled character as the page does, without its motions. */
 export function readBundled(id: string): Promise<Character> {
   const { files } = catalogue.characters.find((entry) => entry.id === id)!;
   const contents = files.map((file) => {
@@ -21,4 +24,10 @@ export function readBundled(id: string): Promise<Character> {
     return [file.replace(/\.gz$/, ''), file.endsWith('.gz') ? gunzipSync(bytes) : bytes] as const;
   });
   return readOne(Object.fromEntries(contents));
+}
+
+/** Reads the motions of a bundled character as the page does. */
+export function readMotionsOf(id: string, character: Character): readonly Parsed<ClipParts>[] {
+  const { motions = [] } = catalogue.characters.find((entry) => entry.id === id)!;
+  return motions.map((path) => readBoundMotion(path, readFileSync(join(folder, path)), character));
 }

