@@ -58,3 +58,28 @@ test('a trail shows the path of the selected limb', async () => {
   await expect(section()).toContainText('Drag the large dots');
   expectPicture('trails', await picture());
 });
+
+test('a key of the trail is dragged: the pose at its time follows, as one step of undo', async () => {
+  const poseThere = () =>
+    page().evaluate(() => {
+      window.sinew.seek(0.85, 'wave');
+      return window.sinew.pose();
+    });
+  const before = await poseThere();
+  await page().evaluate(() => window.sinew.seek(1.2));
+  await drawn();
+  const { x, y } = (await page().locator('canvas').boundingBox())!;
+  // The key at the lower left of the path; see the picture above.
+  await page().mouse.move(x + 189, y + 204);
+  await page().mouse.down();
+  await page().mouse.move(x + 150, y + 210, { steps: 3 });
+  await drawn();
+  await page().mouse.move(x + 120, y + 220, { steps: 3 });
+  await page().mouse.up();
+  const undo = page().locator('[data-command="undo"]').first();
+  await expect(undo).toHaveAttribute('title', /Move Right forearm at/);
+  await picture();
+  await undo.dispatchEvent('click');
+  await expect(undo).not.toHaveAttribute('title', /Move Right forearm at/);
+  expect(await poseThere()).toEqual(before);
+});
