@@ -61,6 +61,21 @@ export const longChecks = [
     },
   },
   {
+    name: 'movie',
+    what: 'a long movie in 1080p, the frames that wait in its encoder, and its memory',
+    kind: 'browser',
+    tests: 'e2e/movie.spec.ts',
+    reads: 'e2e/movie.spec.ts',
+    options: {
+      frames: {
+        variable: 'MOVIE_FRAMES',
+        usual: '600',
+        form: /^\d+$/,
+        what: 'how many; up to 60 are made in a small picture',
+      },
+    },
+  },
+  {
     name: 'million',
     what: 'a character of a million vertices in the built page, and its main thread meanwhile',
     kind: 'browser',
