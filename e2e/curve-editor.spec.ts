@@ -23,13 +23,12 @@ const page = sharedPage(async (page) => {
     { name: 'arm.skel', content: 'balljoint arm { boxmin -1 -1 -1 boxmax 1 1 1 }' },
     { name: 'arm.anim', content: anim },
   ]);
-  await page
-    .getByRole('button', { name: /^Replace/ })
-    .click({ timeout: 3000 })
-    .catch(() => 0);
   await openTab(page, 'animate');
   await timelineOf(page).getByRole('button', { name: 'Curves', exact: true }).click();
   await page.locator('.plot canvas').waitFor();
+  // What evaluates clips is loaded when one is first bound.
+  await page.evaluate(() => window.sinew.seek(0.5));
+  await page.waitForFunction(() => window.sinew.pose().joints?.['arm']?.[0] === 0.6);
 });
 
 type SharedPage = ReturnType<typeof page>;
@@ -41,7 +40,7 @@ const canvas = () => page().locator('.plot canvas');
 const xAt = (time: number): Promise<number> =>
   page().evaluate((time) => {
     window.sinew.seek(time);
-    return window.sinew.pose().joints!['arm']![0];
+    return window.sinew.pose().joints?.['arm']?.[0] ?? 0;
   }, time);
 const times = Array.from({ length: 21 }, (_, i) => i / 20);
 const curve = async (): Promise<number[]> => {
@@ -114,7 +113,7 @@ test('a handle turns the slope on both sides, and with Alt on its own', async ()
   expect(broken.slice(0, 10)).toEqual(before.slice(0, 10));
   expect(broken[12]).toBeLessThan(before[12]!);
   await page().mouse.click(key.x, key.y);
-  await expect(into).toHaveValue('0');
+  await expect(into).toHaveValue('smooth');
   await expect(out).toHaveValue(/^-\d/);
   await page().keyboard.press('Escape');
   await undo();
@@ -158,6 +157,8 @@ test('a clicked key takes typed numbers, in degrees too, and several are changed
 test('each end goes on by its own rule', async () => {
   const after = page().getByRole('combobox', { name: /^After the keys of/ });
   await timeline().getByRole('button', { name: 'arm X', exact: true }).click();
+  // A clip that loops is never shown beyond its end.
+  await timeline().getByRole('combobox', { name: 'At the end' }).selectOption('Go on');
   await after.selectOption('cycle');
   expect(await xAt(1.5)).toBeCloseTo(0.6, 12);
   await after.selectOption('cycle with offset');
@@ -169,17 +170,17 @@ test('each end goes on by its own rule', async () => {
 
 test('keys in a rectangle are scaled by their box about its other side', async () => {
   const before = await curve();
-  const [a, b] = [await placeOf(0.4, 0.68), await placeOf(1.03, -0.06)];
+  const [a, b] = [await placeOf(0.4, 0.66), await placeOf(1.03, -0.06)];
   await dragFrom(a, b);
   await page().mouse.up();
   // The right side stands 14 pixels beside the key at 1 s, in the middle of the keys' values.
   const side = await placeOf(1, 0.3);
-  const to = await placeOf(0.75, 0.3);
+  const to = await placeOf(0.8, 0.3);
   await dragFrom({ x: side.x + 14, y: side.y }, { x: to.x + 14, y: to.y });
-  await expect(page().locator('.telling')).toHaveText(/^Scale 2 keys: 5\d % of the time$/);
+  await expect(page().locator('.telling')).toHaveText('Scale 2 keys: 60 % of the time');
   await page().mouse.up();
   expect(await xAt(0.5)).toBeCloseTo(0.6, 12);
-  expect(await xAt(0.8)).toBe(0);
+  expect(await xAt(0.8)).toBeCloseTo(0, 9);
   await undo();
   expect(await curve()).toEqual(before);
 });

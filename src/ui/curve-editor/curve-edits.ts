@@ -2,7 +2,6 @@ import {
   type ClipParts,
   isRotationChannel,
   type ScalarChannelParts,
-  type Tangent,
 } from '../../core/motion/clip-parts.ts';
 import { channelFor } from '../../core/motion/channel.ts';
 import { channelOf } from '../../core/motion/edit/channels.ts';
@@ -122,22 +121,4 @@ function eachKey(
 
 export function oneKey(key: ChannelKey, time: number): KeySelection {
   return new Map([[key, [time]]]);
-}
-
-/** What the tangents of selected keys are on a side, if all are one, or null. */
-export function commonTangent(
-  clip: ClipParts,
-  selection: KeySelection,
-  side: TangentSide,
-): Tangent | null {
-  const found: Tangent[] = [];
-  eachKey(clip, selection, (same, _key, _time, { channel, at }) => {
-    const { tangentIn, tangentOut } = channel.keys[at]!;
-    if (side !== 'out') found.push(tangentIn);
-    if (side !== 'in') found.push(tangentOut);
-    return same;
-  });
-  const [first] = found;
-  const text = JSON.stringify(first);
-  return first !== undefined && found.every((each) => JSON.stringify(each) === text) ? first : null;
 }

@@ -108,10 +108,11 @@ export class CurveModel {
     return this.values.value ?? framingValues(boundsOf(this.lines.value)?.values ?? [-1, 1]);
   });
 
-  /** The chosen curve while it is listed, or else the first one. */
+  /** The chosen curve while it is listed, or else the first one that moves anything. */
   readonly curve = computed<ShownCurve | null>(() => {
     const curves = this.curves.value;
-    return curves.find(({ key }) => key === this.chosen.value) ?? curves[0] ?? null;
+    const chosen = curves.find(({ key }) => key === this.chosen.value);
+    return chosen ?? curves.find(({ channel }) => channel.keys.length > 1) ?? curves[0] ?? null;
   });
 
   /** The selected keys of curves that are seen and not locked. */

@@ -7,7 +7,7 @@ import { moveInPlot, oneKey, type Scales, scaleInPlot } from './curve-edits.ts';
 import { keyCount, movedText, slopeText } from './drag-texts.ts';
 import { isUnified, type SlopeHandle, slopeToward } from './handles.ts';
 import type { LineKey } from './hits.ts';
-import { type Place, type Plot, plottedAt, plottedOf, timeAt } from './plot.ts';
+import { type Place, type Plot, plottedAt, timeAt } from './plot.ts';
 import { type Box, type BoxHandle, scalingOf } from './scale-box.ts';
 import type { ValueUnit } from './value-axis.ts';
 
@@ -131,9 +131,4 @@ function percent(factor: number): string {
 
 export function countOf(selection: KeySelection): number {
   return [...selection.values()].reduce((sum, times) => sum + times.length, 0);
-}
-
-/** The place of a key on its own line, in plotted values; for tests and fields. */
-export function plottedKey({ line, at }: LineKey): number {
-  return plottedOf(line.scale, line.values[at]!);
 }

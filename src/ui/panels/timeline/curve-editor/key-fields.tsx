@@ -56,12 +56,20 @@ export function KeyFields({ editor, model }: KeyFieldsProperties) {
   );
 }
 
-/** The rows of fields: a name, a field, and what stands beside it. */
+/** Two rows of fields, each a name, a field, and what stands beside it. */
 function Fields({ editor, keys }: { readonly editor: Editor; readonly keys: TypedKeys }) {
   const { time, value, unit, hasValues, tangents, slopes } = keys;
+  const tangentField = (side: 'in' | 'out') => (
+    <FieldOfTangent
+      side={side}
+      text={tangents[side] === null ? '' : tangentText(tangents[side])}
+      beside={slopes ? slopeText(slopes[side], unit) : ''}
+      onType={(text) => typeTangent(editor, side, text, unit)}
+    />
+  );
   return (
     <>
-      <label>Time</label>
+      <i>Time</i>
       <TypedField
         label="Time of the keys in seconds"
         value={time === null ? '' : exactText(time)}
@@ -71,7 +79,8 @@ function Fields({ editor, keys }: { readonly editor: Editor; readonly keys: Type
       <span>s</span>
       {hasValues && (
         <>
-          <label>Value</label>
+          {tangentField('in')}
+          <i>Value</i>
           <TypedField
             label="Value of the keys"
             value={value === null ? '' : exactText(value)}
@@ -79,15 +88,7 @@ function Fields({ editor, keys }: { readonly editor: Editor; readonly keys: Type
             onType={(text) => typeValue(editor, text, unit)}
           />
           <span>{value === null ? '' : besideText(value, unit) || unitNames[unit]}</span>
-          {(['in', 'out'] as const).map((side) => (
-            <FieldOfTangent
-              key={side}
-              side={side}
-              text={tangents[side] === null ? '' : tangentText(tangents[side])}
-              beside={slopes ? slopeText(slopes[side], unit) : ''}
-              onType={(text) => typeTangent(editor, side, text, unit)}
-            />
-          ))}
+          {tangentField('out')}
         </>
       )}
     </>
@@ -104,7 +105,7 @@ interface TangentProperties {
 function FieldOfTangent({ side, text, beside, onType }: TangentProperties) {
   return (
     <>
-      <label>{side === 'in' ? 'In' : 'Out'}</label>
+      <i>{side === 'in' ? 'In' : 'Out'}</i>
       <TypedField
         label={`Tangent ${side === 'in' ? 'into' : 'out of'} the keys`}
         value={text}

@@ -1,4 +1,4 @@
-import { useEffect, useRef, useState } from 'preact/hooks';
+import { useEffect, useLayoutEffect, useRef, useState } from 'preact/hooks';
 import { printable } from '../../../../core/diagnostics.ts';
 import { isRotationChannel } from '../../../../core/motion/clip-parts.ts';
 import { sameTime } from '../../../../core/motion/edit/keys.ts';
@@ -37,7 +37,7 @@ export function KeyTable({ editor, model }: KeyTableProperties) {
   const moves = useRef(false);
   const count = curve?.channel.keys.length ?? 0;
   const row = Math.min(at.row, Math.max(0, count - 1));
-  useEffect(() => {
+  useLayoutEffect(() => {
     if (!moves.current) return;
     moves.current = false;
     const cell = grid.current?.querySelector<HTMLElement>('[tabindex="0"]');

@@ -58,7 +58,15 @@ export function Plot({ editor, model, label }: PlotProperties) {
   }, [editor, model]);
 
   return (
-    <div class="plot" tabIndex={-1}>
+    <div
+      class="plot"
+      tabIndex={-1}
+      onKeyDown={(event) => {
+        if (event.key !== 'Escape' || !model.fieldsAt.peek()) return;
+        event.stopPropagation();
+        model.fieldsAt.value = null;
+      }}
+    >
       <span ref={probe} hidden />
       <canvas
         ref={canvas}
