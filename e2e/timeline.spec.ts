@@ -44,6 +44,13 @@ async function drag(
   if (release) await page().mouse.up();
 }
 
+/** Selects the keys of the walk in one row by a box around them. */
+async function boxSelect(name: string): Promise<void> {
+  const [left, top] = await placeOf(name, -0.1);
+  const [right] = await placeOf(name, 1);
+  await drag([left, top - 6], [right, top + 6]);
+}
+
 /** The texts of a row's keys, read with the arrow keys. */
 async function readKeys(name: string, count: number): Promise<readonly string[]> {
   await row(name).focus();
@@ -93,9 +100,7 @@ test('a drag moves a key by whole frames, as one step; Escape takes it back', as
 });
 
 test('a box selects keys, and its ends scale them about the other end', async () => {
-  const [left, top] = await placeOf('abdomen2', -0.1);
-  const [right] = await placeOf('abdomen2', 1);
-  await drag([left, top - 6], [right, top + 6]);
+  await boxSelect('abdomen2');
   const before = timesOf(await readKeys('abdomen2', 17));
   const end = timeline().getByRole('slider', { name: /^Last selected key/ });
   const { x, y, width, height } = (await end.boundingBox())!;
@@ -116,7 +121,7 @@ test('a box selects keys, and its ends scale them about the other end', async ()
 test('copied keys are pasted at the playhead, reversed too, and removed', async () => {
   const count = row('abdomen2').locator('.row-count');
   await expect(count).toContainText('17 keys');
-  await row('abdomen2').focus();
+  await boxSelect('abdomen2');
   await page().keyboard.press('Control+c');
   await page().evaluate(() => window.sinew.seek(2));
   await page().keyboard.press('Control+Shift+v');

@@ -22,9 +22,10 @@ export function removeSelectedKeys(editor: Editor): void {
 
 export function copySelectedKeys(editor: Editor): void {
   const chosen = chosenClip(editor);
-  if (!chosen) return;
-  copiedKeys.value = copyKeys(chosen.clip, editor.session.selectedKeys.value);
   const count = selectedCount(editor);
+  // What is selected may be gone, by undo for example; then earlier copies stay.
+  if (!chosen || count === 0) return;
+  copiedKeys.value = copyKeys(chosen.clip, editor.session.selectedKeys.value);
   editor.notice.value = count === 1 ? 'Copied a key' : `Copied ${count} keys`;
 }
 
@@ -51,6 +52,7 @@ export function duplicateKeys(editor: Editor): void {
   if (!chosen) return;
   const { session } = editor;
   const copied = copyKeys(chosen.clip, session.selectedKeys.value);
+  if (copied.channels.length === 0) return;
   const playhead = session.clipTime.value;
   const isWithin = playhead >= copied.start && playhead <= copied.end;
   const time = isWithin ? copied.end + 1 / chosen.clip.fps : playhead;
