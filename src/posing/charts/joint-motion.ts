@@ -22,7 +22,7 @@ export interface JointMotion extends RotationMotion {
 const [rate, fewest, most] = [60, 240, 2400];
 
 /** Returns how a clip keeps a joint's rotation, or null if the clip does not turn it. */
-export function storedAs({ channels }: ClipParts, source: number): RotationForm | null {
+function storedAs({ channels }: ClipParts, source: number): RotationForm | null {
   const turning = channels.filter((channel) => turnsJoint(channel, source));
   const curve = turning.flatMap(({ target }) => (target?.of === 'rotation' ? target.curve : []));
   return curve[0] ?? (turning.length > 0 ? 'euler' : null);

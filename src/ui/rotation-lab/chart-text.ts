@@ -5,7 +5,7 @@ import { formatDegrees } from '../angle-text.ts';
 import type { Subject } from './subject.ts';
 
 /** A number of a chart, as it is shown. */
-export interface ShownNumber {
+interface ShownNumber {
   readonly name: string;
   /** Its place among the chart's numbers. */
   readonly index: number;

@@ -11,7 +11,7 @@ const steps = [10, 15, 30, 45, 90, 180, 360, 720, 1440, 3600, 7200, 36000];
 const mostLines = 5;
 
 /** Where times and angles stand in the plot of a chart. */
-export interface ChartPlot {
+interface ChartPlot {
   readonly area: typeof area;
   /** The place of a time in seconds. */
   readonly across: (time: number) => number;
