@@ -7,7 +7,7 @@ import { existingPath } from './existing-path.ts';
 import { unreadable, userPath } from './files.ts';
 
 /** Reads a pose by the extension of its file, as POSE.json if no format has that. */
-export async function readPoseFile(path: string, character: Character): Promise<Parsed<Pose>> {
+async function readPoseFile(path: string, character: Character): Promise<Parsed<Pose>> {
   let bytes: Uint8Array;
   try {
     bytes = new Uint8Array(readFileSync(existingPath(userPath(path))));

@@ -6,7 +6,7 @@ import { numberIn } from './fields.ts';
 import { readTangent } from './read-tangent.ts';
 
 /** A limit that no real motion reaches. */
-export const mostKeys = 1_000_000;
+const mostKeys = 1_000_000;
 /** In seconds. */
 export const largestTime = 1e9;
 /** Keys as near to each other in seconds as this are one key. */
