@@ -41,7 +41,7 @@ describe('the list of curves', async () => {
   const thing = { skeleton, morphs: [{ name: 'smile' }] };
   const channels: readonly ChannelParts[] = [
     morph,
-    below as ChannelParts,
+    below,
     pin,
     hinge(0, []),
     slide,
