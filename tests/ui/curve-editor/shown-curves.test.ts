@@ -39,13 +39,7 @@ describe('the list of curves', async () => {
   const skel = 'balljoint hip { balljoint knee { } }';
   const { skeleton } = await readOne({ 'a.skel': skel });
   const thing = { skeleton, morphs: [{ name: 'smile' }] };
-  const channels: readonly ChannelParts[] = [
-    morph,
-    below,
-    pin,
-    hinge(0, []),
-    slide,
-  ];
+  const channels: readonly ChannelParts[] = [morph, below, pin, hinge(0, []), slide];
   const clip: ClipParts = { ...clipOf(), channels: [...channels, unknown] };
 
   it('has slides before angles, each by joint, then pins and morphs, with colors of their axes', () => {
