@@ -5,7 +5,7 @@ import { Evaluator } from '../../src/evaluation/evaluator.ts';
 import { deformationOf, kernels, normalWays } from '../../src/skinning/registry.ts';
 import { characterOfRig } from '../fixtures/character-of-rig.ts';
 import { rotatedTree } from '../fixtures/rigs.ts';
-import { swingOf } from '../fixtures/swing.ts';
+import { swingOf, turnsOf } from '../fixtures/swing.ts';
 import { fullPool } from '../support/kernels.ts';
 import { compiledSkinning } from '../support/wasm-skinning.ts';
 
@@ -37,6 +37,10 @@ describe('playing', () => {
     ...createActor(1, { ...character, clips: [swingOf(character)] }, 'linear-blend'),
     clip: 0,
   };
+  const turning = {
+    ...createActor(1, { ...character, clips: [turnsOf(character)] }, 'linear-blend'),
+    clip: 0,
+  };
 
   it.each(kernels.map(({ id }) => id))('makes no array on the way to vertices by %s', (id) => {
     const state = { ...playing, ...deformationOf(id) };
@@ -65,6 +69,21 @@ describe('playing', () => {
     evaluator.evaluate(state, 0).vertices();
     const count = countArrays();
     for (let frame = 1; frame <= 10; frame++) evaluator.evaluate(state, frame / 30).vertices();
+    expect(count.made).toBe(0);
+  });
+
+  it('makes none in 3,600 frames of curves of values and of rotations', () => {
+    const evaluator = new Evaluator(turning, fullPool());
+    evaluator.evaluate(turning, 0).vertices();
+    const count = countArrays();
+    let moved = 0;
+    const joint = character.skeleton.jointOfSource[0]!;
+    const first = character.skeleton.dofQ[character.skeleton.dofStart[joint]!]!;
+    for (let frame = 1; frame <= 3600; frame++) {
+      evaluator.evaluate(turning, frame / 60).vertices();
+      moved += Math.abs(evaluator.pose.q[first]!);
+    }
+    expect(moved).toBeGreaterThan(0);
     expect(count.made).toBe(0);
   });
 
