@@ -2,7 +2,6 @@ import type { Character } from '../core/character.ts';
 import type { Diagnostic } from '../core/diagnostics.ts';
 import type { ClipParts } from '../core/motion/clip-parts.ts';
 import { readBoundMotion } from '../formats/motion/read-bound-motion.ts';
-import { dataUrl } from './catalogue.ts';
 import { fetchFile } from './fetch-file.ts';
 
 /** Adds motions to the clips of a character; what is wrong with one is reported. */
@@ -11,13 +10,13 @@ export type AddMotions = (character: Character, problems: Diagnostic[]) => Chara
 /**
  * Fetches the motions that come with a bundled character.
  *
- * @param paths relative to the catalogue
+ * @param addresses of the motions
  */
 export async function fetchMotions(
-  paths: readonly string[],
+  addresses: readonly URL[],
   signal: AbortSignal,
 ): Promise<AddMotions> {
-  const files = await Promise.all(paths.map((path) => fetchFile(new URL(path, dataUrl()), signal)));
+  const files = await Promise.all(addresses.map((address) => fetchFile(address, signal)));
   return (character, problems) => {
     const clips = files.flatMap(({ path, bytes }): readonly ClipParts[] => {
       const { value, diagnostics } = readBoundMotion(path, bytes, character);

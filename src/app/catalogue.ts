@@ -67,5 +67,6 @@ export async function motionsOf(
 ): Promise<AddMotions | undefined> {
   if (!motions) return undefined;
   const { fetchMotions } = await loadPart(import('./bundled-motions.ts'));
-  return fetchMotions(motions, signal);
+  const addresses = motions.map((path) => new URL(path, dataUrl()));
+  return fetchMotions(addresses, signal);
 }

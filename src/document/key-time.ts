@@ -1,8 +1,9 @@
+import { defaultFps } from '../core/motion/clip-parts.ts';
 import { timeInClip } from '../posing/playhead.ts';
 import { type Actor, boundClip, type Scene } from './scene.ts';
 import type { Session } from './session.ts';
 
-type Timing = Pick<Session, 'clipTime' | 'playMode' | 'snapsToFrames' | 'clipIndex'>;
+type Timing = Pick<Session, 'clipTime' | 'playMode' | 'snapsToFrames'>;
 
 /** Where keys of a character go. */
 export interface KeyPlace {
@@ -13,27 +14,17 @@ export interface KeyPlace {
 }
 
 /**
- * Returns where keys go now: into the bound clip, else the one that Play would bind, at the
- * playhead, at the nearest frame if times snap. In a scene that no clip moves, a new clip begins
- * with its first key.
- *
- * @param selected the id of the selected actor, whose last choice of a clip the session knows
+ * Returns where keys go now: into the bound clip, at the playhead, at the nearest frame if times
+ * snap; else into a new one, since a pose without a clip belongs to none of the others. In a scene
+ * that no clip moves, a new clip begins with its first key.
  */
-export function keyPlace(
-  { actors }: Scene,
-  session: Timing,
-  actor: Actor,
-  selected: number | null,
-): KeyPlace {
+export function keyPlace({ actors }: Scene, session: Timing, actor: Actor): KeyPlace {
   const { clipTime, playMode } = session;
-  const chosen = actor.id === selected ? session.clipIndex.peek() : 0;
-  const clip = actor.clip ?? (actor.clips[chosen] ? chosen : 0);
-  const parts = actor.clips[clip];
   const bound = boundClip(actor);
-  const isMoved = actors.some((other) => other.clip !== null);
-  if (!parts && !isMoved) return { clip, time: 0 };
+  const clip = actor.clip ?? actor.clips.length;
+  if (!bound && actors.every((other) => other.clip === null)) return { clip, time: 0 };
   const time = bound ? timeInClip(bound, clipTime.peek(), playMode.peek()) : clipTime.peek();
-  return { clip, time: snapped(session, time, parts?.fps ?? 30) };
+  return { clip, time: snapped(session, time, bound?.fps ?? defaultFps) };
 }
 
 /** The nearest frame, if times snap to frames. */

@@ -1,9 +1,5 @@
-import { clipFor, evaluateClip } from '../core/motion/clip.ts';
-import type { ClipParts } from '../core/motion/clip-parts.ts';
 import { setKey } from '../core/motion/edit/set-key.ts';
-import { pinValues } from '../core/motion/targets.ts';
 import type { Unkeyed } from '../posing/unkeyed.ts';
-import { animatedBy } from './animated.ts';
 import { emptyClip } from './clip-edits.ts';
 import { type Edit, editActor } from './edit.ts';
 import { type KeyedThings, keysOf, type ShownState } from './keying-targets.ts';
@@ -47,9 +43,7 @@ export function keyedActor(
   const clips =
     clip < actor.clips.length ? actor.clips.with(clip, reached) : [...actor.clips, reached];
   const done = { ...what, values: [...what.values, ...keys.flatMap(({ indices }) => indices)] };
-  const held =
-    actor.clip === clip ? actor.unkeyed : differing({ ...actor, ...shown }, reached, time);
-  const unkeyed = held && without({ ...held, time }, done);
+  const unkeyed = actor.unkeyed && without({ ...actor.unkeyed, time }, done);
   return { ...actor, clips, clip, unkeyed };
 }
 
@@ -59,34 +53,4 @@ function without({ time, ...held }: Unkeyed, done: KeyedThings): Unkeyed | null 
   const [values, morphs, pins] = [left('values'), left('morphs'), left('pins')];
   if (values.length + morphs.length + pins.length === 0) return null;
   return { time, values, morphs, pins };
-}
-
-/** What a clip that was not bound would change of what is shown; it is held over the clip. */
-function differing(
-  { character, q, morphWeights, pins }: Pick<Actor, 'character' | keyof ShownState>,
-  clip: ClipParts,
-  time: number,
-): Unkeyed {
-  const clipped = {
-    q: q.slice(),
-    morphWeights: morphWeights.slice(),
-    pins: new Float64Array(character.skeleton.jointCount * pinValues.length),
-  };
-  evaluateClip(clipFor(clip, character), time, clipped);
-  const differs = (own: Float64Array, other: Float64Array) => (at: number) =>
-    !Object.is(own[at], other[at]);
-  const animated = animatedBy(clip, character);
-  const pinned = pins.map(({ joint }) => joint);
-  return {
-    time,
-    values: [...animated.values.keys()].filter(differs(q, clipped.q)).sort(increasing),
-    morphs: [...animated.morphs.keys()]
-      .filter(differs(morphWeights, clipped.morphWeights))
-      .sort(increasing),
-    pins: pinned.filter((joint) => animated.pins.has(joint)).sort(increasing),
-  };
-}
-
-function increasing(a: number, b: number): number {
-  return a - b;
 }

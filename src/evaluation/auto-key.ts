@@ -28,7 +28,7 @@ export function keyByThemselves(store: Store, session: Session, evaluations: Eva
       const what = old && editedOf(old, actor);
       if (!what) return actor;
       const shown = shownState(evaluations.of(actor));
-      const place = keyPlace(scene, session, actor, session.selectedActorId.peek());
+      const place = keyPlace(scene, session, actor);
       session.clipTime.value = place.time;
       return keyedActor(actor, place.clip, place.time, shown, what);
     });

@@ -13,7 +13,7 @@ export interface ShownValues {
   readonly toEdit: Float64Array;
   readonly morphWeights: Float64Array;
   readonly pins: readonly Pin[];
-  /** Arrays to write into, one for each layer that was active, and one for the morphs' weights. */
+  /** Arrays to write into, one for each layer that was active. */
   readonly written: Float64Array[];
 }
 

@@ -3,7 +3,6 @@ import { forwardKinematics } from '../core/forward-kinematics.ts';
 import type { FaceWeighting } from '../core/vertex-normals.ts';
 import type { Mesh } from '../core/mesh.ts';
 import type { Pose } from '../core/pose.ts';
-import { sameValue } from '../core/same-value.ts';
 import type { Skin } from '../core/skin.ts';
 import { type Actor, boundClip, skinInUse } from '../document/scene.ts';
 import { poseLayers } from '../posing/layers.ts';
@@ -243,20 +242,14 @@ export class Evaluator implements Evaluation {
       followed: this.followed,
     };
     const pose = { q, toEdit: q, morphWeights, pins, written };
-    if (context.clip)
-      pose.morphWeights = copied(
-        morphWeights,
-        (written[poseLayers.length] ??= morphWeights.slice()),
-      );
     this.layers.forEach((apply, i) => {
       if (!apply) return;
-      pose.q = copied(pose.q, (written[i] ??= new Float64Array(q.length)));
+      const values = (written[i] ??= new Float64Array(q.length));
+      values.set(pose.q);
+      pose.q = values;
       apply(context, pose);
       if (!poseLayers[i]!.isShownOnly) pose.toEdit = pose.q;
     });
-    // Later stages keep the weights as an input, which must not be overwritten.
-    const isShaped = !sameValue(pose.morphWeights, morphWeights);
-    pose.morphWeights = isShaped ? pose.morphWeights.slice() : morphWeights;
     return pose;
   }
 
@@ -287,9 +280,4 @@ export class Evaluator implements Evaluation {
     this.kernels.recompute.value!(this.now.character, this.weighting!, posed);
     return posed;
   }
-}
-
-function copied(values: Float64Array, into: Float64Array): Float64Array {
-  into.set(values);
-  return into;
 }

@@ -11,11 +11,17 @@ export const applyClip: LayerFunction = (context, pose) => {
   const { character, clip, time, unkeyed } = context;
   if (!clip) return;
   const compiled = clipFor(clip, character);
-  const pins = compiled.curves.pins.length > 0 ? placesOf(context) : noPlaces;
-  evaluateClip(compiled, time, { ...pose, pins });
+  const { curves } = compiled;
+  const pins = curves.pins.length > 0 ? placesOf(context) : noPlaces;
+  // Later stages keep the weights as an input, so that they are not written in place.
+  if (curves.morphWeights.length > 0) pose.morphWeights = pose.morphWeights.slice();
+  evaluateClip(compiled, time, { q: pose.q, morphWeights: pose.morphWeights, pins });
   for (const index of unkeyed?.values ?? []) pose.q[index] = context.q[index]!;
-  for (const index of unkeyed?.morphs ?? [])
-    pose.morphWeights[index] = context.morphWeights[index]!;
+  if (curves.morphWeights.length > 0) {
+    for (const index of unkeyed?.morphs ?? []) {
+      pose.morphWeights[index] = context.morphWeights[index]!;
+    }
+  }
   if (pins.length > 0) pose.pins = pose.pins.map((pin) => placed(pin, pins, unkeyed?.pins ?? []));
 };
 

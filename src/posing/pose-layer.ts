@@ -30,10 +30,10 @@ export interface PoseContext extends LayerUse {
   readonly followed: Float64Array | null;
 }
 
-/** What layers change: the numbers in place, the list of pins by another list. */
+/** What layers change: the values of q in place, weights and pins by another array. */
 export interface LayerPose {
   /** (qCount) */
-  q: Float64Array;
+  readonly q: Float64Array;
   /** (morphCount) */
   morphWeights: Float64Array;
   pins: readonly Pin[];

@@ -3,7 +3,7 @@ import { boneAt, type BoneTarget } from '../view/pick.ts';
 import { bodyHandleAt, handleAt } from '../view/pick-gizmo.ts';
 import { pointAt } from '../view/pick-point.ts';
 import type { Looking } from './editor.ts';
-import { trailKeysOf } from './motion-display.ts';
+import { trailKeysOf } from './trail-keys-shown.ts';
 import type { ToolPlace } from './tool.ts';
 
 /**

@@ -5,17 +5,9 @@ import {
   motionViewOf,
   type TrailSettings,
 } from '../document/motion-view.ts';
-import type { HandleId, Session } from '../document/session.ts';
+import type { Session } from '../document/session.ts';
 import type { Looking, Telling } from './editor.ts';
-import type { ToolDrag, ToolPlace } from './tool.ts';
-
-/** What the pointer can do with trails, once they are there. */
-export interface TrailKeys {
-  /** The id of the key of a trail at a place of the view, or null. */
-  at(place: ToolPlace): HandleId | null;
-  /** Takes hold of that key. */
-  press(place: ToolPlace): ToolDrag | null;
-}
+import { showTrailKeys } from './trail-keys-shown.ts';
 
 type Part = 'ghosts' | 'trails';
 
@@ -24,12 +16,6 @@ const loading: Readonly<Record<Part, WeakMap<Session, Promise<void>>>> = {
   ghosts: new WeakMap(),
   trails: new WeakMap(),
 };
-const trailKeys = new WeakMap<Session, TrailKeys>();
-
-/** The keys of trails, or nothing before trails were first shown. */
-export function trailKeysOf(session: Session): TrailKeys | undefined {
-  return trailKeys.get(session);
-}
 
 /** Changes how ghosts are shown. Resolves when what draws them is there. */
 export async function changeGhosts(editor: Looking, change: Partial<GhostSettings>): Promise<void> {
@@ -59,7 +45,7 @@ async function loadGhosts({ viewer, store, session }: Looking): Promise<void> {
 
 async function loadTrails(editor: Looking & Telling): Promise<void> {
   const { createTrailKeys } = await loadPart(import('./trail-keys.ts'));
-  trailKeys.set(editor.session, createTrailKeys(editor));
+  showTrailKeys(editor.session, createTrailKeys(editor));
 }
 
 function loadOnce({ session }: Looking, part: Part, load: () => Promise<void>): Promise<void> {

@@ -29,7 +29,7 @@ export function setKeyHere(editor: Editor): void {
     notice.value = `${printable(actor.name, 40)} has nothing to key`;
     return;
   }
-  const place = keyPlace(store.scene.value, session, actor, actor.id);
+  const place = keyPlace(store.scene.value, session, actor);
   const { clip, time } = place;
   const isNew = actor.clips[clip] === undefined;
   const edit = keyValues(actor, clip, time, shownState(shown), what, `Key ${name}`);

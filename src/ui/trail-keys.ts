@@ -6,7 +6,7 @@ import { showTrails } from '../view/trails.ts';
 import { dragTrailKey } from './drag-trail-key.ts';
 import type { Looking, Telling } from './editor.ts';
 import { showHoveredHandle } from './hover.ts';
-import type { TrailKeys } from './motion-display.ts';
+import type { TrailKeys } from './trail-keys-shown.ts';
 import type { ToolPlace } from './tool.ts';
 
 /** Shows trails from now on, and returns what the pointer can do with them. */

@@ -128,18 +128,6 @@ describe('keying', () => {
     ]);
   });
 
-  it('holds what a clip that was not bound would change', () => {
-    const clip = setKey(emptyClip([]), { of: 'morph', morph: 0 }, 0, 0.25);
-    const free = { ...start, clips: [clip], morphWeights: shown.morphWeights };
-    const what = { ...nothing, values: [hinge.index] };
-    const actor = after(keyValues(free, 0, 0, shown, what, 'Key'), free);
-    expect(actor).toMatchObject({
-      clip: 0,
-      unkeyed: { time: 0, values: [], morphs: [0], pins: [] },
-    });
-    expect(droppedCount(sceneOf(actor))).toBe(1);
-    expect([...animatedBy(actor.clips[0]!, character).values.keys()]).toEqual([hinge.index]);
-  });
 });
 
 describe('the clips of a character', () => {

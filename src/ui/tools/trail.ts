@@ -1,4 +1,4 @@
-import { trailKeysOf } from '../motion-display.ts';
+import { trailKeysOf } from '../trail-keys-shown.ts';
 import type { Tool } from '../tool.ts';
 
 /** A left drag on a key of a motion trail moves the pose at the key's time. */

@@ -1,4 +1,3 @@
-import { quat } from 'gl-matrix';
 import { describe, expect, it } from 'vitest';
 import type {
   ChannelParts,
@@ -24,8 +23,8 @@ const unknown = { ...hinge(0, [key(0, 0)]), target: null };
 /** About x by angles (radians) at whole seconds. */
 function turning(angles: readonly number[], curve: 'slerp' | 'squad'): RotationChannelParts {
   const keys = angles.map((angle, time) => {
-    const [x, y, z, w] = quat.setAxisAngle(quat.create(), [1, 0, 0], angle);
-    return { time, value: [x, y, z, w] as const };
+    const half = angle / 2;
+    return { time, value: [Math.sin(half), 0, 0, Math.cos(half)] as const };
   });
   return {
     target: { of: 'rotation', joint: 0, curve },
