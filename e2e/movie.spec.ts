@@ -248,9 +248,7 @@ test.describe('the dialog', () => {
       });
     });
     await openApp(page, 'model=insect');
-    await page.keyboard.press('Control+k');
-    await page.keyboard.type('save a movie');
-    await page.keyboard.press('Enter');
+    await runByName(page, 'save a movie');
     const dialog = page.getByRole('dialog', { name: 'Save a movie' });
     const format = (name: RegExp) => dialog.getByRole('radio', { name });
     const turn = dialog.getByRole('spinbutton', { name: 'Turn seconds' });
@@ -281,9 +279,7 @@ test.describe('the dialog', () => {
     // A movie that takes long is canceled, and everything of it is freed.
     await page.evaluate(() => window.sinew.settled());
     const objects = await page.evaluate(() => window.sinew.liveObjects);
-    await page.keyboard.press('Control+k');
-    await page.keyboard.type('save a movie');
-    await page.keyboard.press('Enter');
+    await runByName(page, 'save a movie');
     await format(/WebM/).click();
     await turn.fill('100');
     await page.keyboard.press('Enter');
@@ -293,3 +289,11 @@ test.describe('the dialog', () => {
     await expect.poll(() => page.evaluate(() => window.sinew.liveObjects)).toEqual(objects);
   });
 });
+
+/** Runs a command of the palette, whose field is loaded first. */
+async function runByName(page: Page, name: string): Promise<void> {
+  await page.keyboard.press('Control+k');
+  await expect(page.getByRole('dialog', { name: 'Commands' }).getByRole('combobox')).toBeFocused();
+  await page.keyboard.type(name);
+  await page.keyboard.press('Enter');
+}

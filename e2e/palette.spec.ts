@@ -26,7 +26,7 @@ test('a key opens the palette, and typing, Enter and Escape do the rest', async 
   expect(await violations(page(), { within: 'dialog' })).toEqual([]);
 
   // Letters are text here, and do not run the commands that have them as keys.
-  await page().keyboard.type('du');
+  await page().keyboard.type('duplicate ch');
   await expect(active()).toContainText('Duplicate the character');
   await expect(active().locator('kbd')).toHaveText('Ctrl/Cmd+D');
   await page().keyboard.press('Enter');

@@ -4,7 +4,6 @@ import { setKey } from '../../src/core/motion/edit/set-key.ts';
 import { channelKey } from '../../src/core/motion/targets.ts';
 import { axisDofs } from '../../src/core/pose.ts';
 import { DofKind } from '../../src/core/skeleton.ts';
-import { animatedBy } from '../../src/document/animated.ts';
 import {
   addClip,
   duplicateClip,
@@ -16,7 +15,6 @@ import {
   setClipRange,
 } from '../../src/document/clip-edits.ts';
 import { jointTurn } from '../../src/document/joint-turn.ts';
-import { droppedCount } from '../../src/document/keying-drop.ts';
 import { keyValues } from '../../src/document/keying.ts';
 import type { ShownState } from '../../src/document/keying-targets.ts';
 import { type Actor, createActor, emptyScene, type Scene } from '../../src/document/scene.ts';
@@ -127,7 +125,6 @@ describe('keying', () => {
       [-1, 2],
     ]);
   });
-
 });
 
 describe('the clips of a character', () => {

@@ -13,6 +13,7 @@ import { Playhead } from './playhead.tsx';
 import { RangeHandles } from './range-handles.tsx';
 import { Ranges } from './ranges.tsx';
 import { Ruler } from './ruler.tsx';
+import { NoKeys } from './no-keys.tsx';
 
 interface SheetProperties {
   readonly editor: Editor;
@@ -104,6 +105,7 @@ export function Sheet({ editor, actor, clip, index }: SheetProperties) {
       </Ruler>
       <div class="sheet-view">
         {View && width > 0 && <View editor={editor} actor={actor} index={index} {...shared} />}
+        {clip.channels.length === 0 && <NoKeys actor={actor} />}
       </div>
       <div class="sheet-over">
         <Playhead session={session} {...shared} />

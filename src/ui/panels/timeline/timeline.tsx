@@ -1,11 +1,11 @@
 import { useRef } from 'preact/hooks';
-import { printable } from '../../../core/diagnostics.ts';
 import { selectedActor } from '../../../document/selected-actor.ts';
 import type { Editor } from '../../editor.ts';
 import { runKey } from '../../keys.ts';
 import { copiedKeys } from '../../timeline/timeline-state.ts';
 import { HeightEdge } from './height-edge.tsx';
 import { Sheet } from './sheet.tsx';
+import { NoKeys } from './no-keys.tsx';
 import { TransportBar } from './transport-bar.tsx';
 
 /**
@@ -44,7 +44,7 @@ export function Timeline({ editor }: { readonly editor: Editor }) {
         <Sheet editor={editor} actor={actor} clip={clip} index={index} />
       ) : (
         <div class="keys-sheet empty">
-          <p class="hint">No keys yet: pose {printable(actor.name, 80)} and press k</p>
+          <NoKeys actor={actor} />
         </div>
       )}
     </section>

@@ -44,7 +44,10 @@ export function Plot({ editor, model, label }: PlotProperties) {
       scheme.value++;
     };
     dark.addEventListener('change', onScheme);
-    const draw = onceAFrame<readonly unknown[]>(() => paint(element, probe.current!, view));
+    // The panel may be gone by the next frame.
+    const draw = onceAFrame<readonly unknown[]>(() => {
+      if (probe.current) paint(element, probe.current, view);
+    });
     // What is drawn is read here, so that a change of it draws again.
     const endDrawing = effect(() => {
       draw([shown(), chosenBox.value, model.shown.value, editor.theme.value, scheme.value]);
