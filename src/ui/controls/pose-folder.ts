@@ -38,7 +38,10 @@ export function addPoseFolder(gui: GUI, editor: Editor): () => void {
   addCommandRow(folder, editor, 'open-pose');
   addCommandRow(folder, editor, 'save-pose');
   return effect(() => {
-    scope.enable(session.selectedJoint.value !== null).updateDisplay();
+    const isOff = session.selectedJoint.value === null;
+    scope.disable(isOff).updateDisplay();
+    // The list itself is unseen; what shows its value has to say so too.
+    scope.domElement.setAttribute('aria-disabled', String(isOff));
     alone.textContent = aloneText(editor);
     alone.hidden = alone.textContent === '';
   });

@@ -5,6 +5,8 @@ import { keepValue, keptValue } from '../../kept.ts';
 /** The limits of the rows' height, in CSS pixels, and what an arrow key adds. */
 const [least, most] = [72, 720];
 const keyStep = 20;
+/** The height until it is changed, as the style sheet has it. */
+const usual = 192;
 const keptAs = 'height of timeline';
 
 interface HeightEdgeProperties {
@@ -31,14 +33,14 @@ export function HeightEdge({ timeline }: HeightEdgeProperties) {
   }, []);
   return (
     <div
-      class="height-edge"
+      class="splitter height-edge"
       role="separator"
       tabIndex={0}
       aria-orientation="horizontal"
       aria-label="Height of the timeline"
       aria-valuemin={least}
       aria-valuemax={most}
-      aria-valuenow={Number.parseFloat(keptValue(keptAs)) || 190}
+      aria-valuenow={Number.parseFloat(keptValue(keptAs)) || usual}
       onPointerDown={(event) => {
         const edge = event.currentTarget;
         edge.setPointerCapture(event.pointerId);

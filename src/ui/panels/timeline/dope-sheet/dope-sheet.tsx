@@ -135,7 +135,7 @@ export function DopeSheet({ editor, actor, clip, timeWindow, width }: TimelineVi
 
 /** Fingers need higher rows. In CSS pixels, as the style sheet has them. */
 function rowHeight(): number {
-  return matchMedia('(pointer: coarse)').matches ? 34 : 20;
+  return matchMedia('(pointer: coarse)').matches ? 44 : 24;
 }
 
 function rowElement(list: HTMLElement, id: RowId): HTMLElement | null {
