@@ -1,7 +1,6 @@
-import { Failure, loadPart } from '../core/failure.ts';
+import { Failure } from '../core/failure.ts';
 import type { BundledCharacter } from '../ui/editor.ts';
 import type { LooseFile } from '../workers/read-characters-task.ts';
-import type { AddMotions } from './bundled-motions.ts';
 import { fetchChecked, fetchFile } from './fetch-file.ts';
 
 /** What public/data/catalogue.json lists; paths are relative to that file. */
@@ -13,7 +12,7 @@ export interface Catalogue {
 export interface CatalogueEntry extends BundledCharacter {
   readonly files: readonly string[];
   readonly pose?: string;
-  /** Files of MOTION.json, which become clips by their names. */
+  /** Files of MOTION.json, which become clips by their names after the character opened. */
   readonly motions?: readonly string[];
 }
 
@@ -58,15 +57,4 @@ export function fetchBundled(
 ): Promise<LooseFile[]> {
   const paths = pose === undefined ? files : [...files, pose];
   return Promise.all(paths.map((path) => fetchFile(new URL(path, dataUrl()), signal)));
-}
-
-/** Fetches the character's motions; returns what adds them to it. */
-export async function motionsOf(
-  { motions }: Pick<CatalogueEntry, 'motions'>,
-  signal: AbortSignal,
-): Promise<AddMotions | undefined> {
-  if (!motions) return undefined;
-  const { fetchMotions } = await loadPart(import('./bundled-motions.ts'));
-  const addresses = motions.map((path) => new URL(path, dataUrl()));
-  return fetchMotions(addresses, signal);
 }

@@ -27,6 +27,7 @@ import { verifyShown } from '../view/verify.ts';
 import type { CatalogueScene } from './catalogue.ts';
 import type { OpeningOfScenes } from './create-opening.ts';
 import { download } from './download.ts';
+import { MotionFollower } from './follow-motions.ts';
 import { freshTarget } from './scenes/scene-target.ts';
 
 const poseExtensions = poseFormats.map(({ extension }) => extension);
@@ -41,6 +42,7 @@ export function createEditor(
   const selected = () => selectedActor(store, session);
   const keeping = signal<Keeping>('nothing');
   let added: Promise<void> = Promise.resolve();
+  const motions = new MotionFollower(opening.parts);
 
   const editor: Editor = {
     ...opening,
@@ -63,6 +65,11 @@ export function createEditor(
     renaming: signal<ActorId | null>(null),
 
     scenes,
+
+    async whenDone() {
+      await opening.whenDone();
+      await motions.whenDone();
+    },
 
     async openBundledScene(id) {
       const scene = scenes.find((each) => each.id === id);

@@ -22,7 +22,7 @@ import type { FileEntry } from '../formats/format.ts';
 import type { ReadCharacter, ReadProgress } from '../formats/read-characters.ts';
 import { defaultDeformation, kernelOf } from '../skinning/registry.ts';
 import type { MethodId } from '../skinning/method.ts';
-import { type CatalogueEntry, fetchBundled, motionsOf } from './catalogue.ts';
+import { type CatalogueEntry, fetchBundled } from './catalogue.ts';
 import type { OpenedFiles } from './renewal.ts';
 import { loadReadHere, readFiles } from './read-files.ts';
 
@@ -86,7 +86,7 @@ export class FileOpener {
     this.evaluations = evaluations;
   }
 
-  /** Fetches and opens a bundled character with its pose. */
+  /** Fetches and opens a bundled character with its pose; its motions come later. */
   async openBundled(
     entry: CatalogueEntry,
     signal: AbortSignal,
@@ -96,11 +96,10 @@ export class FileOpener {
     // Before the first picture there is nothing to keep responsive, and a worker would load its own
     // copy of much of the page's code first. What reads the files comes while they are on their way.
     const isFirst = this.store.scene.value.actors.length === 0;
-    const [files, readHere, poseReader, addMotions] = await Promise.all([
+    const [files, readHere, poseReader] = await Promise.all([
       fetchBundled(entry, signal),
       isFirst ? loadReadHere(entry.files) : undefined,
       entry.pose === undefined ? undefined : loadPart(import('./bundled-pose.ts')),
-      motionsOf(entry, signal),
     ]);
     const pose = files.find(({ path }) => path.endsWith('.json'));
     const parts = files.filter((file) => file !== pose);
@@ -108,11 +107,7 @@ export class FileOpener {
       ? await readHere(parts, onProgress)
       : await readFiles(parts, signal, onProgress);
     const problems = [...diagnostics];
-    const [read] = characters;
-    const first = read && {
-      ...read,
-      character: addMotions?.(read.character, problems) ?? read.character,
-    };
+    const [first] = characters;
     const skeleton = first?.character.skeleton;
     const q = skeleton && pose && (await poseReader?.readBundledPose(pose, skeleton, problems));
     await this.prepare(characters);

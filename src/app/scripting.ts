@@ -226,6 +226,7 @@ export function createScripting(editor: Editor, ready: Promise<void>): Scripting
   async function open(source: Parameters<Scripting['open']>[0], add: boolean): Promise<void> {
     if (typeof source === 'string' && editor.bundled.value.some(({ id }) => id === source)) {
       await editor.openBundled(source, add);
+      await editor.whenDone();
     } else await editor.openFiles(await entriesOf(source), add);
   }
 }

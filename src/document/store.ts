@@ -56,6 +56,11 @@ export class Store {
     this.onChange = onChange;
   }
 
+  /** Whether a gesture is open. */
+  get isEditing(): boolean {
+    return this.open !== null;
+  }
+
   dispatch(edit: Edit): void {
     const gesture = this.begin(edit.label);
     gesture.preview(edit);

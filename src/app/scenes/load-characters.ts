@@ -3,7 +3,8 @@ import { sameValue } from '../../core/same-value.ts';
 import { type Source, type SourceFile, sourceOf } from '../../document/scene.ts';
 import type { FileEntry } from '../../formats/format.ts';
 import type { ReadCharacter } from '../../formats/read-characters.ts';
-import { fetchBundled, motionsOf } from '../catalogue.ts';
+import { withMotions } from '../bundled-motions.ts';
+import { fetchBundled } from '../catalogue.ts';
 import { loadBytes } from '../read-bytes.ts';
 import { readFiles } from '../read-files.ts';
 import type { FileFinder } from './find-files.ts';
@@ -31,7 +32,7 @@ export async function loadCharacter(
   problems: Diagnostic[],
 ): Promise<LoadOutcome> {
   const open = openCharacter(parts, source);
-  if (open) return { loaded: open, missing: [] };
+  if (open) return { loaded: await completed(parts, open, problems), missing: [] };
   return source.kind === 'bundled'
     ? loadBundled(parts, source, signal, problems)
     : loadOwn(parts, source.files, finder, signal, problems);
@@ -50,11 +51,12 @@ function openCharacter(
 }
 
 async function loadBundled(
-  { entryOf, meter }: SceneParts,
+  parts: SceneParts,
   source: Source & { readonly kind: 'bundled' },
   signal: AbortSignal,
   problems: Diagnostic[],
 ): Promise<LoadOutcome> {
+  const { entryOf, meter } = parts;
   const entry = entryOf(source.id);
   if (!entry) {
     problems.push({
@@ -67,16 +69,24 @@ async function loadBundled(
     });
     return nothing;
   }
-  const [files, addMotions] = await Promise.all([
-    fetchBundled({ files: entry.files }, signal),
-    motionsOf(entry, signal),
-  ]);
+  const files = await fetchBundled({ files: entry.files }, signal);
   const { characters, diagnostics } = await readFiles(files, signal, meter.report);
   problems.push(...diagnostics);
   const [read] = characters;
   if (!read) return nothing;
-  const character = addMotions?.(read.character, problems) ?? read.character;
-  return { loaded: { character, files: [], source }, missing: [] };
+  const loaded = { character: read.character, files: [], source };
+  return { loaded: await completed(parts, loaded, problems), missing: [] };
+}
+
+/** Adds the motions that come with a bundled character, since a scene may name them. */
+async function completed(
+  { entryOf }: SceneParts,
+  loaded: LoadedCharacter,
+  problems: Diagnostic[],
+): Promise<LoadedCharacter> {
+  const { source, character } = loaded;
+  const entry = source.kind === 'bundled' && entryOf(source.id);
+  return entry ? { ...loaded, character: await withMotions(entry, character, problems) } : loaded;
 }
 
 async function loadOwn(
