@@ -87,7 +87,7 @@ export class MotionFollower {
  *
  * @param found by the character without them
  */
-export function giveMotions(found: ReadonlyMap<Character, Character>): Edit {
+function giveMotions(found: ReadonlyMap<Character, Character>): Edit {
   return {
     label: 'Motions',
     apply: (scene) => ({

@@ -1,17 +1,16 @@
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { gzipSync } from 'node:zlib';
-import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
+import { describe, expect, it } from 'vitest';
 import { commands } from '../../src/cli/commands.ts';
 import { unwritable } from '../../src/cli/files.ts';
 import { UsageError } from '../../src/cli/usage-error.ts';
 import { readObj } from '../../src/formats/obj/read-obj.ts';
 import { kernels, normalWays } from '../../src/skinning/registry.ts';
 import { leg, legAnim, legSkel, legSkin } from '../support/cse169-files.ts';
-import type { FileContents } from '../support/files.ts';
 import { squarePmd } from '../support/pmd-files.ts';
 import { zipOf } from '../support/zip.ts';
-import { folderWith } from './run-sinew.ts';
+import { recordLines, runCommand } from './run-command.ts';
 
 const files = {
   'a.skel': '0 0 0 -1\n0 1 0 0\n0 0 0 1\n',
@@ -21,28 +20,11 @@ const files = {
 };
 const names = ['a.skel', 'a.obj', 'a.attach'] as const;
 
-let errors: string[];
-let out: string[];
-
-beforeEach(() => {
-  [errors, out] = [[], []];
-  vi.spyOn(console, 'error').mockImplementation((line: string) => errors.push(line));
-  vi.spyOn(console, 'log').mockImplementation((line: string) => out.push(line));
-});
-afterEach(() => {
-  vi.restoreAllMocks();
-  vi.unstubAllEnvs();
-});
-
-function run(name: string, contents: FileContents, ...words: string[]) {
-  const folder = folderWith(contents);
-  vi.stubEnv('INIT_CWD', folder);
-  return { folder, code: commands.find((command) => command.name === name)!.run(words) };
-}
+const { errors, out } = recordLines();
 
 /** The posed points of the files above, rounded. */
 async function posed(...options: string[]): Promise<number[]> {
-  const { folder, code } = run('pose', files, ...names, '--pose', 'p.json', ...options);
+  const { folder, code } = runCommand('pose', files, ...names, '--pose', 'p.json', ...options);
   expect(await code).toBe(0);
   const outPath = join(folder, options.at(-1)!);
   const read = await readObj('o.obj', new Uint8Array(readFileSync(outPath)));
@@ -64,7 +46,7 @@ describe('pose', () => {
     const raw = await posed('--out', 'raw.obj');
     const moved = { ...files, 'p.json': '{"root": [4, 0, 0]}' };
     const words = [...names, '--pose', 'p.json', '--normalize', '--out', 'o.obj'];
-    const { folder, code } = run('pose', moved, ...words);
+    const { folder, code } = runCommand('pose', moved, ...words);
     expect(await code).toBe(0);
     const text = readFileSync(join(folder, 'o.obj'), 'utf8');
     expect(text).toContain('v 4 1 0\nv 4 2 0\nv 5 2 0\n');
@@ -79,7 +61,7 @@ describe('pose', () => {
   it('writes the normals that --normals names, and none without it', async () => {
     const faces = async (...words: string[]): Promise<string[]> => {
       const all = ['--pose', 'p.json', ...words, '--out', 'o.obj'];
-      const { folder, code } = run('pose', files, ...names, ...all);
+      const { folder, code } = runCommand('pose', files, ...names, ...all);
       expect(await code).toBe(0);
       return readFileSync(join(folder, 'o.obj'), 'utf8').match(/^(vn|f) .*$/gm)!;
     };
@@ -97,8 +79,8 @@ describe('pose', () => {
     const pose = { 'p.json': '{"joints": {"#2": [0, 0, 3.141592653589793]}}' };
     const words = [...names, '--pose', 'p.json', '--out', 'o.obj', '--influences'];
     const positions = async (count: string): Promise<string[]> => {
-      out = [];
-      const { folder, code } = run('pose', { ...files, ...pose }, ...words, count);
+      out.length = 0;
+      const { folder, code } = runCommand('pose', { ...files, ...pose }, ...words, count);
       expect(await code).toBe(0);
       return readFileSync(join(folder, 'o.obj'), 'utf8').match(/^v .*$/gm)!;
     };
@@ -121,7 +103,7 @@ describe('pose', () => {
   it('with --method rigid follows the heaviest joint alone', async () => {
     const pose = { 'p.json': '{"joints": {"#2": [0, 0, 3.141592653589793]}}' };
     const words = [...names, '--pose', 'p.json', '--method', 'rigid', '--out', 'o.obj'];
-    const { folder, code } = run('pose', { ...files, ...pose }, ...words);
+    const { folder, code } = runCommand('pose', { ...files, ...pose }, ...words);
     expect(await code).toBe(0);
     const text = readFileSync(join(folder, 'o.obj'), 'utf8');
     expect(text).toMatch(/^v 0 1 0\nv 0 2 0\nv -1 (0|[-\d.]+e-\d+) 0\n/);
@@ -132,7 +114,7 @@ describe('pose', () => {
     const contents = { 'a.pmd': squarePmd, 'p.json': pose };
     const words = ['a.pmd', '--pose', 'p.json', '--out', 'o.obj'];
     const text = async (...options: string[]): Promise<string> => {
-      const { folder, code } = run('pose', contents, ...words, ...options);
+      const { folder, code } = runCommand('pose', contents, ...words, ...options);
       expect(await code).toBe(0);
       return readFileSync(join(folder, 'o.obj'), 'utf8');
     };
@@ -159,7 +141,7 @@ describe('pose', () => {
     ['there is no mesh', { 'a.obj': 'v 0 0 0' }, 'p.json', 'there is no mesh to pose'],
   ])('ends with 1 and writes nothing where %s', async (_, changed, pose, message) => {
     const words = [...names, '--pose', pose, '--out', 'o.obj'];
-    const { folder, code } = run('pose', { ...files, ...changed }, ...words);
+    const { folder, code } = runCommand('pose', { ...files, ...changed }, ...words);
     expect(await code).toBe(1);
     expect(errors.join('\n')).toContain(message);
     expect(() => readFileSync(join(folder, 'o.obj'))).toThrow('ENOENT');
@@ -175,7 +157,7 @@ describe('pose', () => {
 
   it('exits with 1 if it cannot write', async () => {
     const words = [...names, '--pose', 'p.json', '--out', 'no/such/folder/o.obj'];
-    expect(await run('pose', files, ...words).code).toBe(1);
+    expect(await runCommand('pose', files, ...words).code).toBe(1);
     expect(errors).toContain(
       'error: no/such/folder/o.obj: expected a file that can be written, found "ENOENT"; ' +
         'nothing is written',
@@ -193,7 +175,7 @@ describe('pose', () => {
     [[...names, '--pose', 'p.json', '--bend', '--out', 'o.obj'], '--bend'],
     [[...names, 'p.json', '--out'], '--out'],
   ])('is used wrongly as %j', async (words, message) => {
-    const { code } = run('pose', files, ...words);
+    const { code } = runCommand('pose', files, ...words);
     await expect(code).rejects.toThrow(message);
     await expect(code).rejects.toBeInstanceOf(UsageError);
   });
@@ -201,14 +183,14 @@ describe('pose', () => {
   it('accepts the files of only one character', async () => {
     const two = { 'a.obj': files['a.obj'], 'b.obj': files['a.obj'], 'p.json': '{}' };
     const words = ['a.obj', 'b.obj', '--pose', 'p.json', '--out', 'o.obj'];
-    await expect(run('pose', two, ...words).code).rejects.toBeInstanceOf(UsageError);
+    await expect(runCommand('pose', two, ...words).code).rejects.toBeInstanceOf(UsageError);
   });
 });
 
 describe('info', () => {
   it('gives pose and limits as x, y, z, boxes, materials, morphs and clips', async () => {
     const contents = leg as Record<string, string>;
-    expect(await run('info', contents, ...Object.keys(contents), '--json').code).toBe(0);
+    expect(await runCommand('info', contents, ...Object.keys(contents), '--json').code).toBe(0);
     const { characters } = JSON.parse(out[0]!) as { characters: Record<string, unknown>[] };
     expect(characters[0]).toMatchObject({
       materials: [{ name: 'skin', texture: 'leg.bmp' }],
@@ -226,7 +208,7 @@ describe('info', () => {
 
   it('gives bones with T and R, and their weights in sparse rows, with --bones', async () => {
     const contents = { 'a.pmd': squarePmd };
-    expect(await run('info', contents, 'a.pmd', '--bones', '--json').code).toBe(0);
+    expect(await runCommand('info', contents, 'a.pmd', '--bones', '--json').code).toBe(0);
     const { characters } = JSON.parse(out[0]!) as { characters: Record<string, unknown>[] };
     expect(characters[0]).toMatchObject({ fileSpace: 'left-handed' });
     const [first, second] = characters[0]!['bones'] as Record<string, unknown>[];
@@ -238,13 +220,13 @@ describe('info', () => {
     expect(second).toMatchObject({ source: 1, destination: 2, parent: 0, vertices: [1, 2, 3] });
     expect((second!['T'] as number[])[12]).toBeCloseTo(Math.hypot(1, 0.5), 12);
     expect(second!['R']).toHaveLength(16);
-    expect(await run('info', contents, 'a.pmd', '--bones').code).toBe(0);
+    expect(await runCommand('info', contents, 'a.pmd', '--bones').code).toBe(0);
     expect(out[1]).toContain('  bone #0 to #1: length 1.118034, 2 vertices\n');
     expect(out[1]).not.toContain('bone #2 to #3');
   });
 
   it('names the joints and counts the rest', async () => {
-    expect(await run('info', files, ...names).code).toBe(0);
+    expect(await runCommand('info', files, ...names).code).toBe(0);
     expect(out).toEqual([
       'a: 3 joints, 3 vertices, 1 triangles, at most 2 influences\n' +
         '  #0 joint 00 (parent -1)\n  #1 joint 01 (parent 0)\n  #2 joint 02 (parent 1)',
@@ -258,18 +240,18 @@ describe('info', () => {
       'a.obj': files['a.obj'],
       'a.attach': '1 0 0 0 0\n0.2 0.2 0.2 0.2 0.2\n0.25 0.25 0.25 0 0.25\n',
     };
-    expect(await run('info', contents, ...names).code).toBe(0);
+    expect(await runCommand('info', contents, ...names).code).toBe(0);
     expect(out[0]).toContain('at most 5 influences, more than 4 at 1 of the vertices\n');
   });
 
   it('exits with 0 if there is a character, and lists what is missing', async () => {
-    expect(await run('info', files, 'a.skel', 'p.json').code).toBe(0);
+    expect(await runCommand('info', files, 'a.skel', 'p.json').code).toBe(0);
     expect(out[0]).toContain('without .obj, .attach');
     expect(errors[0]).toContain('warning: p.json: expected files that Sinew reads');
   });
 
   it('reads folders, with all that is in them, and archives', async () => {
-    const { folder, code } = run('info', { 'all.zip': zipOf(files) }, 'all.zip');
+    const { folder, code } = runCommand('info', { 'all.zip': zipOf(files) }, 'all.zip');
     expect(await code).toBe(0);
     expect(out[0]).toMatch(/^a: 3 joints, 3 vertices, 1 triangles/);
     mkdirSync(join(folder, 'x/y'), { recursive: true });
@@ -285,7 +267,7 @@ describe('info', () => {
   });
 
   it('reports an empty folder, and a .gz file that is not packed', async () => {
-    const { folder, code } = run('info', { 'a.obj.gz': 'no gzip' }, 'a.obj.gz');
+    const { folder, code } = runCommand('info', { 'a.obj.gz': 'no gzip' }, 'a.obj.gz');
     expect(await code).toBe(1);
     mkdirSync(join(folder, 'empty'));
     expect(await commands[0]!.run(['empty', 'a.obj.gz'])).toBe(1);
@@ -296,10 +278,10 @@ describe('info', () => {
   });
 
   it('makes names from files safe to print', async () => {
-    expect(await run('info', {}, 'a\u001b[2J\u202e.skel').code).toBe(1);
+    expect(await runCommand('info', {}, 'a\u001b[2J\u202e.skel').code).toBe(1);
     expect(errors.join('')).not.toMatch(/[\p{Cc}\p{Cf}]/u);
     const joined = { 'a\u202e.skel': files['a.skel'], 'b.obj': files['a.obj'] };
-    expect(await run('info', joined, ...Object.keys(joined)).code).toBe(0);
+    expect(await runCommand('info', joined, ...Object.keys(joined)).code).toBe(0);
     expect(errors.join('')).not.toMatch(/[\p{Cc}\p{Cf}]/u);
     expect(out.join('').replaceAll('\n', '')).not.toMatch(/[\p{Cc}\p{Cf}]/u);
     expect(out[0]).toMatch(/^a\uFFFD: 3 joints/);
@@ -309,7 +291,7 @@ describe('info', () => {
 describe('sample', () => {
   it('prints the values of a channel, counted from 0, before and after its keys too', async () => {
     const words = ['a.anim', '--channel', '1', '--times', '-1,0,1.5', '--json'];
-    expect(await run('sample', { 'a.anim': legAnim }, ...words).code).toBe(0);
+    expect(await runCommand('sample', { 'a.anim': legAnim }, ...words).code).toBe(0);
     const { channel, times, values } = JSON.parse(out[0]!) as Record<string, unknown>;
     expect([channel, times]).toEqual([1, [-1, 0, 1.5]]);
     expect(values).toHaveLength(3);
@@ -324,7 +306,7 @@ describe('sample', () => {
     [['a.anim', '--channel', '99', '--times', '1'], 'from 0 to 11'],
     [['a.anim', '--channel', 'knee.rx', '--times', '1'], 'the channels are #0.tx, #0.ty'],
   ])('is used wrongly as %j', async (words, message) => {
-    const { code } = run('sample', { 'a.anim': legAnim }, ...words);
+    const { code } = runCommand('sample', { 'a.anim': legAnim }, ...words);
     await expect(code).rejects.toThrow(message);
   });
 });
@@ -337,7 +319,7 @@ describe('convert', () => {
       'p.json': '{"joints":{"knee":[1,0,9]}}',
     };
     const words = ['a.skel', 'a.skin', '--to', 'mit', '--out', 'new', '--pose', 'p.json'];
-    const { folder, code } = run('convert', contents, ...words);
+    const { folder, code } = runCommand('convert', contents, ...words);
     expect(await code).toBe(0);
     expect(out).toEqual(
       ['a.skel', 'a.obj', 'a.mtl', 'a.attach', 'p.json'].map((name) => join('new', name)),
@@ -350,7 +332,7 @@ describe('convert', () => {
 
   it('writes a PMD and the matching pose, by quaternions', async () => {
     const words = [...names, '--to', 'pmd', '--out', 'new', '--pose', 'p.json'];
-    const { folder, code } = run('convert', files, ...words);
+    const { folder, code } = runCommand('convert', files, ...words);
     expect(await code).toBe(0);
     expect(out).toEqual(['a.pmd', 'p.json'].map((name) => join('new', name)));
     expect(errors.join('\n')).toContain('a.pmd: expected materials without names');
@@ -366,7 +348,7 @@ describe('convert', () => {
   it('exits with 1, and writes nothing, if the files can’t hold the character', async () => {
     const obj = `${'v 0 0 0\n'.repeat(65_536)}f 1 2 3\n`;
     const words = ['a.obj', '--to', 'pmd', '--out', 'new'];
-    const { folder, code } = run('convert', { 'a.obj': obj }, ...words);
+    const { folder, code } = runCommand('convert', { 'a.obj': obj }, ...words);
     expect(await code).toBe(1);
     expect(out).toEqual([]);
     expect(errors.at(-1)).toContain('at most 65535 vertices');
@@ -378,11 +360,11 @@ describe('convert', () => {
     [['a.skel', '--to', 'pmx', '--out', 'o'], 'expected --to'],
     [['a.skel', '--to', 'mit'], 'expected --out'],
   ])('is used wrongly as %j', async (words, message) => {
-    await expect(run('convert', files, ...words).code).rejects.toThrow(message);
+    await expect(runCommand('convert', files, ...words).code).rejects.toThrow(message);
   });
 
   it('exits with 1 for a bad file', async () => {
     const words = ['a.skel', '--to', 'mit', '--out', 'o'];
-    expect(await run('convert', { 'a.skel': 'balljoint a {' }, ...words).code).toBe(1);
+    expect(await runCommand('convert', { 'a.skel': 'balljoint a {' }, ...words).code).toBe(1);
   });
 });

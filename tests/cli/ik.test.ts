@@ -1,12 +1,11 @@
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import { commands } from '../../src/cli/commands.ts';
+import { describe, expect, it } from 'vitest';
 import { UsageError } from '../../src/cli/usage-error.ts';
 import { jointMatrices } from '../../src/core/forward-kinematics.ts';
 import { readPoseJson } from '../../src/formats/read-pose-json.ts';
 import { readOne } from '../support/files.ts';
-import { folderWith } from './run-sinew.ts';
+import { recordLines, runCommand } from './run-command.ts';
 
 const skel = '0 0 0 -1\n0 1 0 0\n0 1 0 1\n0 1 0 2\n';
 
@@ -24,23 +23,10 @@ const arm = {
   effectors: [{ joint: 1, local: [1, 0, 0], target: [1, 1, 0] }],
 };
 
-let errors: string[];
-let out: string[];
-
-beforeEach(() => {
-  [errors, out] = [[], []];
-  vi.spyOn(console, 'error').mockImplementation((line: string) => errors.push(line));
-  vi.spyOn(console, 'log').mockImplementation((line: string) => out.push(line));
-});
-afterEach(() => {
-  vi.restoreAllMocks();
-  vi.unstubAllEnvs();
-});
+const { errors, out } = recordLines();
 
 function run(contents: Record<string, string>, ...words: string[]) {
-  const folder = folderWith(contents);
-  vi.stubEnv('INIT_CWD', folder);
-  return { folder, code: commands.find(({ name }) => name === 'ik')!.run(words) };
+  return runCommand('ik', contents, ...words);
 }
 
 interface Answer {
@@ -102,7 +88,7 @@ describe('ik of a problem', () => {
       ['RxRyRz', 2],
       ['RzRyRx', 0],
     ] as const) {
-      out = [];
+      out.length = 0;
       const { angles, status } = await answerOf({ order, joints, dofs, effectors });
       expect(status).toBe('reached');
       const turned = [1, 0, 0];
@@ -113,7 +99,7 @@ describe('ik of a problem', () => {
 
   it('answers a list with a list, whether it has a name or not', async () => {
     for (const contents of [[arm, arm], { problems: [arm, arm], note: 'two' }]) {
-      out = [];
+      out.length = 0;
       const { code } = run({ 'p.json': JSON.stringify(contents) }, 'p.json', '--json');
       expect(await code).toBe(0);
       const answers = JSON.parse(out.join('')) as Answer[];

@@ -1,32 +1,13 @@
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import { commands } from '../../src/cli/commands.ts';
+import { describe, expect, it } from 'vitest';
 import { readAnim } from '../../src/formats/cse169/anim.ts';
 import { readMotionText } from '../../src/formats/motion/read-motion.ts';
 import { legAnim, legSkel, legSkin } from '../support/cse169-files.ts';
-import type { FileContents } from '../support/files.ts';
 import { squarePmd } from '../support/pmd-files.ts';
-import { folderWith } from './run-sinew.ts';
+import { recordLines, runCommand } from './run-command.ts';
 
-let errors: string[];
-let out: string[];
-
-beforeEach(() => {
-  [errors, out] = [[], []];
-  vi.spyOn(console, 'error').mockImplementation((line: string) => errors.push(line));
-  vi.spyOn(console, 'log').mockImplementation((line: string) => out.push(line));
-});
-afterEach(() => {
-  vi.restoreAllMocks();
-  vi.unstubAllEnvs();
-});
-
-function run(name: string, contents: FileContents, ...words: string[]) {
-  const folder = folderWith(contents);
-  vi.stubEnv('INIT_CWD', folder);
-  return { folder, code: commands.find((command) => command.name === name)!.run(words) };
-}
+const { errors, out } = recordLines();
 
 const half = Math.SQRT1_2;
 const wave = JSON.stringify({
@@ -54,7 +35,7 @@ const wave = JSON.stringify({
 describe('sample of a MOTION.json', () => {
   async function sampled(channel: string, times: string): Promise<unknown> {
     const words = ['m.json', '--channel', channel, '--times', times, '--json'];
-    expect(await run('sample', { 'm.json': wave }, ...words).code).toBe(0);
+    expect(await runCommand('sample', { 'm.json': wave }, ...words).code).toBe(0);
     return (JSON.parse(out.at(-1)!) as { values: unknown }).values;
   }
 
@@ -70,28 +51,28 @@ describe('sample of a MOTION.json', () => {
   it('prints rotations as x, y, z, w', async () => {
     const [at1] = (await sampled('Neck.rotation', '1')) as number[][];
     [half, 0, 0, half].forEach((part, i) => expect(at1![i]).toBeCloseTo(part, 12));
-    await run('sample', { 'm.json': wave }, 'm.json', '--channel', '1', '--times', '2').code;
+    await runCommand('sample', { 'm.json': wave }, 'm.json', '--channel', '1', '--times', '2').code;
     expect(out.at(-1)).toBe('2\t1,0,0,0');
     expect(errors[0]).toContain('expected a target that Sinew knows, found "light"');
   });
 
   it('keeps the channel as it was asked for', async () => {
     const words = ['m.json', '--channel', 'smile', '--times', '0', '--json'];
-    await run('sample', { 'm.json': wave }, ...words).code;
+    await runCommand('sample', { 'm.json': wave }, ...words).code;
     expect(JSON.parse(out[0]!)).toEqual({ channel: 'smile', times: [0], values: [0.25] });
   });
 
   it('lists the channels when one is not there', async () => {
     const words = ['m.json', '--channel', 'elbow.rx', '--times', '0'];
-    await expect(run('sample', { 'm.json': wave }, ...words).code).rejects.toThrow(
+    await expect(runCommand('sample', { 'm.json': wave }, ...words).code).rejects.toThrow(
       'expected --channel from 0 to 3 or a name, found "elbow.rx"; the channels are Right elbow.rx, Neck.rotation, morph.smile, pin.Left foot.x',
     );
   });
 
   it('ends with 1 where there is no motion', async () => {
     const words = ['--channel', '0', '--times', '0'];
-    expect(await run('sample', { 'm.json': '{}' }, 'm.json', ...words).code).toBe(1);
-    expect(await run('sample', {}, 'none.json', ...words).code).toBe(1);
+    expect(await runCommand('sample', { 'm.json': '{}' }, 'm.json', ...words).code).toBe(1);
+    expect(await runCommand('sample', {}, 'none.json', ...words).code).toBe(1);
     expect(errors.join()).toContain('found "ENOENT"');
   });
 });
@@ -121,7 +102,15 @@ describe('pose with a motion', () => {
       'bent.json': '{"joints":{"knee":[0.5,-0.25,0.75],"foot":[1,0,0]}}',
       'foot.json': '{"joints":{"foot":[1,0,0]}}',
     };
-    const { folder, code } = run('pose', contents, 'a.skel', 'a.skin', ...words, '--out', 'o.obj');
+    const { folder, code } = runCommand(
+      'pose',
+      contents,
+      'a.skel',
+      'a.skin',
+      ...words,
+      '--out',
+      'o.obj',
+    );
     expect(await code).toBe(0);
     return readFileSync(join(folder, 'o.obj'), 'utf8');
   }
@@ -159,13 +148,15 @@ describe('pose with a motion', () => {
       'expected --time in seconds, found "x"',
     ],
   ])('is used wrongly as %j', async (words, message) => {
-    await expect(run('pose', leg, 'a.skel', 'a.skin', ...words).code).rejects.toThrow(message);
+    await expect(runCommand('pose', leg, 'a.skel', 'a.skin', ...words).code).rejects.toThrow(
+      message,
+    );
   });
 
   it('ends with 1 where a channel is wrong', async () => {
     const wrong = kneeMotion.replace('knee', 'elbow');
     const words = ['a.skel', 'a.skin', '--motion', 'm.json', '--time', '0', '--out', 'o.obj'];
-    expect(await run('pose', { ...leg, 'm.json': wrong }, ...words).code).toBe(1);
+    expect(await runCommand('pose', { ...leg, 'm.json': wrong }, ...words).code).toBe(1);
     expect(errors.join()).toContain('found "elbow"');
   });
 });
@@ -174,7 +165,7 @@ describe('convert with a motion', () => {
   async function converted(to: string, motion: string, name = 'bend.motion.json', extra = {}) {
     const contents = { ...leg, ...extra, [name]: motion };
     const words = ['a.skel', 'a.skin', '--to', to, '--out', 'new', '--motion', name];
-    const { folder, code } = run('convert', contents, ...words);
+    const { folder, code } = runCommand('convert', contents, ...words);
     return { code: await code, read: (file: string) => readFileSync(join(folder, 'new', file)) };
   }
 
@@ -207,7 +198,7 @@ describe('convert with a motion', () => {
   it('writes a MOTION.json beside files of the same format', async () => {
     const contents = { 'a.pmd': squarePmd, 'm.json': '{"channels":[]}' };
     const words = ['a.pmd', '--to', 'pmd', '--out', 'new', '--motion', 'm.json'];
-    expect(await run('convert', contents, ...words).code).toBe(0);
+    expect(await runCommand('convert', contents, ...words).code).toBe(0);
     expect(out.some((line) => line.endsWith('m.motion.json'))).toBe(true);
   });
 });

@@ -1,27 +1,11 @@
 import { expect, it } from 'vitest';
 import { bindClip, setMorphWeight, setValue } from '../../src/document/edits.ts';
-import { openCharacter } from '../../src/document/open-characters.ts';
-import { Session } from '../../src/document/session.ts';
-import { Store } from '../../src/document/store.ts';
-import { Evaluations } from '../../src/evaluation/evaluations.ts';
-import { holdEdits } from '../../src/evaluation/hold-edits.ts';
-import { characterOfRig } from '../fixtures/character-of-rig.ts';
-import { rotatedTree } from '../fixtures/rigs.ts';
-import { swingOf } from '../fixtures/swing.ts';
-import { allThere } from '../support/kernels.ts';
+import { openSwinging } from '../support/swinging-actor.ts';
 
 function open() {
-  const store = new Store();
-  const session = new Session();
-  const evaluations = new Evaluations(store, session, allThere);
-  holdEdits(store, session, evaluations);
-  const made = characterOfRig(rotatedTree());
-  const character = { ...made, clips: [swingOf(made)] };
-  store.dispatch(openCharacter(null, character, 'linear-blend'));
-  const actor = () => store.scene.value.actors[0]!;
-  store.dispatch(bindClip(actor().id, 0));
+  const { session, evaluations, ...opened } = openSwinging();
   session.clipTime.value = 0.5;
-  return { store, session, actor, shown: () => evaluations.of(actor()).pose };
+  return { ...opened, session, shown: () => evaluations.of(opened.actor()).pose };
 }
 
 it('shows an edited value over the clip, and the others as the clip has them', () => {

@@ -1,28 +1,12 @@
 import { expect, it } from 'vitest';
-import { bindClip, setValue } from '../../src/document/edits.ts';
-import { openCharacter } from '../../src/document/open-characters.ts';
-import { Session } from '../../src/document/session.ts';
-import { Store } from '../../src/document/store.ts';
-import { Evaluations } from '../../src/evaluation/evaluations.ts';
-import { holdEdits } from '../../src/evaluation/hold-edits.ts';
+import { setValue } from '../../src/document/edits.ts';
 import { Moments } from '../../src/evaluation/moments.ts';
-import { characterOfRig } from '../fixtures/character-of-rig.ts';
-import { rotatedTree } from '../fixtures/rigs.ts';
-import { swingOf } from '../fixtures/swing.ts';
-import { allThere } from '../support/kernels.ts';
+import { openSwinging } from '../support/swinging-actor.ts';
 
 function open() {
-  const store = new Store();
-  const session = new Session();
-  const evaluations = new Evaluations(store, session, allThere);
-  holdEdits(store, session, evaluations);
-  const made = characterOfRig(rotatedTree());
-  const character = { ...made, clips: [swingOf(made)] };
-  store.dispatch(openCharacter(null, character, 'linear-blend'));
-  const actor = () => store.scene.value.actors[0]!;
-  store.dispatch(bindClip(actor().id, 0));
-  const moments = new Moments(store, session, evaluations);
-  return { store, session, actor, evaluations, moments };
+  const opened = openSwinging();
+  const { store, session, evaluations } = opened;
+  return { ...opened, moments: new Moments(store, session, evaluations) };
 }
 
 it('are bit for bit what is shown at their time, and leave the present as it is', () => {

@@ -36,7 +36,7 @@ function timesOf(count: number): fc.Arbitrary<readonly number[]> {
     });
 }
 
-export function keysOf(
+function keysOf(
   tangent: fc.Arbitrary<Tangent>,
   { fewest = 1, most = 7 } = {},
 ): fc.Arbitrary<readonly KeyParts[]> {
@@ -60,7 +60,7 @@ export function keysOf(
   );
 }
 
-export const extrapolations: readonly Extrapolation[] = [
+const extrapolations: readonly Extrapolation[] = [
   'constant',
   'linear',
   'cycle',
@@ -83,7 +83,7 @@ export function scalarChannels(
 }
 
 /** Unit quaternions, none of them preferred. */
-export const rotations: fc.Arbitrary<Quaternion> = fc
+const rotations: fc.Arbitrary<Quaternion> = fc
   .tuple(number(-1, 1), number(-1, 1), number(-1, 1), number(-1, 1))
   .filter((parts) => Math.hypot(...parts) > 0.1)
   .map((parts) => {

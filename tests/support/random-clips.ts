@@ -77,7 +77,7 @@ function channelsOf(character: Character): fc.Arbitrary<ChannelParts> {
 }
 
 /** A clip with every kind of channel and key. */
-export function clipOf(character: Character): fc.Arbitrary<ClipParts> {
+function clipOf(character: Character): fc.Arbitrary<ClipParts> {
   return fc
     .record(
       {

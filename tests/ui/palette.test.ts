@@ -40,6 +40,7 @@ async function createEditor(): Promise<Editor> {
     ),
     scenes: [{ id: 'meeting', label: 'Address of two' }],
     dialog: signal('palette'),
+    showsRotationLab: signal(false),
     progress,
     viewer: { camera: signal(startCamera) },
   };

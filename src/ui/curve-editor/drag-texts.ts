@@ -29,7 +29,7 @@ export function movedText(
 }
 
 /** "12.5°" of an angle, or a number with three digits after the point. */
-export function amountText(value: number, unit: ValueUnit): string {
+function amountText(value: number, unit: ValueUnit): string {
   return unit === 'angle' ? formatDegrees(value) : exactText(Number(value.toFixed(3)));
 }
 

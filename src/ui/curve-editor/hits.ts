@@ -38,7 +38,7 @@ export function isSelected(selection: KeySelection, { line, at }: LineKey): bool
   return selection.get(line.key)?.some((each) => sameTime(each, time)) ?? false;
 }
 
-export function selectedKeys({ lines, selection }: Pick<Shown, 'lines' | 'selection'>): LineKey[] {
+function selectedKeys({ lines, selection }: Pick<Shown, 'lines' | 'selection'>): LineKey[] {
   return lines.flatMap((line) => {
     const chosen = selection.get(line.key);
     if (!chosen || chosen.length === 0) return [];

@@ -58,7 +58,7 @@ export function parseTime(text: string, fps: number): number | null {
   return amount !== null && frame !== undefined ? amount / fps : amount;
 }
 
-export const tangentWords = ['flat', 'linear', 'smooth', 'auto', 'stepped'] as const;
+const tangentWords = ['flat', 'linear', 'smooth', 'auto', 'stepped'] as const;
 
 /** Writes a tangent: its rule, a slope in value a second, or "tcb" with its three numbers. */
 export function tangentText(tangent: Tangent): string {

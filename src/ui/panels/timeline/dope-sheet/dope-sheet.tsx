@@ -2,7 +2,8 @@ import { useEffect, useLayoutEffect, useMemo, useRef, useState } from 'preact/ho
 import { selectJoint, toggleJoint } from '../../../../document/select-joints.ts';
 import { selectedJoints } from '../../../../document/selected-joints.ts';
 import { addAxisGestures } from '../../../timeline/axis-gestures.ts';
-import { addKeyPointer, type KeyBox, type ShownRows } from '../../../timeline/key-pointer.ts';
+import { addKeyPointer } from '../../../timeline/key-pointer.ts';
+import type { KeyBox, ShownRows } from '../../../timeline/shown-rows.ts';
 import { type RowId, timelineRows, type TimelineRow } from '../../../timeline/rows.ts';
 import { showsAllJoints } from '../../../timeline/timeline-state.ts';
 import { unkeyedRows } from '../../../timeline/unkeyed-rows.ts';

@@ -1,5 +1,5 @@
 import { toggled } from '../../../../core/motion/edit/selection.ts';
-import { keysOfDiamond, type ShownRows } from '../../../timeline/key-pointer.ts';
+import { keysOfDiamond, type ShownRows } from '../../../timeline/shown-rows.ts';
 import { keyText } from '../../../timeline/key-text.ts';
 import { firstAtOrAfter, keysOfRow, nearestKey } from '../../../timeline/row-keys.ts';
 import type { RowId, TimelineRow } from '../../../timeline/rows.ts';
