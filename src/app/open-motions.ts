@@ -5,6 +5,7 @@ import { openMotion } from '../ui/open-motion.ts';
 import type { FileOpener } from './open-files.ts';
 import { readBytes } from './read-bytes.ts';
 import type { PoseFile } from './sort-files.ts';
+import { formats } from '../formats/registry.ts';
 
 /** Files that were sorted, and the rest of them. */
 interface Sorted {
@@ -22,7 +23,7 @@ export async function motionsAmong(
   problems: Diagnostic[],
 ): Promise<Sorted> {
   const areAlone = parts.every(({ path }) => extensionOf(path) === '.anim');
-  const complete = openedFiles?.character.meta.format === 'cse169';
+  const complete = hasClipFiles(openedFiles?.character.meta.format);
   const isPosable = (selected?.character.skeleton.jointCount ?? 0) > 0;
   if (parts.length === 0 || !areAlone || complete || !isPosable) return { motions, parts };
   const read: PoseFile[] = [];
@@ -47,4 +48,9 @@ export function openMotions(
     openMotion({ store, session }, baseName(path), bytes, problems),
   );
   return said.at(-1);
+}
+
+/** Whether a character of this format comes with files of clips. */
+function hasClipFiles(format: string | undefined): boolean {
+  return formats.some(({ id, shape }) => id === format && shape.clips);
 }

@@ -49,9 +49,14 @@ function bottomOf(positions: Float32Array): number {
 
 describe.each(bundledIds)('the bundled character %s', (id) => {
   it('has exactly the files that the catalogue lists, and is sound', async () => {
-    const { files, pose, poses } = entryOf(id);
+    const { files, pose, poses, motions = [] } = entryOf(id);
     const ofPoses = poses === undefined ? [] : [poses, pictureOf(poses)];
-    const listed = [...files, ...(pose === undefined ? [] : [pose]), ...ofPoses].toSorted();
+    const listed = [
+      ...files,
+      ...(pose === undefined ? [] : [pose]),
+      ...ofPoses,
+      ...motions,
+    ].toSorted();
     const found = readdirSync(join(folder, id)).filter((name) => name !== 'LICENSE.txt');
     expect(listed).toEqual(found.map((name) => `${id}/${name}`).toSorted());
     const character = await readBundled(id);

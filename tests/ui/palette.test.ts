@@ -20,6 +20,10 @@ import { type Findable, fitsQuery, rankEntries } from '../../src/ui/rank-entries
 import { startCamera } from '../../src/view/camera.ts';
 import { leg } from '../support/cse169-files.ts';
 import { readOne } from '../support/files.ts';
+import { copyKeys } from '../../src/core/motion/edit/copy-keys.ts';
+import { channelKey } from '../../src/core/motion/targets.ts';
+import { copiedKeys } from '../../src/ui/timeline/timeline-state.ts';
+import { selectedActor } from '../../src/document/selected-actor.ts';
 
 const progress = signal<Progress | null>(null);
 
@@ -149,6 +153,13 @@ describe('the palette', () => {
       store.dispatch(addSavedPose(pose));
     }
     session.chosenPose.value = 'saved 2';
+    for (const id of listed()) seen.add(id);
+    // Keys are selected in a timeline that shows curves, and some were copied.
+    session.timelineView.value = 'curves';
+    const { clip, clips } = selectedActor(store, session)!;
+    const keys = new Map([[channelKey(clips[clip ?? 0]!.channels[0]!.target!), [0]]]);
+    session.selectedKeys.value = keys;
+    copiedKeys.value = copyKeys(clips[clip ?? 0]!, keys);
     for (const id of listed()) seen.add(id);
     const never = fitting.filter((id) => !seen.has(id));
     expect(never).toEqual(['palette']);

@@ -152,7 +152,7 @@ describe('the paths of the bone’s end', () => {
     expect(isStored).toBe(true);
     expect(keys).toEqual([points[0], points.at(-1)]);
     const { vector } = bonesOf(human).find(({ joint }) => joint === shoulder)!;
-    const along = vec3.dot(vector, axis as never);
+    const along = vec3.dot(vector, axis);
     const radius = Math.sqrt(vec3.squaredLength(vector) - along * along);
     // The chord between neighbors is that of the same angle everywhere: 0.5 rad in equal parts.
     const chord = 2 * radius * Math.sin(0.25 / (points.length - 1));

@@ -93,7 +93,7 @@ export const clipCommands = [
   },
   {
     id: 'clip-settings',
-    label: 'Rename the clip, set its length and its frames a second',
+    label: 'Clip settings: name, length and frames a second',
     short: 'Clip settings',
     isEnabled: hasClip,
     run: async (editor) => (await clips()).openClipSettings(editor),

@@ -11,7 +11,7 @@ const showsCurves = ({ session, transport }: Editor): boolean =>
 export const curveCommands = [
   {
     id: 'show-curves',
-    label: 'Show the curves of the clip',
+    label: 'Curves of the clip in the timeline',
     isOn: ({ session }) => session.timelineView.value === 'curves',
     run: ({ session, tab }) => {
       tab.value = 'animate';

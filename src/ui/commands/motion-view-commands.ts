@@ -10,14 +10,14 @@ import type { Command } from './command.ts';
 export const motionViewCommands = [
   {
     id: 'ghosts',
-    label: 'Show ghosts of the character before and after the present moment',
+    label: 'Ghosts of the character before and after the present moment',
     short: 'Ghosts',
     isOn: ({ session }) => motionViewOf(session).ghosts.value.isOn,
     run: (editor) => toggle(editor, 'ghosts'),
   },
   {
     id: 'trails',
-    label: 'Show the motion trails of the selected joints',
+    label: 'Trails of the motion of the selected joints',
     short: 'Trails',
     isOn: ({ session }) => motionViewOf(session).trails.value.isOn,
     run: (editor) => toggle(editor, 'trails'),

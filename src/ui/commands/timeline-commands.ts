@@ -34,7 +34,7 @@ export const timelineCommands = [
   },
   {
     id: 'remove-keys',
-    label: 'Remove the selected keys',
+    label: 'Delete the selected keys',
     short: 'Remove',
     keys: [{ key: 'Delete' }, { key: 'Backspace' }],
     context: 'timeline',
@@ -104,7 +104,7 @@ export const timelineCommands = [
   },
   {
     id: 'frame-keys',
-    label: 'Show the selected keys from edge to edge, or all',
+    label: 'Frame the selected keys, or all',
     short: 'Frame the keys',
     keys: [{ key: 'f', shift: false }],
     context: 'timeline',
@@ -113,7 +113,7 @@ export const timelineCommands = [
   },
   {
     id: 'frame-clip',
-    label: 'Show the whole clip from edge to edge',
+    label: 'Frame the whole clip',
     short: 'Frame the clip',
     keys: [{ key: 'f', shift: true }],
     context: 'timeline',
