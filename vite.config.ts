@@ -4,6 +4,7 @@ import { earlyRequests } from './tools/vite-early-requests.ts';
 import { pureGlMatrix } from './tools/vite-gl-matrix.ts';
 import { shortShaders } from './tools/vite-glsl.ts';
 import { wasmKernel } from './tools/vite-kernel.ts';
+import { withoutNodeFiles } from './tools/vite-mediabunny.ts';
 
 /**
  * Modules that the first picture needs come in few scripts, because they take fewer requests and
@@ -59,6 +60,7 @@ export default defineConfig({
     shortShaders(),
     wasmKernel(),
     pureGlMatrix(),
+    withoutNodeFiles(),
     contentPolicy(),
     earlyRequests(),
     packedAsTheyAre(),

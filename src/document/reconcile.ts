@@ -28,9 +28,9 @@ function showUnkeyed({ playing, clipTime }: Session, before: Scene, after: Scene
   const changed = after.actors.find(
     ({ id, unkeyed }) => unkeyed && unkeyed !== actorById(before, id)?.unkeyed,
   );
-  if (!changed) return;
+  if (!changed?.unkeyed) return;
   playing.value = false;
-  clipTime.value = changed.unkeyed!.time;
+  clipTime.value = changed.unkeyed.time;
 }
 
 /** Selects another actor of the scene. */

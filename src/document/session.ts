@@ -1,7 +1,7 @@
 import { signal } from '@preact/signals-core';
 import type { Bone } from '../core/bones.ts';
 import type { Diagnostic } from '../core/diagnostics.ts';
-import { type KeySelection, noKeys } from '../core/motion/key-selection.ts';
+import type { KeySelection } from '../core/motion/key-selection.ts';
 import type { ActorId } from './scene.ts';
 import type { KernelId } from '../skinning/method.ts';
 import type { ChainLength } from '../posing/ik/chain.ts';
@@ -177,7 +177,7 @@ export class Session {
   /** The time that the timeline shows from left to right, in seconds; null is the whole clip. */
   readonly timeWindow = signal<readonly [number, number] | null>(null);
   /** The selected keys of the chosen clip of the selected actor. */
-  readonly selectedKeys = signal<KeySelection>(noKeys);
+  readonly selectedKeys = signal<KeySelection>(new Map());
   /** Whether materials show their textures. */
   readonly showTextures = signal(true);
   /** Whether the selected actor shows its weights in color, and how. */

@@ -4,7 +4,7 @@ import type { AxisDof, Pose } from '../core/pose.ts';
 import { setAxisValues } from './axis-values.ts';
 import { ballValue, type BallJson, quaternionOf } from './ball-values.ts';
 import { checkVersion, display, JsonValue } from './json/decoder.ts';
-import { boundText } from './text/write-number.ts';
+import { boundText } from './text/bound-text.ts';
 import { DofKind, type Skeleton } from '../core/skeleton.ts';
 import { firstRoot } from '../core/subtree.ts';
 

@@ -1,6 +1,7 @@
 import { mat4, vec3 } from 'gl-matrix';
 import { assert } from '../core/assert.ts';
 import { pointOnRay, type Ray } from '../core/ray.ts';
+import { sameValue } from '../core/same-value.ts';
 import { DofKind, type Skeleton } from '../core/skeleton.ts';
 import { followRay } from './follow-ray.ts';
 import { type DofFrame, jointFrames, parentMatrix } from './joint-frames.ts';
@@ -165,12 +166,7 @@ function isHinge({ kind }: DofFrame): boolean {
 }
 
 function isSame(a: DragPointer, b: DragPointer): boolean {
-  return (
-    a.x === b.x &&
-    a.y === b.y &&
-    vec3.exactEquals(a.ray.origin, b.ray.origin) &&
-    vec3.exactEquals(a.ray.direction, b.ray.direction)
-  );
+  return a.x === b.x && a.y === b.y && sameValue(a.ray, b.ray);
 }
 
 function closestOnRay(ray: Ray, point: vec3): vec3 {

@@ -43,9 +43,9 @@ export function goToPoint({ evaluations, session, viewer }: Looking, point: numb
   if (!shown) return;
   const { positions, normals } = shown.vertices();
   const { sceneFromCharacter } = shown.display;
-  const at = (values: Float32Array): vec3 => vec3.clone(values.subarray(point * 3, point * 3 + 3));
+  const at = (values: Float32Array): vec3 => values.slice(point * 3, point * 3 + 3);
   const target = vec3.transformMat4(new Float64Array(3), at(positions), sceneFromCharacter);
-  const end = vec3.add(vec3.create(), at(positions), at(normals));
+  const end = vec3.add(new Float32Array(3), at(positions), at(normals));
   const outward = vec3.transformMat4(new Float64Array(3), end, sceneFromCharacter);
   vec3.normalize(outward, vec3.subtract(outward, outward, target));
   const camera = viewer.camera.peek();

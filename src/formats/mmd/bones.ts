@@ -3,7 +3,7 @@ import { MmdBoneType, type MmdBone } from './mmd-parts.ts';
 import { noParent } from '../../core/skeleton.ts';
 import type { BinaryReader } from '../binary/binary-reader.ts';
 import type { BinaryRecord } from '../binary/binary-record.ts';
-import { boundText } from '../text/write-number.ts';
+import { boundText } from '../text/bound-text.ts';
 import { decodeName } from './decode-name.ts';
 import { Findings } from './findings.ts';
 import { mirrorPoint } from './mirror.ts';

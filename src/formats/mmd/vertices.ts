@@ -1,7 +1,7 @@
 import type { DiagnosticLog } from '../../core/diagnostics.ts';
 import type { Limits } from '../../core/limits.ts';
 import type { BinaryReader, RecordArray } from '../binary/binary-reader.ts';
-import { boundText } from '../text/write-number.ts';
+import { boundText } from '../text/bound-text.ts';
 import { Findings } from './findings.ts';
 import { mirrored } from './mirror.ts';
 

@@ -1,6 +1,6 @@
 import type { DiagnosticCode, DiagnosticLog } from '../../core/diagnostics.ts';
 import { defaultLimits } from '../../core/limits.ts';
-import { boundText } from '../text/write-number.ts';
+import { boundText } from '../text/bound-text.ts';
 
 /** A line of a text with its number, from 1. */
 export interface TextLine {

@@ -23,7 +23,11 @@ export function turnOf([x, y, z]: Angles, product: EulerProduct): quat {
 /** The angles of a rotation that are nearest to others. */
 export function anglesOf(rotation: ArrayLike<number>, product: EulerProduct, near: Angles): Angles {
   const [x, y, z, w] = [rotation[0]!, rotation[1]!, rotation[2]!, rotation[3]!];
-  return extractEuler(mat4.fromQuat(new Float64Array(16), [x, y, z, w]), product, near);
+  return extractEuler(
+    mat4.fromRotationTranslation(new Float64Array(16), [x, y, z, w], [0, 0, 0]),
+    product,
+    near,
+  );
 }
 
 /** The angle in radians from one rotation to another. */

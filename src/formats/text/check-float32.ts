@@ -1,6 +1,6 @@
 import type { DiagnosticLog } from '../../core/diagnostics.ts';
 import type { LineReader } from './line-reader.ts';
-import { boundText } from './write-number.ts';
+import { boundText } from './bound-text.ts';
 
 export const largestFloat32 = 3.4028234663852886e38;
 

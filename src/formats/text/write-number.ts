@@ -20,11 +20,6 @@ export function writeFloat64(value: number): string {
   return Object.is(value, -0) ? '-0' : String(value);
 }
 
-/** Formats a bound for messages, such as "3.4e38". */
-export function boundText(value: number): string {
-  return Number(value.toPrecision(2)).toExponential().replace('+', '');
-}
-
 const encoder = new TextEncoder();
 
 /** Encodes lines, each with a line end, as UTF-8. */

@@ -55,7 +55,7 @@ function completed(axes: readonly Axis[]): readonly Axis[] {
 
 /** The first eleven elements of the column-major matrix Bᵀ · R · B; the columns of B are the axes. */
 function inFrame(rotation: Quaternion, axes: readonly Axis[]): number[] {
-  const matrix = mat4.fromQuat(new Float64Array(16), [...rotation]);
+  const matrix = mat4.fromRotationTranslation(new Float64Array(16), [...rotation], [0, 0, 0]);
   const turned = axes.map((axis) => vec3.transformMat4(new Float64Array(3), axis, matrix));
   return turned
     .flatMap((column) => [...axes.map((axis) => vec3.dot(axis, column)), 0])

@@ -107,7 +107,7 @@ function bendAxis(body: Body, joint: number, role: JointRole, along: vec3): vec3
   if (role === 'finger' || role === 'thumb') return square(curlAxis(body, joint, along), along);
   if (role === 'elbow' || role === 'knee') {
     const above = limbAbove(body, joint);
-    const bent = above ? vec3.cross(new Float64Array(3), above, along) : vec3.create();
+    const bent = above ? vec3.cross(new Float64Array(3), above, along) : new Float64Array(3);
     const degrees = above ? (angleBetween(above, along) * 180) / Math.PI : 0;
     if (!body.forward && degrees < clear) return null;
     const t = Math.min(Math.max((degrees - unclear) / (clear - unclear), 0), 1);
