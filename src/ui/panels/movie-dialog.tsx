@@ -46,6 +46,11 @@ export function MovieDialog({ editor }: { readonly editor: Editor }) {
   };
   const range = settings.range in ranges ? settings.range : Object.keys(ranges)[0]!;
   const hasClip = situation.clip !== null;
+  const choose = (format: MovieFormatId): void => {
+    // A GIF of the usual size of videos would be very large; a size of the user's choice stays.
+    const isUsual = settings.size === '720p';
+    set({ format, ...(format === 'gif' && isUsual && { size: '360p' }) });
+  };
   const save = (event: Event): void => {
     event.preventDefault();
     editor.dialog.value = null;
@@ -53,7 +58,7 @@ export function MovieDialog({ editor }: { readonly editor: Editor }) {
   };
   return (
     <form class="movie" onSubmit={save}>
-      <Formats choices={choices} chosen={settings.format} onChange={(format) => set({ format })} />
+      <Formats choices={choices} chosen={settings.format} onChange={choose} />
       <div class="rows">
         <SelectRow
           label="Size"
