@@ -52,6 +52,16 @@ export async function startOver(page: Page, workspace = 'studio'): Promise<void>
     const later = (): Promise<unknown> => new Promise((resolve) => setTimeout(resolve));
     const button = (command: string) =>
       document.querySelector<HTMLButtonElement>(`[data-command="${command}"]`);
+    // Releasing a clip keeps its pose.
+    const release = (): void => {
+      const found = button('release-clip');
+      if (!found || found.disabled) return;
+      found.click();
+      window.sinew.pose({});
+    };
+    // The change of workspace frames what is shown.
+    release();
+    await later();
     // What is drawn, and how, is reset only by a change of workspace, which may be a step of undo.
     const menu = document.querySelector<HTMLSelectElement>('[data-section="view"] select')!;
     const ids = Array.from(menu.options, ({ value }) => value);
@@ -61,11 +71,8 @@ export async function startOver(page: Page, workspace = 'studio'): Promise<void>
       await later();
     }
     for (; !button('undo')!.disabled; await later()) button('undo')!.click();
-    // Binding a clip is not a step of undo, and releasing it keeps its pose.
-    const release = button('release-clip');
-    if (!release || release.disabled) return;
-    release.click();
-    window.sinew.pose({});
+    // Binding a clip is not a step of undo, so that undo has bound it again.
+    release();
   }, workspaceLabels[workspace] ?? workspace);
   await choose(page, 'Compare with', 'Nothing');
   await openTab(page, 'pose');
