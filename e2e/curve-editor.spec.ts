@@ -200,11 +200,13 @@ test('every key is read and changed in a table by keys alone', async () => {
   await expect(cell).toBeFocused();
   await expect(cell).toHaveText('0.6 34.4°');
   await page().keyboard.press('Enter');
+  await expect(grid.getByRole('textbox')).toBeFocused();
   await page().keyboard.type('0.9');
   await page().keyboard.press('Enter');
   await expect(cell).toBeFocused();
   await page().keyboard.press('ArrowRight');
   await page().keyboard.press('Enter');
+  await expect(grid.getByRole('textbox')).toBeFocused();
   await page().keyboard.type('no slope');
   await page().keyboard.press('Enter');
   await expect(grid.getByRole('textbox')).toHaveAttribute('aria-invalid', 'true');

@@ -94,7 +94,9 @@ test.describe('by touch', () => {
         for (const name of ['insect', 'tube', 'insect']) {
           await page.evaluate((name) => window.sinew.select(name), name);
           await page.evaluate(() => window.sinew.settled());
-          heights.push(await page.locator('canvas').evaluate((canvas) => canvas.clientHeight));
+          heights.push(
+            await page.locator('canvas.scene').evaluate((canvas) => canvas.clientHeight),
+          );
           await page.evaluate(() =>
             window.sinew.open([new File(['0'], `${'long name '.repeat(9)}.txt`)]),
           );

@@ -123,6 +123,7 @@ test('copied keys are pasted at the playhead, reversed too, and removed', async 
   await expect(count).toContainText('17 keys');
   await boxSelect('abdomen2');
   await page().keyboard.press('Control+c');
+  await expect(page().locator('.notice')).toHaveText(/^Copied/);
   await page().evaluate(() => window.sinew.seek(2));
   await page().keyboard.press('Control+Shift+v');
   await expect(count).toContainText('34 keys');
