@@ -155,7 +155,7 @@ export function placeBones(
 
 /** The rotation from the second axes to the first, F₁ᵀ · F₂ (both are rotations). */
 function between(first: mat4, second: mat4): Float64Array {
-  const inverse = mat4.transpose(identity(), first);
+  const inverse = Float64Array.from(first, (_, i) => first[(i % 4) * 4 + (i >> 2)]!);
   return mat4.multiply(identity(), inverse, second) as Float64Array;
 }
 

@@ -44,7 +44,7 @@ export function sphereSpan(
   // Computed from the line's closest point, because |offset|² - b² would lose digits for a distant
   // sphere.
   vec3.scaleAndAdd(offset, offset, direction, -b);
-  const discriminant = radius * radius - vec3.squaredLength(offset);
+  const discriminant = radius * radius - vec3.dot(offset, offset);
   if (discriminant < 0) return null;
   const half = Math.sqrt(discriminant);
   return [-b - half, -b + half];
@@ -77,11 +77,11 @@ export function rayCylinder(
   // without choosing its axes.
   vec3.scaleAndAdd(offset, offset, axis, -start);
   const across = vec3.scaleAndAdd(new Float64Array(3), ray.direction, axis, -slope);
-  const a = vec3.squaredLength(across);
+  const a = vec3.dot(across, across);
   if (a < parallel) return Infinity;
   const middle = -vec3.dot(offset, across) / a;
   vec3.scaleAndAdd(offset, offset, across, middle);
-  const discriminant = (radius * radius - vec3.squaredLength(offset)) / a;
+  const discriminant = (radius * radius - vec3.dot(offset, offset)) / a;
   if (discriminant < 0) return Infinity;
   const half = Math.sqrt(discriminant);
   return firstAhead([middle - half, middle + half], (distance) => {
@@ -125,7 +125,7 @@ export function distanceToSegment(
 ): number {
   const axis = vec3.subtract(new Float64Array(3), to, from);
   const offset = vec3.subtract(new Float64Array(3), point, from);
-  const squared = vec3.squaredLength(axis);
+  const squared = vec3.dot(axis, axis);
   const part = squared > 0 ? vec3.dot(offset, axis) / squared : 0;
   vec3.scaleAndAdd(offset, offset, axis, -Math.min(1, Math.max(0, part)));
   return vec3.length(offset);

@@ -29,7 +29,7 @@ export function reachPoint(
   target: vec3,
   from: Float64Array,
 ): Reached {
-  const size = vec3.squaredLength(point);
+  const size = vec3.dot(point, point);
   let q = from;
   let now = lookAt(start, q, point, target);
   let damping = 1e-3 * size;

@@ -41,7 +41,7 @@ export function nearestValue(single: SingleDof, point: vec3, ray: Ray, near: num
 
 function nearestOffset({ dof, value, min, max }: SingleDof, point: vec3, ray: Ray): number {
   const direction = across(dof.axis, ray.direction);
-  const length = vec3.squaredLength(direction);
+  const length = vec3.dot(direction, direction);
   if (length < 1e-12) return value; // the axis points at the viewer, so the ray determines nothing
   const gap = vec3.subtract(new Float64Array(3), ray.origin, point);
   return clamp(value + vec3.dot(gap, direction) / length, min, max);
@@ -56,14 +56,14 @@ function nearestAngle(single: SingleDof, point: vec3, ray: Ray, near: number): n
   const { dof, value, min, max } = single;
   const arm = vec3.subtract(new Float64Array(3), point, dof.origin);
   const u = across(arm, dof.axis);
-  const radius = vec3.squaredLength(u);
+  const radius = vec3.dot(u, u);
   const v = vec3.cross(new Float64Array(3), dof.axis, u);
   const center = vec3.subtract(new Float64Array(3), vec3.subtract(arm, arm, u), ray.origin);
   vec3.add(center, center, dof.origin);
   // All vectors projected along the ray.
   const [m, p, s] = [center, u, v].map((vector) => across(vector, ray.direction));
   const [mp, ms, ps] = [vec3.dot(m!, p!), vec3.dot(m!, s!), vec3.dot(p!, s!)];
-  const bend = vec3.squaredLength(s!) - vec3.squaredLength(p!);
+  const bend = vec3.dot(s!, s!) - vec3.dot(p!, p!);
 
   const slope = (angle: number): number => {
     const [sin, cos] = [Math.sin(angle), Math.cos(angle)];
@@ -72,7 +72,7 @@ function nearestAngle(single: SingleDof, point: vec3, ray: Ray, near: number): n
   const cost = (angle: number): number => {
     const seen = vec3.scaleAndAdd(new Float64Array(3), m!, p!, Math.cos(angle));
     vec3.scaleAndAdd(seen, seen, s!, Math.sin(angle));
-    return vec3.squaredLength(seen) + (pull * radius * (1 - Math.cos(angle))) / 2;
+    return vec3.dot(seen, seen) + (pull * radius * (1 - Math.cos(angle))) / 2;
   };
 
   const choices = [min, max].filter(Number.isFinite);
