@@ -62,7 +62,7 @@ test('a button or a key removes the selected character, and undo restores it', a
   await undo().click();
   expect(await names()).toEqual(before);
   expect(await selected()).toBe(before[2]);
-  await page().locator('canvas').focus();
+  await page().locator('canvas.scene').focus();
   await page().keyboard.press('Delete');
   expect(await names()).toEqual(before.slice(0, 2));
   await page().keyboard.press('Control+z');
@@ -72,7 +72,7 @@ test('a button or a key removes the selected character, and undo restores it', a
 test('a copy has the pose of its original and a place beside all characters', async () => {
   await list().nth(0).click();
   const posed = await setPose(page(), { joints: { Head: [0, 0.7, 0] } });
-  await page().locator('canvas').focus();
+  await page().locator('canvas.scene').focus();
   await page().keyboard.press('Control+d');
   await expect(list()).toHaveCount(4);
   await expect(list().nth(3)).toHaveText('human 2');
@@ -87,7 +87,7 @@ test('a copy has the pose of its original and a place beside all characters', as
 test('a click on another character selects it and its joint', async () => {
   await list().nth(1).click();
   await page().keyboard.press('Home');
-  const box = (await page().locator('canvas').boundingBox())!;
+  const box = (await page().locator('canvas.scene').boundingBox())!;
   // The human is at the left of the row, with the insect beside it.
   const hit = async (): Promise<boolean> => {
     for (const y of [0.5, 0.42, 0.58]) {

@@ -79,7 +79,7 @@ test('texture coordinates are shown as colors, and by a checker', async () => {
 test('without texture coordinates a checker lies on a box, and an image around a cylinder', async () => {
   await drop(page(), bareHuman());
   await setPose(page(), hardPose);
-  await page().locator('canvas').focus();
+  await page().locator('canvas.scene').focus();
   await page().keyboard.press('Home');
   await choose(page(), 'Surface', 'Checker');
   await expect(note()).toHaveText(/no texture coordinates.* One check is [\d.]+ model units wide/);
@@ -96,7 +96,7 @@ test('without texture coordinates a checker lies on a box, and an image around a
     field.dispatchEvent(new Event('blur'));
   });
   await page().evaluate(() => window.sinew.pose({}));
-  await page().locator('canvas').focus();
+  await page().locator('canvas.scene').focus();
   await page().keyboard.press('Home');
   expectPicture('human-image', await capture(page()));
 });

@@ -40,7 +40,7 @@ type DragStep = 'dragEnter' | 'dragOver' | 'drop';
 async function startDrag(files: readonly string[]) {
   const session: CDPSession = await page().context().newCDPSession(page());
   const data = { items: [], files: [...files], dragOperationsMask: 1 };
-  const view = (await page().locator('canvas').boundingBox())!;
+  const view = (await page().locator('canvas.scene').boundingBox())!;
   return async (type: DragStep, across: number, down = 0.5): Promise<void> => {
     const [x, y] = [view.x + across * view.width, view.y + down * view.height];
     await session.send('Input.dispatchDragEvent', { type, x, y, data });
@@ -80,7 +80,7 @@ test('afterwards two halves of the view name the choice, and a third file makes 
   await drag('dragOver', 0.8);
   await expect(lit()).toHaveText('Add');
   // The halves cover the view and nothing else.
-  const view = (await page().locator('canvas').boundingBox())!;
+  const view = (await page().locator('canvas.scene').boundingBox())!;
   for (const half of await halves().all()) {
     const { x, y, width, height } = (await half.boundingBox())!;
     expect(x).toBeGreaterThanOrEqual(view.x);
@@ -122,7 +122,7 @@ test('a pose goes to the character under the pointer', async () => {
   const angle = () =>
     page().evaluate(() => window.sinew.pose(undefined, 'one').joints?.['joint 01']);
   await page().evaluate(() => window.sinew.select('one'));
-  const box = (await page().locator('canvas').boundingBox())!;
+  const box = (await page().locator('canvas.scene').boundingBox())!;
   /** Where a click selects another character, from left to right. */
   const findOther = async (): Promise<number> => {
     for (let across = 0.1; across < 0.95; across += 0.01) {

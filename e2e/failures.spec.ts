@@ -40,7 +40,7 @@ test('a missing part, a picture that can’t be encoded and a folder that can’
     await page.evaluate(() => {
       HTMLCanvasElement.prototype.toBlob = (back: BlobCallback) => back(null);
     });
-    await page.locator('canvas').focus();
+    await page.locator('canvas.scene').focus();
     await page.keyboard.press('j');
     await expect(notice(page)).toHaveText(/could not make a file of the picture/);
   });

@@ -24,7 +24,7 @@ const drawn = async () => {
 };
 const picture = async () => {
   await drawn();
-  return page().locator('canvas').screenshot();
+  return page().locator('canvas.scene').screenshot();
 };
 
 test('ghosts stand before and after the present, not in pictures, and leave nothing behind', async () => {
@@ -68,7 +68,7 @@ test('a key of the trail is dragged: the pose at its time follows, as one step o
   const before = await poseThere();
   await page().evaluate(() => window.sinew.seek(1.2));
   await drawn();
-  const { x, y } = (await page().locator('canvas').boundingBox())!;
+  const { x, y } = (await page().locator('canvas.scene').boundingBox())!;
   // The key at the lower left of the path; see the picture above.
   await page().mouse.move(x + 189, y + 204);
   await page().mouse.down();

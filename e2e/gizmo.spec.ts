@@ -163,7 +163,7 @@ test('the list of steps goes to any of them, by pointer and by keys', async () =
     await row('Right hand').press('Alt+ArrowRight');
     poses.push(await getPose(page()));
   }
-  await page().locator('canvas').focus();
+  await page().locator('canvas.scene').focus();
   await page().keyboard.press('y');
   await expect(history()).toBeFocused();
   const last = await steps().count();
@@ -198,5 +198,5 @@ test('limits stand at the rings as sectors with the present value', async ({ pag
     element.style.visibility = 'hidden';
   });
   await page.evaluate(() => window.sinew.settled());
-  expectPicture('gizmo-limits', await page.locator('canvas').screenshot());
+  expectPicture('gizmo-limits', await page.locator('canvas.scene').screenshot());
 });

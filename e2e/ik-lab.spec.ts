@@ -23,7 +23,7 @@ test('the view shows the chain at a step, the steps before, the target and the e
   }
   await page().evaluate(() => window.sinew.settled());
   await page().evaluate(() => new Promise((done) => requestAnimationFrame(() => setTimeout(done))));
-  expectPicture('ik-lab', await page().locator('canvas').screenshot());
+  expectPicture('ik-lab', await page().locator('canvas.scene').screenshot());
 });
 
 test('the lab is found, stepped through and applied by keys alone', async () => {

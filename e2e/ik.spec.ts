@@ -13,7 +13,7 @@ test.use({ viewport: { width: 1000, height: 500 }, hasTouch: true });
 let hand: Place;
 const page = sharedPage(async (page) => {
   await openApp(page, 'model=human');
-  const box = (await page.locator('canvas').boundingBox())!;
+  const box = (await page.locator('canvas.scene').boundingBox())!;
   const [from, to] = [0, 1].map((part) => ({
     x: Math.round(box.x + box.width * (0.5 + 0.3 * part)),
     y: Math.round(box.y + box.height * (0.15 + 0.3 * part)),

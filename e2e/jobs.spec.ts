@@ -62,7 +62,7 @@ async function expectShared(page: Page, browser: Browser): Promise<void> {
 
 /** A part of the view; the numbers are parts of its width and height. */
 async function partOfView(page: Page, right: number, down: number): Promise<Place> {
-  const { x, y, width, height } = (await page.locator('canvas').boundingBox())!;
+  const { x, y, width, height } = (await page.locator('canvas.scene').boundingBox())!;
   return { x: x + right * width, y: y + down * height };
 }
 

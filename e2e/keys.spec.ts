@@ -11,7 +11,7 @@ const press = (...keys: string[]) =>
 // Every test begins with the focus on the view, the camera of a first visit, and the same pose.
 const pose = { joints: { Head: [0.3, 0, 0] as [number, number, number] } };
 test.beforeEach(async () => {
-  await page().locator('canvas').focus();
+  await page().locator('canvas.scene').focus();
   await press('Space');
   await setPose(page(), pose);
 });

@@ -36,7 +36,7 @@ test('a link opens the same picture on a fresh page, by the byte, and on an open
   await page.evaluate(() => window.sinew.add('insect'));
   await setPose(page, { joints: { '#3': [0.1, 0.2, 0.3] } });
   await page.evaluate(() => window.sinew.seek(0.37));
-  await page.locator('canvas').focus();
+  await page.locator('canvas.scene').focus();
   for (const key of ['ArrowLeft', 'ArrowUp', 's', 'a']) await page.keyboard.press(key);
   const picture = await capture(page);
   const hash = await copyLink(page);

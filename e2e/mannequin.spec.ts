@@ -21,7 +21,7 @@ const page = sharedPage(async (page) => {
 });
 
 const label = () => page().locator('.lit-bone');
-const canvas = () => page().locator('canvas');
+const canvas = () => page().locator('canvas.scene');
 const row = (name: string) => controlRow(page(), name).locator('input');
 
 interface Place {
@@ -232,9 +232,9 @@ test.describe('touch', () => {
     await openApp(own, 'workspace=mannequin');
     await own.getByRole('button', { name: 'Bone mode' }).tap();
     const pose = await getPose(own);
-    const box = (await own.locator('canvas').boundingBox())!;
+    const box = (await own.locator('canvas.scene').boundingBox())!;
     const fire = (type: string, id: number, x: number, y: number) =>
-      own.locator('canvas').dispatchEvent(type, {
+      own.locator('canvas.scene').dispatchEvent(type, {
         pointerId: id,
         pointerType: 'touch',
         clientX: x,
@@ -278,7 +278,7 @@ test.describe('pictures', () => {
   });
 
   test('a highlighted bone is drawn with its cylinder', async () => {
-    const box = (await view().locator('canvas').boundingBox())!;
+    const box = (await view().locator('canvas.scene').boundingBox())!;
     for (let across = 0.32; across < 0.6; across += 0.015) {
       await view().mouse.move(box.x + across * box.width, box.y + box.height * 0.6);
       const text = (await view().locator('.lit-bone').allTextContents()).join();

@@ -54,7 +54,7 @@ test('a very large MIT character opens, poses and orbits', async ({ page }, info
   const azimuth = page.getByRole('slider', { name: 'Azimuth' });
   const from = await azimuth.getAttribute('aria-valuenow');
   const orbiting = await tasks.during(async () => {
-    await page.locator('canvas').focus();
+    await page.locator('canvas.scene').focus();
     for (let i = 0; i < 3; i++) await page.keyboard.press('ArrowLeft');
     await expect(azimuth).not.toHaveAttribute('aria-valuenow', from!);
     await page.evaluate(() => window.sinew.settled());

@@ -18,7 +18,7 @@ async function openPalette(): Promise<void> {
 }
 
 test('a key opens the palette, and typing, Enter and Escape do the rest', async () => {
-  await page().locator('canvas').focus();
+  await page().locator('canvas.scene').focus();
   await openPalette();
   await expect(active()).toHaveCount(1);
   const first = await rows().first().getAttribute('id');
@@ -32,7 +32,7 @@ test('a key opens the palette, and typing, Enter and Escape do the rest', async 
   await page().keyboard.press('Enter');
   await expect(palette()).toHaveCount(0);
   await expect.poll(() => page().evaluate(() => window.sinew.characters.length)).toBe(2);
-  await expect(page().locator('canvas')).toBeFocused();
+  await expect(page().locator('canvas.scene')).toBeFocused();
 
   await openPalette();
   await page().keyboard.type('und');

@@ -10,7 +10,7 @@ test.use({ viewport: { width: 960, height: 420 } });
 const page = sharedPage((page) => openApp(page, 'model=tube'));
 
 async function savedPicture(): Promise<Buffer> {
-  await page().locator('canvas').focus();
+  await page().locator('canvas.scene').focus();
   const [download] = await Promise.all([
     page().waitForEvent('download'),
     page().keyboard.press('j'),

@@ -9,7 +9,7 @@ const page = sharedPage((page) => openApp(page, 'model=human'));
 
 const undo = () => page().getByRole('button', { name: 'Undo' });
 const text = () => page().locator('.active-dof');
-const canvas = () => page().locator('canvas');
+const canvas = () => page().locator('canvas.scene');
 const names = () => page().evaluate(() => window.sinew.characters.map(({ name }) => name));
 const rows = ['Move X', 'Move Y', 'Move Z', 'Turn X', 'Turn Y', 'Turn Z', 'Size'] as const;
 type Row = (typeof rows)[number];
@@ -32,7 +32,7 @@ async function setNumber(row: Row, value: string): Promise<void> {
 
 /** Finds a handle below the feet, where no limb is. */
 async function handleBeside(on: Page): Promise<Place> {
-  const { x, y, width, height } = (await on.locator('canvas').boundingBox())!;
+  const { x, y, width, height } = (await on.locator('canvas.scene').boundingBox())!;
   const middle = x + width / 2;
   const [from, to] = [
     { x: middle - 10, y: y + 0.845 * height },
@@ -289,7 +289,7 @@ test('a hundred posed copies share mesh, weights and textures; each adds three b
   expect(each).toBeGreaterThan(24 * vertices);
   expect(each, 'seams split few vertices').toBeLessThan(1.2 * 24 * vertices + 48 * (joints + 2));
   await pose();
-  await own.locator('canvas').press('ArrowLeft');
+  await own.locator('canvas.scene').press('ArrowLeft');
   const later = await held();
   expect(later, 'a frame makes nothing').toEqual(all);
   await own.close();
@@ -302,7 +302,7 @@ test.describe('by touch', () => {
     await openApp(page, 'model=human');
     await expectFittingCanvas(page);
     await page.getByRole('button', { name: 'Move the character', exact: true }).tap();
-    const { x, y, width, height } = (await page.locator('canvas').boundingBox())!;
+    const { x, y, width, height } = (await page.locator('canvas.scene').boundingBox())!;
     const client = await page.context().newCDPSession(page);
     const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', right = 0) =>
       client.send('Input.dispatchTouchEvent', {

@@ -133,7 +133,7 @@ test.describe('joints and bones', () => {
   test.beforeEach(() => setPose(page(), {}));
 
   test('hovering a joint opens no panel', async () => {
-    const { x, y, width, height } = (await page().locator('canvas').boundingBox())!;
+    const { x, y, width, height } = (await page().locator('canvas.scene').boundingBox())!;
     await page().mouse.move(x + width / 2, y + height / 2, { steps: 8 });
     await expect(page().locator('.bone')).toHaveCount(1);
     await expect(page().locator('.bone')).not.toHaveAttribute('open');

@@ -9,7 +9,7 @@ import { sharedPage, test } from './support/test.ts';
 test.use({ viewport: { width: 760, height: 400 } });
 const page = sharedPage((page) => openApp(page, 'model=human'));
 
-const canvas = () => page().locator('canvas');
+const canvas = () => page().locator('canvas.scene');
 const label = () => page().locator('.lit-bone strong');
 const active = () => page().locator('.active-dof');
 const selected = () => page().locator('[role=treeitem][aria-selected=true]');
@@ -237,7 +237,7 @@ test.describe('touch', () => {
       await touch('touchEnd', []);
     };
     const pose = await getPose(own);
-    const { x, y, width, height } = (await own.locator('canvas').boundingBox())!;
+    const { x, y, width, height } = (await own.locator('canvas.scene').boundingBox())!;
     const [from, to] = [
       { x: x + 0.36 * width, y: y + 0.62 * height },
       { x: x + 0.7 * width, y: y + 0.7 * height },

@@ -57,7 +57,7 @@ test('a pose with an unknown joint is not used, and the joint is named', async (
 
 test('dropping a saved picture restores its pose', async () => {
   const pose = await setPose(page(), wildPose(32, 6));
-  await page().locator('canvas').focus();
+  await page().locator('canvas.scene').focus();
   const [download] = await Promise.all([
     page().waitForEvent('download'),
     page().keyboard.press('j'),

@@ -44,7 +44,7 @@ test('dropping changed files again keeps pose and camera', async () => {
   const pose = await page().evaluate(() =>
     window.sinew.pose({ joints: { '#1': [0.3, 0, 0] }, root: [0, 0.1, 0] }),
   );
-  await page().locator('canvas').focus();
+  await page().locator('canvas.scene').focus();
   await page().keyboard.press('ArrowLeft');
   const azimuth = await page()
     .getByRole('slider', { name: 'Azimuth' })

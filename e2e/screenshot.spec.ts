@@ -65,7 +65,7 @@ async function shownPixels(page: Page): Promise<PNG> {
   await overlay.evaluateAll((parts: HTMLElement[]) => {
     for (const part of parts) part.style.visibility = 'hidden';
   });
-  const canvas = page.locator('canvas');
+  const canvas = page.locator('canvas.scene');
   const box = (await canvas.boundingBox())!;
   const shown = PNG.sync.read(await page.screenshot({ clip: box, scale: 'device' }));
   expect(shown).toMatchObject({ width: box.width, height: box.height });

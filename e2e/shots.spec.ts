@@ -222,7 +222,7 @@ test('a picture shows one moment, while the view shows the next', async () => {
     window.sinew.pose({ root: [0, 1, 0] });
     return { made };
   }, options);
-  const view = PNG.sync.read(await page().locator('canvas').screenshot());
+  const view = PNG.sync.read(await page().locator('canvas.scene').screenshot());
   expect(new Set(new Uint32Array(view.data.buffer)).size, 'colors').toBeGreaterThan(500);
   const made = await picture.evaluateHandle(({ made }) => made);
   expect(PNG.sync.read(await bytesOf(made)).data).toEqual(PNG.sync.read(before).data);

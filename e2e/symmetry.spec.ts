@@ -55,7 +55,7 @@ test('live symmetry follows a slider and a drag, each as one step', async () => 
   await page().keyboard.press('Control+Shift+z');
 
   await page().keyboard.press('m');
-  const canvas = (await page().locator('canvas').boundingBox())!;
+  const canvas = (await page().locator('canvas.scene').boundingBox())!;
   const at = await armPlace(canvas);
   await page().mouse.move(at.x, at.y);
   await page().mouse.down();

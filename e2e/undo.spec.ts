@@ -66,7 +66,7 @@ test('undoing an opening frames the character that comes back', async () => {
   await expectFittingCanvas(page());
   const undone = await cameraOf(page());
   expect(undone.distance).not.toBe(opened.distance);
-  await page().locator('canvas').focus();
+  await page().locator('canvas.scene').focus();
   await page().keyboard.press('Home');
   expect(await cameraOf(page())).toEqual(undone);
 });
@@ -97,7 +97,7 @@ test('undo and redo restore the method and the use of weights', async () => {
 
 test('camera and what is drawn are not undone, but the look of a character is', async () => {
   const title = await undo().getAttribute('title');
-  await page().locator('canvas').focus();
+  await page().locator('canvas.scene').focus();
   for (const key of ['ArrowLeft', 'a', 'a']) await page().keyboard.press(key);
   expect(await undo().getAttribute('title')).toBe(title);
   await choose(page(), 'Shading', 'Faceted');

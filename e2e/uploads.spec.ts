@@ -90,13 +90,13 @@ async function sentBy(page: Page, action: () => Promise<unknown>): Promise<Sent>
 test('only what changed is sent', async ({ page }) => {
   await page.addInitScript(countSent);
   await openSmallView(page, 'model=insect');
-  await page.locator('canvas').focus();
+  await page.locator('canvas.scene').focus();
 
   await test.step('orbiting and drawing again send nothing, skin nothing and draw no shadow', async () => {
     const orbit = () => page.keyboard.press('ArrowLeft');
     // Toggling twice within a task draws the same picture again.
     const again = () =>
-      page.locator('canvas').evaluate((canvas) => {
+      page.locator('canvas.scene').evaluate((canvas) => {
         for (let i = 0; i < 2; i++) {
           canvas.dispatchEvent(new KeyboardEvent('keydown', { key: 't', bubbles: true }));
         }
@@ -116,7 +116,7 @@ test('only what changed is sent', async ({ page }) => {
     for (const key of ['s', 's', 'a']) await page.keyboard.press(key);
     for (const style of ['Boxes', 'Lines', 'Sticks']) {
       await choose(page, 'Skeleton as', style);
-      await page.locator('canvas').focus();
+      await page.locator('canvas.scene').focus();
       const { geometry, solids } = await sentBy(page, async () => {
         for (let i = 0; i < 3; i++) await page.keyboard.press('ArrowLeft');
       });

@@ -42,7 +42,7 @@ test('each half equals the picture of its view alone, pixel for pixel', async ()
 });
 
 test('the halves are equal too with skeleton, axes and a translucent skin, and with bones as lines', async () => {
-  await page().locator('canvas').focus();
+  await page().locator('canvas.scene').focus();
   for (const key of ['s', 's', 'a', 't']) await page().keyboard.press(key);
   await expectHalves();
   await choose(page(), 'Skeleton as', 'Lines');

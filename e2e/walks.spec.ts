@@ -54,7 +54,7 @@ test('the keyboard alone opens, poses and saves', async ({ page }) => {
   expect(undone).toBeLessThan(after);
   // Back on the view, which takes the focus, arrows orbit and j saves.
   await page.keyboard.press('Shift+Tab');
-  await page.locator('canvas').focus();
+  await page.locator('canvas.scene').focus();
   const still = await capture(page);
   await press(page, ['ArrowLeft', 'ArrowUp']);
   expect(await capture(page)).not.toEqual(still);

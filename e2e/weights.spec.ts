@@ -14,7 +14,7 @@ const colorful = 60;
 
 /** How many pixels of the view have a color. */
 async function colored(): Promise<number> {
-  const { data } = PNG.sync.read(await page().locator('canvas').screenshot());
+  const { data } = PNG.sync.read(await page().locator('canvas.scene').screenshot());
   let count = 0;
   for (let i = 0; i < data.length; i += 4) {
     const [r, g, b] = [data[i]!, data[i + 1]!, data[i + 2]!];

@@ -43,7 +43,7 @@ test('a first visit opens the studio, and the menu switches to the course and ba
   const pose = await setPose(page(), { joints: { Head: [0.5, 0, 0] } });
   await menu().selectOption('6.837');
   await expectCourse();
-  await page().locator('canvas').focus();
+  await page().locator('canvas.scene').focus();
   await page().keyboard.press('s');
   await choose(page(), 'Shading', 'Smooth');
   await menu().selectOption('Studio');
@@ -102,7 +102,7 @@ test('a narrow page has its panels as sheets, and pictures use its full width', 
   await expectFittingCanvas(page());
   expect(
     await page()
-      .locator('canvas')
+      .locator('canvas.scene')
       .evaluate(({ clientWidth }) => clientWidth),
   ).toBe(400);
   await page().getByRole('button', { name: 'Characters', exact: true }).click();

@@ -13,7 +13,7 @@ test('Model1’s forearm is picked by its skin and dragged', async ({ page }) =>
   await drop(page, model1Files());
   await expect(page.locator('.notice')).toHaveText('Model1 opened');
   await page.getByRole('button', { name: 'Bone mode' }).click();
-  const box = (await page.locator('canvas').boundingBox())!;
+  const box = (await page.locator('canvas.scene').boundingBox())!;
   const lit = async (): Promise<string> =>
     (await page.locator('.lit-bone').allTextContents()).join();
   const places: { x: number; y: number }[] = [];

@@ -17,7 +17,7 @@ export async function expectElbowTurned(page: Page): Promise<void> {
  */
 export async function doStudentsJob(page: Page, files: readonly NamedFile[]): Promise<number> {
   const user = countedUser(page);
-  const { x, y, width, height } = (await page.locator('canvas').boundingBox())!;
+  const { x, y, width, height } = (await page.locator('canvas.scene').boundingBox())!;
   await user.drop(files, { x: x + width / 2, y: y + height / 2 });
   await user.click(page.getByRole('treeitem', { name: 'Right elbow' }));
   const straight = await capture(page);

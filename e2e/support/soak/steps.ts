@@ -147,7 +147,7 @@ async function dragControl(page: Page, dice: Dice, control: FoundControl): Promi
 }
 
 async function dragInView(page: Page, dice: Dice): Promise<string> {
-  const box = await page.locator('canvas').boundingBox();
+  const box = await page.locator('canvas.scene').boundingBox();
   if (!box) return 'no view';
   const place = (): [number, number] => [
     box.x + (box.width * (5 + dice(90))) / 100,
