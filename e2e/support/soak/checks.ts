@@ -45,14 +45,15 @@ export async function expectReplay(page: Page): Promise<void> {
       new Int32Array(numbers.buffer).reduce((sum, bits) => (Math.imul(sum, 31) + bits) | 0, 0);
     /**
      * Everything that scripts can read of the scene, and the places and options that its controls
-     * show. Those of inverse kinematics, ghosts and playing belong to the session, and come with a character.
+     * show. Those of inverse kinematics, ghosts, playing and the shown shot belong to the session, and
+     * come with a character or a shot.
      */
     const tell = (): string =>
       JSON.stringify(
         window.sinew.characters.map(({ id, name }) => {
           window.sinew.select(id);
           const fields = document.querySelectorAll<HTMLInputElement | HTMLSelectElement>(
-            '.controls input[aria-label^="Place "], [data-section]:not([data-section="ik"], [data-section="motion"], [data-section="timeline"]) select',
+            '.controls input[aria-label^="Place "], [data-section]:not([data-section="ik"], [data-section="motion"], [data-section="shots"], [data-section="timeline"]) select',
           );
           return {
             id,
