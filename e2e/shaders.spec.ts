@@ -45,10 +45,12 @@ test('every pass links', async () => {
 
 for (const method of await Promise.all(kernels.map(({ load }) => load()))) {
   test(`the skin stage links in every variant: ${method.id}`, async () => {
-    const stages = influencePairs.flatMap((pairs) =>
-      paletteRows.map((rows) => stage(method.chunk, method.vec4sPerEntry, pairs, rows)),
+    const stages = method.strides.flatMap((stride) =>
+      influencePairs.flatMap((pairs) =>
+        paletteRows.map((rows) => stage(method.chunk, stride, pairs, rows)),
+      ),
     );
-    expect(stages).toHaveLength(15);
+    expect(stages).toHaveLength(15 * method.strides.length);
     expect(await problemsOf(page(), stages)).toEqual([]);
   });
 }

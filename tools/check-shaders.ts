@@ -68,17 +68,18 @@ function listPrograms(loaded: readonly SkinningMethod[]): (() => Program)[] {
       fragment: resolveShader(files, `passes/${pass}.frag.glsl`, defines),
     })),
   );
-  const stagePrograms = loaded.flatMap((method) =>
+  const variants = loaded.flatMap((method) => method.strides.map((stride) => ({ method, stride })));
+  const stagePrograms = variants.flatMap(({ method, stride }) =>
     influencePairs.flatMap((pairs) =>
       paletteRows.map((rows) => () => {
         const defines: Defines = {
           INFLUENCE_PAIRS: pairs,
           PALETTE_ROWS: rows,
-          PALETTE_STRIDE: method.vec4sPerEntry,
+          PALETTE_STRIDE: stride,
         };
         const names = { METHOD: method.chunk };
         return {
-          name: `skin stage ${method.id}, INFLUENCE_PAIRS ${pairs}, PALETTE_ROWS ${rows}`,
+          name: `skin stage ${method.id} ${stride}, INFLUENCE_PAIRS ${pairs}, PALETTE_ROWS ${rows}`,
           vertex: resolveShader(files, 'skinning/stage.vert.glsl', defines, names),
           fragment: resolveShader(files, 'skinning/stage.frag.glsl'),
         };

@@ -7,6 +7,7 @@ import { linearBlend } from '../../src/skinning/linear-blend.ts';
 import { characterOf } from '../data/character.ts';
 import { cylinder, poseAngles } from '../data/cylinder.ts';
 import type { GroupResult } from '../harness/group.ts';
+import { plainUse } from '../../src/skinning/method.ts';
 
 const vertexCount = 1000;
 const poseCount = 16;
@@ -21,7 +22,7 @@ export function steadyState(): GroupResult {
   const poses = Array.from({ length: poseCount }, (_, pose) => poseAngles(body.jointCount, pose));
 
   const joints = new Float64Array(skeleton.jointCount * 16);
-  const palette = new Float32Array(skin.paletteJoint.length * linearBlend.vec4sPerEntry * 4);
+  const palette = new Float32Array(skin.paletteJoint.length * linearBlend.vec4sPerEntry(skin) * 4);
   const out = {
     positions: new Float32Array(mesh.vertexCount * 3),
     normals: new Float32Array(mesh.vertexCount * 3),
@@ -29,7 +30,7 @@ export function steadyState(): GroupResult {
   const onPath = bytesPerFrame((frame) => {
     forwardKinematics(skeleton, poses[frame % poseCount]!, joints);
     linearBlend.packPalette(skin, joints, palette);
-    linearBlend.deform(mesh, skin, palette, out);
+    linearBlend.deform(mesh, skin, palette, out, plainUse);
   });
 
   const actor = createActor(1, character, 'linear-blend');

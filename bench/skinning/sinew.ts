@@ -5,6 +5,7 @@ import { WasmSkinning } from '../../src/skinning/wasm/wasm-skinning.ts';
 import { compileKernel } from '../../tools/compile-kernel.ts';
 import { characterOf } from '../data/character.ts';
 import type { Cylinder } from '../data/cylinder.ts';
+import { plainUse } from '../../src/skinning/method.ts';
 
 /** A program that poses the vertices of a body again and again. */
 export interface Skinning {
@@ -25,7 +26,7 @@ export function posedBody(body: Cylinder, angles: Float64Array): PosedBody {
   const character = characterOf(body);
   const { skin, skeleton } = character;
   const characterFromJoint = jointMatrices(skeleton, angles);
-  const palette = new Float32Array(skin.paletteJoint.length * linearBlend.vec4sPerEntry * 4);
+  const palette = new Float32Array(skin.paletteJoint.length * linearBlend.vec4sPerEntry(skin) * 4);
   linearBlend.packPalette(skin, characterFromJoint, palette);
   return { character, characterFromJoint, palette };
 }
@@ -36,7 +37,7 @@ export function strictSkinning({ character: { mesh, skin }, palette }: PosedBody
     positions: new Float32Array(mesh.vertexCount * 3),
     normals: new Float32Array(mesh.vertexCount * 3),
   };
-  return { ...out, run: () => linearBlend.deform(mesh, skin, palette, out) };
+  return { ...out, run: () => linearBlend.deform(mesh, skin, palette, out, plainUse) };
 }
 
 /** The WebAssembly kernel, with normals or without. */
@@ -49,7 +50,8 @@ export async function wasmSkinning(
   const normals = withNormals ? new Float32Array(mesh.vertexCount * 3) : null;
   const out = { positions, normals };
   const run = (): void => {
-    if (!kernel.deform(linearBlend, mesh, skin, palette, out)) throw new Error('no kernel');
+    if (!kernel.deform(linearBlend, mesh, skin, palette, out))
+      throw new Error('no kernel');
   };
   return { positions, ...(normals && { normals }), run };
 }

@@ -42,7 +42,7 @@ export async function start(root: HTMLElement): Promise<void> {
   const session = new Session();
   const store = new Store((before, after) => reconcile(session, before, after));
   const kernels = new Kernels({
-    prepare: loadSkinningShader,
+    complete: loadSkinningShader,
     onFailed: (error) => (opening.notice.value = failureText(error)),
   });
   const evaluations = new Evaluations(store, session, kernels);

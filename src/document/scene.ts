@@ -7,7 +7,7 @@ import type { NormalsId } from '../core/skin.ts';
 import { type NatureSettings, plainNatures } from '../posing/natural/nature-settings.ts';
 import { noPins, type Pin } from '../posing/pins/pin.ts';
 import type { Unkeyed } from '../posing/unkeyed.ts';
-import type { MethodId } from '../skinning/method.ts';
+import { type MethodId, type MethodSettings, plainSettings } from '../skinning/method.ts';
 import { defaultDeformation } from '../skinning/registry.ts';
 import { type ActorLook, plainLook } from './actor-look.ts';
 import { type Environment, studio } from './environment.ts';
@@ -89,6 +89,7 @@ export interface Actor {
   /** What was edited while a clip is bound, and is shown instead of its values; null if nothing. */
   readonly unkeyed: Unkeyed | null;
   readonly method: MethodId;
+  readonly methodSettings: MethodSettings;
   readonly normals: NormalsId;
   /**
    * Whether each row of weights is divided by its sum; otherwise the file's weights are used
@@ -115,6 +116,7 @@ export type KeptState = Partial<
     | 'clips'
     | 'clip'
     | 'unkeyed'
+    | 'methodSettings'
     | 'normals'
     | 'normalizeWeights'
     | 'influences'
@@ -150,6 +152,7 @@ export function createActor(
     clip,
     unkeyed: kept.unkeyed ?? null,
     method,
+    methodSettings: kept.methodSettings ?? plainSettings,
     normals: kept.normals ?? defaultDeformation(character).normals,
     normalizeWeights: kept.normalizeWeights ?? false,
     influences: kept.influences ?? null,

@@ -5,7 +5,7 @@ import type { Skin } from '../core/skin.ts';
 import type { Actor } from '../document/scene.ts';
 import type { Pin } from '../posing/pins/pin.ts';
 import type { DisplayTransform } from './display-transform.ts';
-import type { SkinningMethod, VertexStreams } from '../skinning/method.ts';
+import type { MethodUse, SkinningMethod, VertexStreams } from '../skinning/method.ts';
 
 /**
  * Revisions tell which stages changed. A stage whose inputs did not change keeps its revision and
@@ -51,9 +51,12 @@ export interface Evaluation {
   readonly rest: Mesh;
   readonly skin: Skin;
   /**
-   * The method that deforms the mesh. Linear blend replaces a method whose code is still loading.
+   * The method that deforms the mesh. Linear blend replaces a method that is still loading or being
+   * prepared.
    */
   readonly method: SkinningMethod;
+  /** What the method deforms with, beside the palette. */
+  readonly use: MethodUse;
   /** What is still loading, as labels for the user; empty if everything is as the scene says. */
   readonly pending: readonly string[];
   /** (entryCount × vec4sPerEntry × 4) the input of the method's kernel. */

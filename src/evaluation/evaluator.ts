@@ -9,8 +9,9 @@ import { poseLayers } from '../posing/layers.ts';
 import type { Pin } from '../posing/pins/pin.ts';
 import type { LayerFunction } from '../posing/pose-layer.ts';
 import { linearBlend } from '../skinning/linear-blend.ts';
-import type { SkinningMethod, VertexStreams } from '../skinning/method.ts';
-import { kernelOf, normalWays, recomputedNormals } from '../skinning/registry.ts';
+import type { MethodUse, SkinningMethod, VertexStreams } from '../skinning/method.ts';
+import { poseVertices } from '../skinning/pose-vertices.ts';
+import { normalWays, recomputedNormals } from '../skinning/registry.ts';
 import { restKey, restMesh } from '../skinning/rest-mesh.ts';
 import { type DisplayTransform, displayTransform } from './display-transform.ts';
 import type { Evaluation, Revisions, StillEvaluation } from './evaluation.ts';
@@ -81,7 +82,7 @@ export class Evaluator implements Evaluation {
     );
     this.vertexStage = new Stage(
       shared.vertices,
-      () => [this.paletteStage.revision, this.restStage.revision],
+      () => [this.paletteStage.revision, this.restStage.revision, this.now.methodSettings],
       (former) => this.deform(former),
     );
     this.recomputedStage = new Stage(
@@ -146,12 +147,18 @@ export class Evaluator implements Evaluation {
   }
 
   get method(): SkinningMethod {
-    return this.kernels.of(kernelOf(this.now).id) ?? linearBlend;
+    return this.kernels.readyFor(this.now) ?? linearBlend;
+  }
+
+  get use(): MethodUse {
+    return {
+      extra: this.kernels.extraOf(this.method, this.now),
+      settings: this.now.methodSettings,
+    };
   }
 
   get pending(): readonly string[] {
-    const { id, label } = kernelOf(this.now);
-    const pending = this.kernels.isPending(id) ? [label] : [];
+    const pending = [...this.kernels.pendingFor(this.now)];
     if (recomputedNormals(this.now.normals) && this.kernels.recompute.isPending) {
       pending.push(normalWays.find((way) => way.id === this.now.normals)!.label);
     }
@@ -255,21 +262,20 @@ export class Evaluator implements Evaluation {
 
   private pack(former: Float32Array | undefined): Float32Array {
     const { skin, method } = this;
-    const length = skin.paletteJoint.length * method.vec4sPerEntry * 4;
+    const length = skin.paletteJoint.length * method.vec4sPerEntry(skin) * 4;
     const palette = former?.length === length ? former : new Float32Array(length);
     method.packPalette(skin, this.characterFromJoint, palette);
     return palette;
   }
 
   private deform(former: VertexStreams | undefined): VertexStreams {
-    const { rest, skin, palette, method } = this;
+    const { rest, skin, palette, method, use } = this;
     const posed = former ?? {
       positions: new Float32Array(rest.vertexCount * 3),
       normals: new Float32Array(rest.vertexCount * 3),
     };
-    if (!this.kernels.wasm?.deform(method, rest, skin, palette, posed)) {
-      method.deform(rest, skin, palette, posed);
-    }
+    const { mesh } = this.now.character;
+    poseVertices(method, mesh, rest, skin, palette, use, posed, this.kernels.wasm);
     return posed;
   }
 

@@ -1,9 +1,12 @@
 import { loadPart } from '../core/failure.ts';
+import type { Mesh } from '../core/mesh.ts';
+import type { Skin } from '../core/skin.ts';
+import { type Actor, skinInUse } from '../document/scene.ts';
 import { poseLayers } from '../posing/layers.ts';
-import type { LayerFunction, LayerUse, PoseLayer } from '../posing/pose-layer.ts';
+import type { LayerFunction, PoseLayer } from '../posing/pose-layer.ts';
 import { linearBlend } from '../skinning/linear-blend.ts';
 import type { KernelId, SkinningMethod } from '../skinning/method.ts';
-import { type Deformation, kernelById, kernelOf, recomputedNormals } from '../skinning/registry.ts';
+import { kernelById, kernelOf, recomputedNormals } from '../skinning/registry.ts';
 import type { WasmSkinning } from '../skinning/wasm/wasm-skinning.ts';
 import type { recomputeNormals } from '../skinning/welded-normals.ts';
 import type { followedJoints } from './followed-joints.ts';
@@ -11,10 +14,12 @@ import { LazyPart } from './lazy-part.ts';
 
 export interface KernelsOptions {
   /**
-   * Prepares what else a kernel needs before it is used, for example the shader that computes the
+   * Loads what else a kernel needs before it is used, for example the shader that computes the
    * same.
    */
-  readonly prepare?: (kernel: SkinningMethod) => Promise<unknown>;
+  readonly complete?: (kernel: SkinningMethod) => Promise<unknown>;
+  /** Computes what a kernel prepares for a skin; in place, if absent. */
+  readonly prepare?: typeof prepareInPlace;
   /** This is called once for each part that can't be loaded. */
   readonly onFailed?: (error: unknown) => void;
 }
@@ -30,6 +35,7 @@ export class Kernels {
   readonly recompute: LazyPart<typeof recomputeNormals>;
   /** By a name, the kernel's id or the layer. */
   private readonly parts = new Map<unknown, LazyPart<unknown>>();
+  private readonly preparations = new WeakMap<Skin, Map<SkinningMethod, LazyPart<unknown>>>();
   private readonly options: KernelsOptions;
 
   constructor(options: KernelsOptions = {}) {
@@ -48,9 +54,25 @@ export class Kernels {
     return id === linearBlend.id ? linearBlend : this.kernel(id).value;
   }
 
-  /** Whether the kernel is still loading: it has not arrived, and loading has not failed. */
-  isPending(id: KernelId): boolean {
-    return !this.of(id) && this.kernel(id).isPending;
+  /** Returns the kernel of an actor if it is loaded and what it prepares for the skin is there. */
+  readyFor(actor: Actor): SkinningMethod | undefined {
+    const kernel = this.of(kernelOf(actor).id);
+    return kernel && (!kernel.prepare || this.extraOf(kernel, actor)) ? kernel : undefined;
+  }
+
+  /** What a kernel prepared for the skin of an actor, if it did. */
+  extraOf(kernel: SkinningMethod, actor: Actor): unknown {
+    return kernel.prepare && this.preparation(kernel, actor).value;
+  }
+
+  /** What an actor's kernel waits for, as labels for the user. */
+  pendingFor(actor: Actor): readonly string[] {
+    const { id, label } = kernelOf(actor);
+    const kernel = this.of(id);
+    const waits = kernel
+      ? kernel.prepare && this.preparation(kernel, actor).isPending
+      : this.kernel(id).isPending;
+    return waits ? [label] : [];
   }
 
   /**
@@ -62,8 +84,11 @@ export class Kernels {
   }
 
   /** Does the same for all that an actor needs. */
-  async loadFor(actor: Deformation & LayerUse): Promise<void> {
-    await this.load(kernelOf(actor).id);
+  async loadFor(actor: Actor): Promise<void> {
+    const { id } = kernelOf(actor);
+    await this.load(id);
+    const kernel = this.of(id);
+    if (kernel?.prepare) await this.preparation(kernel, actor).load();
     if (recomputedNormals(actor.normals)) await this.recompute.load();
     for (const layer of poseLayers) if (layer.isActive(actor)) await this.layer(layer).load();
     if (actor.pins.some(({ follows }) => follows)) await this.followed.load();
@@ -89,9 +114,22 @@ export class Kernels {
   private kernel(id: KernelId): LazyPart<SkinningMethod> {
     return this.part(id, async () => {
       const kernel = await kernelById(id).load();
-      await this.options.prepare?.(kernel);
+      await this.options.complete?.(kernel);
       return kernel;
     });
+  }
+
+  private preparation(kernel: SkinningMethod, actor: Actor): LazyPart<unknown> {
+    const skin = skinInUse(actor);
+    const known = this.preparations.get(skin) ?? new Map<SkinningMethod, LazyPart<unknown>>();
+    this.preparations.set(skin, known);
+    let part = known.get(kernel);
+    if (!part) {
+      const { prepare = prepareInPlace, onFailed } = this.options;
+      part = new LazyPart(() => prepare(kernel, actor.character.mesh, skin), onFailed);
+      known.set(kernel, part);
+    }
+    return part;
   }
 
   private part<T>(key: unknown, fetch: () => Promise<T>): LazyPart<T> {
@@ -99,4 +137,8 @@ export class Kernels {
     if (!part) this.parts.set(key, (part = new LazyPart(fetch, this.options.onFailed)));
     return part as LazyPart<T>;
   }
+}
+
+function prepareInPlace(kernel: SkinningMethod, mesh: Mesh, skin: Skin): Promise<unknown> {
+  return Promise.resolve(kernel.prepare?.(mesh, skin, () => undefined));
 }

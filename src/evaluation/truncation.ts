@@ -1,6 +1,7 @@
 import { diagonal } from '../core/bounds.ts';
 import { skinInUse } from '../document/scene.ts';
 import type { Evaluation } from './evaluation.ts';
+import { poseVertices } from '../skinning/pose-vertices.ts';
 
 /** A smaller move, as a part of the character's size, is rounding. */
 const leastMove = 1e-6;
@@ -24,14 +25,14 @@ export interface Truncation {
  * CPU, from float32 positions, once for each pose; its arrays are overwritten for the next.
  */
 export function truncationOf(evaluation: Evaluation): Truncation | null {
-  const { state, revisions, rest, method, palette } = evaluation;
+  const { state, revisions, rest, method, palette, use } = evaluation;
   const { mesh, bounds } = state.character;
   if (state.influences === null || mesh.pointCount === 0) return null;
   let held = truncations.get(evaluation);
   if (held?.revision === revisions.vertices) return held.truncation;
   const full = held?.full ?? new Float32Array(rest.vertexCount * 3);
   const fullSkin = skinInUse({ ...state, influences: null });
-  method.deform(rest, fullSkin, palette, { positions: full, normals: null });
+  poseVertices(method, mesh, rest, fullSkin, palette, use, { positions: full, normals: null });
   const kept = evaluation.vertices().positions;
   const errors = held?.truncation.errors ?? new Float32Array(mesh.pointCount);
   const size = diagonal(bounds);

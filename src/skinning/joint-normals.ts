@@ -16,7 +16,8 @@ const { fround } = Math;
  */
 export const jointNormals: SkinningMethod<'joint-normals'> = {
   id: 'joint-normals',
-  vec4sPerEntry: 6,
+  strides: [6],
+  vec4sPerEntry: () => 6,
   packPalette,
   deform,
   wasm: { rows: everyInfluence, normals: 'next-rows' },

@@ -12,7 +12,8 @@ import { everyInfluence, type PosedStreams, type SkinningMethod } from './method
  */
 export const linearBlend: SkinningMethod<'linear-blend'> = {
   id: 'linear-blend',
-  vec4sPerEntry: 3,
+  strides: [3],
+  vec4sPerEntry: () => 3,
   packPalette: packAffinePalette,
   deform,
   wasm: { rows: everyInfluence, normals: 'cofactors' },

@@ -4,7 +4,7 @@ import { loadPart } from '../core/failure.ts';
 import type { NormalsId } from '../core/skin.ts';
 import type { FaceWeighting } from '../core/vertex-normals.ts';
 import { linearBlend } from './linear-blend.ts';
-import type { KernelId, MethodId, SkinningMethod } from './method.ts';
+import type { KernelId, MethodId, MethodSettings, SkinningMethod } from './method.ts';
 
 /**
  * A kernel (a method with a way of normals) as data; its code is loaded when it is first needed.
@@ -14,8 +14,6 @@ export interface KernelRow<Id extends KernelId = KernelId> {
   readonly label: string;
   /** What one types for it, beside its id. */
   readonly short: string;
-  /** The paper or text that defines it. */
-  readonly source: string;
   readonly load: () => Promise<SkinningMethod<Id>>;
 }
 
@@ -23,8 +21,6 @@ const linearBlendRow: KernelRow<'linear-blend'> = {
   id: 'linear-blend',
   label: 'Linear blend (SSD)',
   short: 'lbs',
-  source:
-    '6.837 handout, part 4; Magnenat-Thalmann et al. 1988, "Joint-dependent local deformations"',
   // It replaces other kernels while they load, so it must always be available.
   load: () => Promise.resolve(linearBlend),
 };
@@ -33,7 +29,6 @@ const jointNormalsRow: KernelRow<'joint-normals'> = {
   id: 'joint-normals',
   label: 'Linear blend, CSE169 normals',
   short: 'lbs169',
-  source: 'UCSD CSE169, project 2: skin',
   load: async () => (await loadPart(import('./joint-normals.ts'))).jointNormals,
 };
 
@@ -41,7 +36,6 @@ const rigidRow: KernelRow<'rigid'> = {
   id: 'rigid',
   label: 'Rigid parts',
   short: 'rigid',
-  source: '6.837 handout, part 4, the figure of two meshes that collide at a joint',
   load: async () => (await loadPart(import('./rigid.ts'))).rigid,
 };
 
@@ -69,6 +63,9 @@ export function recomputedNormals(normals: NormalsId): FaceWeighting | null {
 export interface Deformation {
   readonly method: MethodId;
   readonly normals: NormalsId;
+  /** Those of the actor, if absent. */
+  readonly methodSettings?: MethodSettings;
+  readonly normalizeWeights?: boolean;
 }
 
 /** The deformation that the programs of the character's own format use. */

@@ -11,7 +11,8 @@ import type { PosedStreams, SkinningMethod } from './method.ts';
  */
 export const rigid: SkinningMethod<'rigid'> = {
   id: 'rigid',
-  vec4sPerEntry: 3,
+  strides: [3],
+  vec4sPerEntry: () => 3,
   packPalette: packAffinePalette,
   deform,
   wasm: { rows: heaviestInfluence, normals: 'cofactors' },

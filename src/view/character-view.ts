@@ -109,10 +109,12 @@ export class CharacterView {
       this.skinned.useSkin(this.skin);
     }
     if (this.shownRest !== rest) this.skinned.writeRest(evaluation.rest);
-    if (device === 'gpu') this.skinned.skinOnGpu(evaluation.method, evaluation.palette);
+    const { method, palette, use } = evaluation;
+    const isOnGpu = device === 'gpu' && !method.finish;
+    if (isOnGpu) this.skinned.skinOnGpu(method, palette, use);
     else this.skinned.upload(evaluation.vertices());
     // A gather on the GPU would need a second stage for what the CPU does in two milliseconds.
-    if (device === 'gpu' && normals !== vertices) {
+    if (isOnGpu && normals !== vertices) {
       this.skinned.uploadNormals(evaluation.vertices());
     }
     this.shownRest = rest;

@@ -7,6 +7,8 @@ import { shaderFiles } from './shader-files.ts';
 /** How the skinning stage is compiled. For either number, 0 means the texture. */
 export interface StageVariant {
   readonly method: SkinningMethod;
+  /** The number of vec4s per palette entry. */
+  readonly stride: number;
   /** The number of attribute pairs of four influences each, or 0. */
   readonly influencePairs: number;
   /** The number of rows in the uniform array, or 0. */
@@ -30,12 +32,12 @@ export class Programs {
     }));
   }
 
-  skinStage({ method, influencePairs, paletteRows }: StageVariant): Program {
-    return this.find(`skin ${method.chunk} ${influencePairs} ${paletteRows}`, () => {
+  skinStage({ method, stride, influencePairs, paletteRows }: StageVariant): Program {
+    return this.find(`skin ${method.chunk} ${stride} ${influencePairs} ${paletteRows}`, () => {
       const defines = {
         INFLUENCE_PAIRS: influencePairs,
         PALETTE_ROWS: paletteRows,
-        PALETTE_STRIDE: method.vec4sPerEntry,
+        PALETTE_STRIDE: stride,
       };
       const names = { METHOD: method.chunk };
       return {

@@ -6,8 +6,8 @@ import type { Gpu } from '../gl/gpu.ts';
 import type { Lease } from '../gl/pool.ts';
 import { Owner } from '../gl/owner.ts';
 import type { Program } from '../gl/program.ts';
-import { VertexArray } from '../gl/vertex-array.ts';
-import type { SkinningMethod, VertexStreams } from '../skinning/method.ts';
+import { type Attribute, VertexArray } from '../gl/vertex-array.ts';
+import type { MethodUse, SkinningMethod, VertexStreams } from '../skinning/method.ts';
 import { createInfluenceBuffers, type InfluenceBuffers } from './influence-buffers.ts';
 import type { GpuPools } from './gpu-pools.ts';
 import { MeshBuffers, RestBuffers } from './mesh-buffers.ts';
@@ -49,6 +49,10 @@ export class SkinnedMesh {
   private influences: Lease<InfluenceBuffers>;
   private palette: PaletteBuffer | null = null;
   private paletteRowCount = 0;
+  /** What the method in use prepared, and the attributes that hold it. */
+  private extra: unknown;
+  private extras: Readonly<Record<string, Attribute>> = {};
+  private readonly extraOwner = new Owner();
 
   constructor(
     gpu: Gpu,
@@ -108,19 +112,37 @@ export class SkinnedMesh {
   }
 
   /** Fills the posed buffers on the GPU. */
-  skinOnGpu(method: SkinningMethod, palette: Float32Array): void {
+  skinOnGpu(method: SkinningMethod, palette: Float32Array, { extra, settings }: MethodUse): void {
     const paletteBuffer = this.paletteFor(palette.length / 4);
     paletteBuffer.write(palette);
     const program = this.programs.skinStage({
       method,
+      stride: method.vec4sPerEntry(this.skin),
       influencePairs: this.influencePairs,
       paletteRows: paletteBuffer.blockRows,
     });
+    this.writeExtra(method, extra);
     program.use();
+    if (method.uniforms) program.set(method.uniforms(settings));
     paletteBuffer.bind(program);
     this.bindInfluences(program);
     this.bind(program);
     this.feedback.run(this.mesh.vertexCount);
+  }
+
+  /** Uploads what a method prepared for the skin, once. */
+  private writeExtra(method: SkinningMethod, extra: unknown): void {
+    if (!method.attributes || extra === this.extra) return;
+    this.extra = extra;
+    this.extraOwner.dispose();
+    const attributes = Object.entries(method.attributes(this.mesh, extra));
+    this.extras = Object.fromEntries(
+      attributes.map(([name, values]) => {
+        const buffer = this.extraOwner.own(new Buffer(this.gpu, 'vertex', values));
+        return [name, { buffer, size: 3 }];
+      }),
+    );
+    this.forgetArrays();
   }
 
   /** The pairs of attributes that hold the influences, or 0 if a texture does. */
@@ -191,6 +213,7 @@ export class SkinnedMesh {
     this.palette?.dispose();
     this.shaped?.dispose();
     this.influences.release();
+    this.extraOwner.dispose();
     this.owner.dispose();
   }
 
@@ -236,6 +259,7 @@ export class SkinnedMesh {
         posedNormal: { buffer: this.posedNormals, size: 3 },
         ...(uvs ? { uv: { buffer: uvs, size: 2 } as const } : {}),
         ...this.influences.value.attributes,
+        ...this.extras,
         ...(this.colors && {
           weightColor: { buffer: this.colors, size: 4, type: 'unorm8' } as const,
         }),

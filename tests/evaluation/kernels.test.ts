@@ -49,7 +49,7 @@ describe('a method whose code is still loading', () => {
     const told: unknown[] = [];
     const asked = signal(0);
     const kernels = new Kernels({
-      prepare: () => {
+      complete: () => {
         asked.value++;
         return Promise.reject(new Error('gone'));
       },
@@ -57,10 +57,11 @@ describe('a method whose code is still loading', () => {
     });
     expect(kernels.of('rigid')).toBeUndefined();
     expect(kernels.of('rigid')).toBeUndefined();
-    expect(kernels.isPending('rigid')).toBe(true);
+    const actor = createActor(1, character, 'rigid');
+    expect(kernels.pendingFor(actor)).toEqual(['Rigid parts']);
     await kernels.settled();
     await expect(kernels.load('rigid')).rejects.toThrow('gone');
-    expect(kernels.isPending('rigid')).toBe(false);
+    expect(kernels.pendingFor(actor)).toEqual([]);
     expect(kernels.of('rigid')).toBeUndefined();
     expect(told).toHaveLength(1);
     expect(asked.value).toBe(1);
@@ -69,7 +70,7 @@ describe('a method whose code is still loading', () => {
   it('keeps nothing else from being opened where it can’t be had', async () => {
     const store = new Store();
     store.dispatch(openCharacter(null, character, 'linear-blend'));
-    const kernels = new Kernels({ prepare: () => Promise.reject(new Error('gone')) });
+    const kernels = new Kernels({ complete: () => Promise.reject(new Error('gone')) });
     const evaluations = new Evaluations(store, new Session(), kernels);
     await evaluations.prepare(['rigid']);
     await evaluations.settled();

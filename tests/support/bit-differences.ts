@@ -1,6 +1,7 @@
 import type { Mesh } from '../../src/core/mesh.ts';
 import type { Skin } from '../../src/core/skin.ts';
 import type { SkinningMethod } from '../../src/skinning/method.ts';
+import { useOf } from './method-use.ts';
 import type { WasmSkinning } from '../../src/skinning/wasm/wasm-skinning.ts';
 
 /**
@@ -18,9 +19,11 @@ export function bitDifferences(
   const strict = { positions: room(), normals: room() };
   const both = { positions: room(), normals: room() };
   const alone = { positions: room(), normals: null };
-  method.deform(mesh, skin, palette, strict);
+  const use = useOf(method, mesh, skin);
+  method.deform(mesh, skin, palette, strict, use);
   for (const out of [both, alone]) {
-    if (!wasm.deform(method, mesh, skin, palette, out)) throw new Error(`${method.id} has no plan`);
+    if (!wasm.deform(method, mesh, skin, palette, out))
+      throw new Error(`${method.id} has no plan`);
   }
   return (
     differing(both.positions, strict.positions) +

@@ -176,6 +176,10 @@ function actorOf(character: Character): fc.Arbitrary<Omit<Actor, 'id'>> {
       }),
     ),
     method: fc.constantFrom(...methods.map(({ id }) => id)),
+    methodSettings: fc.dictionary(
+      fc.constantFrom('blend', 'steps'),
+      fc.double({ min: -100, max: 100, noNaN: true }),
+    ),
     normals: fc.constantFrom(...normalWays.map(({ id }) => id)),
     normalizeWeights: fc.boolean(),
     influences: fc.option(fc.integer({ min: 1, max: 20 })),

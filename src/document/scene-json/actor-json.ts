@@ -5,7 +5,7 @@ import { decodePose } from '../../formats/pose-json.ts';
 import { defaultDeformation, methods, normalWays } from '../../skinning/registry.ts';
 import { type Actor, type ActorId, createActor, type Source } from '../scene.ts';
 import { readClips, writeClips } from './clips-json.ts';
-import { countFrom1, flag, index, oneOf, orNull, text } from './codec.ts';
+import { countFrom1, flag, index, numbersByName, oneOf, orNull, text } from './codec.ts';
 import { type Codecs, readFields, writeFields } from './fields.ts';
 import { readJointValues, writeJointValues } from './joint-values.ts';
 import { indexOfKey, keyAt } from '../../formats/json/keys.ts';
@@ -36,6 +36,7 @@ const plainFields: Codecs<PlainFields> = {
   transform: transformJson,
   fitted: flag,
   method: oneOf(methods.map(({ id }) => id)),
+  methodSettings: numbersByName,
   normals: oneOf(normalWays.map(({ id }) => id)),
   normalizeWeights: flag,
   influences: orNull(countFrom1),

@@ -85,6 +85,23 @@ export function numbers<T extends readonly number[]>(count: T['length'], most: n
   };
 }
 
+/** The number of parameters of all methods is far below this. */
+const mostNames = 100;
+
+/** Numbers by names; it is read without those that are wrong. */
+export const numbersByName: Codec<Readonly<Record<string, number>>> = {
+  write: (values) => values,
+  read(json) {
+    const members = json.record(`an object of at most ${mostNames} numbers`);
+    if (!members) return undefined;
+    const read = [...members].slice(0, mostNames).flatMap(([name, member]) => {
+      const value = numberWithin(-1e6, 1e6).read(member);
+      return value === undefined ? [] : [[name, value] as const];
+    });
+    return Object.fromEntries(read);
+  },
+};
+
 /** A list; it is read without those of its items that are wrong. */
 export function listOf<T>(codec: Codec<T>, longest: number): Codec<readonly T[]> {
   return {

@@ -51,6 +51,7 @@ export class WasmSkin {
   private readonly kernel: KernelFunctions;
   private readonly pointOf: Uint32Array;
   private readonly groups: GroupedVertices;
+  private readonly entryCount: number;
   /** The mesh at rest whose points and normals are in the memory. */
   private rest: Mesh | undefined;
 
@@ -65,6 +66,7 @@ export class WasmSkin {
 
   /** Throws a RangeError if there is not enough memory. */
   constructor(module: WebAssembly.Module, mesh: Mesh, rows: InfluenceRows, entryCount: number) {
+    this.entryCount = entryCount;
     const { pointOf, vertexCount } = mesh;
     this.pointOf = pointOf;
     this.groups = groupVertices(pointOf, rows);
@@ -108,7 +110,7 @@ export class WasmSkin {
 
   /** Computes what `method.deform` does, bit by bit. */
   deform(
-    { vec4sPerEntry, wasm }: Pick<SkinningMethod, 'vec4sPerEntry' | 'wasm'>,
+    { wasm }: Pick<SkinningMethod, 'wasm'>,
     mesh: Mesh,
     palette: Float32Array,
     out: PosedStreams,
@@ -117,7 +119,7 @@ export class WasmSkin {
     this.useRest(mesh);
     this.palette.set(palette);
     const paletteAt = this.palette.byteOffset;
-    const stride = vec4sPerEntry * 16;
+    const stride = palette.byteLength / this.entryCount;
     let influences = this.influencesAt;
     let points = this.points.byteOffset;
     let normals = this.normals.byteOffset;

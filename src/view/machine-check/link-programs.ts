@@ -27,16 +27,19 @@ export function programLinks(
     (file) => /^passes\/(.+)\.vert\.glsl$/.exec(file)?.[1] ?? [],
   );
   const pairs = Array.from({ length: maximumPairs + 1 }, (_, count) => count);
-  const stages = kernels.flatMap((method) =>
+  const variants = kernels.flatMap((method) =>
+    method.strides.map((stride) => ({ method, stride })),
+  );
+  const stages = variants.flatMap((variant) =>
     pairs.flatMap((influencePairs) =>
-      [0, ...blockSizes(gpu)].map((paletteRows) => ({ method, influencePairs, paletteRows })),
+      [0, ...blockSizes(gpu)].map((paletteRows) => ({ ...variant, influencePairs, paletteRows })),
     ),
   );
   return [
     ...passes.map((pass) => () => link(pass, () => programs.pass(pass))),
     ...stages.map((stage) => () => {
-      const { method, influencePairs, paletteRows } = stage;
-      const name = `${method.id}, ${influencePairs} pairs of influences, ${paletteRows} rows`;
+      const { method, stride, influencePairs, paletteRows } = stage;
+      const name = `${method.id} of ${stride} vec4s, ${influencePairs} pairs of influences, ${paletteRows} rows`;
       return link(name, () => programs.skinStage(stage));
     }),
   ];

@@ -67,7 +67,7 @@ describe('random characters', () => {
         const pose = { q: skeleton.qRest.map((_, i) => q[i]!) };
         for (const skin of [character.skin, normalizeSkin(character.skin)]) {
           for (const method of loadedKernels) {
-            const palette = new Float32Array(skeleton.jointCount * method.vec4sPerEntry * 4);
+            const palette = new Float32Array(skeleton.jointCount * method.vec4sPerEntry(skin) * 4);
             method.packPalette(skin, jointMatrices(skeleton, pose.q), palette);
             const { positions, normals } = skinVertices(character, skin, pose, method);
             expectNoSubnormals({ palette, positions, normals, weights: skin.weights });
