@@ -26,7 +26,11 @@ interface ChosenClip {
 }
 
 /** The bound clip of the selected character, or else the one that Play would bind. */
-export function chosenClip({ store, session, transport }: Editor): ChosenClip | undefined {
+export function chosenClip({
+  store,
+  session,
+  transport,
+}: Pick<Editor, 'store' | 'session' | 'transport'>): ChosenClip | undefined {
   const actor = selectedActor(store, session);
   const index = transport.clipIndex;
   const clip = actor?.clips[index];

@@ -5,7 +5,14 @@ import { handlesOf, type SlopeHandle } from './handles.ts';
 import { keyPlace, yAtX } from './line-samples.ts';
 import type { PlotLine } from './plot-lines.ts';
 import type { Place, Plot } from './plot.ts';
-import { type Box, boxAround, type BoxHandle, boxHandles, handlePlace } from './scale-box.ts';
+import {
+  type Box,
+  boxAround,
+  type BoxHandle,
+  boxHandles,
+  handlePlace,
+  visibleBox,
+} from './scale-box.ts';
 
 /** What is under the pointer. */
 export type Hit =
@@ -67,36 +74,43 @@ export function shownBox(shown: Shown): Box | null {
 }
 
 /**
- * Finds what the pointer meets, the nearest of each kind: keys before handles before the box before
- * lines, so that whatever is small can be pressed.
+ * Finds what the pointer meets: the nearest of keys, handles and the corners of the box, in this
+ * order where they are equally near, and lines only where there is none of these, so that whatever
+ * is small can be pressed.
  *
  * @param reach in pixels, from which a key or handle is met; a finger reaches farther
  */
 export function hitAt(shown: Shown, pointer: Place, reach: number): Hit {
   const { lines, locked, plot } = shown;
   const open = lines.filter(({ key }) => !locked.has(key));
-  const key = nearest(open.flatMap(keysNear(plot, pointer, reach)), reach);
-  if (key) return { of: 'key', line: key.line, at: key.at };
-  const handles = shownHandles(shown).map((handle) => ({
-    handle,
-    distance: distanceOf(handle.end, pointer),
-  }));
-  const handle = nearest(handles, reach);
-  if (handle) return { of: 'handle', handle: handle.handle };
-  const box = shownBox(shown);
-  if (box) {
-    const corners = boxHandles.map((each) => ({
-      handle: each,
-      distance: distanceOf(handlePlace(box, each), pointer),
-    }));
-    const corner = nearest(corners, reach);
-    if (corner) return { of: 'box', box, handle: corner.handle };
-  }
+  const keys = open.flatMap(keysNear(plot, pointer, reach)).map(({ distance, line, at }) => {
+    return { distance, hit: { of: 'key', line, at } as const };
+  });
+  const handles = shownHandles(shown).map((handle) => {
+    return { distance: distanceOf(handle.end, pointer), hit: { of: 'handle', handle } as const };
+  });
+  const small = nearest<Near>([...keys, ...handles, ...cornersNear(shown, pointer)], reach);
+  if (small) return small.hit;
   const line = nearest(
     open.map((each) => ({ line: each, distance: lineDistance(each, plot, pointer) })),
     reach,
   );
   return line ? { of: 'line', line: line.line } : { of: 'nothing' };
+}
+
+interface Near {
+  readonly distance: number;
+  readonly hit: Hit;
+}
+
+function cornersNear(shown: Shown, pointer: Place): readonly Near[] {
+  const box = shownBox(shown);
+  const visible = box && visibleBox(box, shown.plot);
+  if (!visible) return [];
+  return boxHandles.map((handle) => ({
+    distance: distanceOf(handlePlace(visible, handle), pointer),
+    hit: { of: 'box', box, handle },
+  }));
 }
 
 const keysNear =

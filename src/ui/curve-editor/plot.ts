@@ -59,6 +59,11 @@ export function plottedAt({ values: [low, high], height }: Plot, y: number): num
   return high - (y / height) * (high - low);
 }
 
+/** Where a time and a plotted value that are at a place of one plot are in another. */
+export function placeIn(other: Plot, plot: Plot, { x, y }: Place): Place {
+  return { x: xOf(other, timeAt(plot, x)), y: yOf(other, plottedAt(plot, y)) };
+}
+
 /** How many pixels a slope of 1 (plotted value a second) falls in each pixel to the right. */
 export function slopePixels({ time, values, width, height }: Plot): number {
   return (-(height / (values[1] - values[0])) * (time[1] - time[0])) / width;

@@ -1,4 +1,4 @@
-import type { Place } from './plot.ts';
+import type { Place, Plot } from './plot.ts';
 
 /** A rectangle in the plot, in pixels. */
 export interface Box {
@@ -48,6 +48,27 @@ export function handlePlace({ left, right, top, bottom }: Box, { across, down }:
   return {
     x: (left + right) / 2 + (across * (right - left)) / 2,
     y: (top + bottom) / 2 + (down * (bottom - top)) / 2,
+  };
+}
+
+/** How far from the edges of the plot handles stay, in pixels. */
+const edge = 5;
+
+/**
+ * The part of a box whose handles are drawn and pressed: what is in the plot, so that each handle is
+ * seen although the keys at its side may not be. Null if nothing of the box is in the plot.
+ */
+export function visibleBox(
+  box: Box,
+  { width, height }: Pick<Plot, 'width' | 'height'>,
+): Box | null {
+  const isSeen = box.right > 0 && box.left < width && box.bottom > 0 && box.top < height;
+  if (!isSeen) return null;
+  const across = (x: number): number => Math.min(Math.max(x, edge), width - edge);
+  const down = (y: number): number => Math.min(Math.max(y, edge), height - edge);
+  return {
+    ...{ left: across(box.left), right: across(box.right) },
+    ...{ top: down(box.top), bottom: down(box.bottom) },
   };
 }
 

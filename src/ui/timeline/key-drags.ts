@@ -5,10 +5,12 @@ import { noKeys } from '../../core/motion/key-selection.ts';
 import { beginKeyGesture, type KeyGesture } from './key-gesture.ts';
 import { channelKeys, type Hit, isAmong, keysOf, type ShownRows } from './shown-rows.ts';
 import { snapped } from './shown-time.ts';
-import { panned, timeAtX } from './time-axis.ts';
+import { panned, timeAtX, xOfTime } from './time-axis.ts';
 
 /** What a press may become. */
 interface KeyDrag {
+  /** Whether it goes on beyond the edges of the view, which then shows what lies there. */
+  readonly scrolls: boolean;
   move(x: number, y: number, event: PointerEvent): void;
   /** Ends a drag, or a press without one. */
   end(): void;
@@ -48,12 +50,13 @@ function moveDrag(
   click: () => void,
 ): KeyDrag {
   const { editor } = shown;
+  const fromTime = timeAtX(shown.timeWindow, shown.width, fromX);
   let gesture: KeyGesture | null = null;
   return {
+    scrolls: true,
     move: (x, _, { altKey }) => {
       gesture ??= beginKeyGesture(editor, altKey ? 'Copy keys' : 'Move keys');
-      const [start, end] = shown.timeWindow;
-      const to = hit.time + ((x - fromX) / shown.width) * (end - start);
+      const to = hit.time + timeAtX(shown.timeWindow, shown.width, x) - fromTime;
       const seconds = snapped(editor.session, shown.clip, to) - hit.time;
       gesture?.preview((clip, selection) => {
         if (!altKey) return moveKeys(clip, selection, { seconds });
@@ -79,12 +82,15 @@ function boxDrag(
   const fromDown = fromY + shown.scrollTop();
   let isOpen = true;
   return {
+    scrolls: true,
     move: (x, y) => {
       const scrollTop = shown.scrollTop();
       const down = y + scrollTop;
       const [top, bottom] = [Math.min(fromDown, down), Math.max(fromDown, down)];
-      shown.showBox([Math.min(fromX, x), top - scrollTop, Math.max(fromX, x), bottom - scrollTop]);
       const { rows, rowHeight, timeWindow, width, clip } = shown;
+      const startX = xOfTime(timeWindow, width, fromTime);
+      const [left, right] = [Math.min(startX, x), Math.max(startX, x)];
+      shown.showBox([left, top - scrollTop, right, bottom - scrollTop]);
       // A row is in the box if its middle is.
       const inside = rows.filter((_, at) => {
         const middle = (at + 0.5) * rowHeight;
@@ -119,6 +125,7 @@ function panDrag(
 ): KeyDrag {
   let [lastX, lastY] = [fromX, fromY];
   return {
+    scrolls: false,
     move: (x, y) => {
       const { timeWindow, width, editor } = shown;
       const seconds = ((lastX - x) / width) * (timeWindow[1] - timeWindow[0]);

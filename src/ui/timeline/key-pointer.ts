@@ -1,8 +1,10 @@
+import { EdgeScroll } from './edge-scroll.ts';
 import { beginDrag } from './key-drags.ts';
 import { type Hit, hitAt, isAmong, keysOf, rowAt, type ShownRows } from './shown-rows.ts';
+import { panned } from './time-axis.ts';
 
 /** How near to a key a pointer must be, in CSS pixels, and how far it goes before it drags. */
-const reach = { mouse: 7, touch: 18 };
+const reach = { mouse: 7, touch: 22 };
 const slop = { mouse: 3, touch: 9 };
 const longPress = 500; // milliseconds
 /**
@@ -25,7 +27,8 @@ export function addKeyPointer(element: HTMLElement, shown: ShownRows): () => voi
   const onDown = (event: PointerEvent): void => {
     // A second finger zooms, and the first one then selects nothing.
     press?.abort();
-    if (event.button !== 0) return;
+    press = null;
+    if (event.button !== 0 || !event.isPrimary) return;
     press = new AbortController();
     const kind = event.pointerType === 'touch' ? 'touch' : 'mouse';
     const [x, y] = placeOf(event);
@@ -38,6 +41,18 @@ export function addKeyPointer(element: HTMLElement, shown: ShownRows): () => voi
     const isMore = event.shiftKey || event.ctrlKey || event.metaKey;
     const drag = beginDrag(shown, hit, isMore, kind, [x, y]);
     let isDragged = false;
+    let last: PointerEvent = event;
+    const again = (): void => drag.move(...placeOf(last), last);
+    const edges = new EdgeScroll({
+      size: () => ({ width: shown.width, height: element.clientHeight }),
+      scroll: (across, down) => {
+        const { timeWindow, width } = shown;
+        const seconds = (across / width) * (timeWindow[1] - timeWindow[0]);
+        if (seconds !== 0) session.timeWindow.value = panned(timeWindow, seconds);
+        shown.scroll(down);
+      },
+      again,
+    });
     const timer =
       kind === 'touch'
         ? window.setTimeout(() => {
@@ -50,13 +65,17 @@ export function addKeyPointer(element: HTMLElement, shown: ShownRows): () => voi
     const listening = { signal: press.signal };
     press.signal.addEventListener('abort', () => {
       window.clearTimeout(timer);
+      edges.end();
       drag.cancel();
     });
     const move = (moved: PointerEvent): void => {
       if (moved.pointerId !== event.pointerId) return;
       const [toX, toY] = placeOf(moved);
       isDragged ||= Math.hypot(toX - x, toY - y) > slop[kind];
-      if (isDragged) drag.move(toX, toY, moved);
+      if (!isDragged) return;
+      last = moved;
+      again();
+      if (drag.scrolls) edges.moveTo(toX, toY);
     };
     const finish = (ended: PointerEvent): void => {
       if (ended.pointerId !== event.pointerId) return;

@@ -37,16 +37,3 @@ export function framing([start, end]: TimeWindow): TimeWindow {
 export function atFrame(time: number, fps: number): number {
   return Math.round(time * fps) / fps;
 }
-
-/** The distance of marks that stand at least so many pixels apart: frames, or round seconds. */
-export function markStep(
-  [start, end]: TimeWindow,
-  width: number,
-  fps: number,
-  leastPixels: number,
-): number {
-  const least = (leastPixels / width) * (end - start);
-  const steps = [1, 2, 5, 10].map((frames) => frames / fps).concat([0.5, 1, 2, 5, 10, 30, 60]);
-  const found = steps.find((step) => step >= least);
-  return found ?? 60 * 10 ** Math.ceil(Math.log10(least / 60));
-}

@@ -4,7 +4,7 @@ import { oneKey } from '../../../src/ui/curve-editor/curve-edits.ts';
 import { handlesOf } from '../../../src/ui/curve-editor/handles.ts';
 import { hitAt, keysInBox, type Shown, shownBox } from '../../../src/ui/curve-editor/hits.ts';
 import { sampleLine } from '../../../src/ui/curve-editor/line-samples.ts';
-import { handlePlace } from '../../../src/ui/curve-editor/scale-box.ts';
+import { handlePlace, visibleBox } from '../../../src/ui/curve-editor/scale-box.ts';
 import { hinge, key, lineOf, plot } from './lines.ts';
 
 const line = lineOf(hinge(0, [key(1, 0), key(2, 0.5), key(3, 0)]));
@@ -39,6 +39,25 @@ describe('what the pointer meets', () => {
     const two = { ...shown, selection: new Map([[line.key, [1, 2]]]) };
     const corner = handlePlace(shownBox(two)!, { across: 1, down: -1 });
     expect(hitAt(two, corner, 7)).toMatchObject({ of: 'box', handle: { across: 1, down: -1 } });
+  });
+
+  it('is by a finger the nearest of a key and the corners of its box', () => {
+    const two = { ...shown, selection: new Map([[line.key, [1, 2]]]) };
+    const { x, y } = handlePlace(shownBox(two)!, { across: -1, down: 1 });
+    expect(hitAt(two, { x, y }, 22)).toMatchObject({ of: 'box', handle: { across: -1, down: 1 } });
+    expect(hitAt(two, { x: x + 12, y: y - 12 }, 22)).toEqual({ of: 'key', line, at: 0 });
+  });
+
+  it('is a corner of the box at the edge of the plot while its keys are out of sight', () => {
+    const two = { ...shown, selection: new Map([[line.key, [1, 3]]]) };
+    const near = { ...plot, time: [2, 3.5] as const };
+    const box = visibleBox(shownBox({ ...two, plot: near })!, near)!;
+    expect(box.left).toBeGreaterThan(0);
+    expect(hitAt({ ...two, plot: near }, { x: box.left, y: box.bottom }, 7)).toMatchObject({
+      ...{ of: 'box', handle: { across: -1, down: 1 } },
+    });
+    const away = { ...plot, time: [8, 9] as const };
+    expect(visibleBox(shownBox({ ...two, plot: away })!, away)).toBeNull();
   });
 
   it('in a rectangle is each key within it, of every curve that is not locked', () => {

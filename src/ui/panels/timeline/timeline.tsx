@@ -1,7 +1,8 @@
-import { useRef } from 'preact/hooks';
+import { useEffect, useRef } from 'preact/hooks';
 import { selectedActor } from '../../../document/selected-actor.ts';
 import type { Editor } from '../../editor.ts';
 import { runKey } from '../../keys.ts';
+import { followKeySelection } from '../../timeline/follow-selection.ts';
 import { copiedKeys } from '../../timeline/timeline-state.ts';
 import { HeightEdge } from './height-edge.tsx';
 import { Sheet } from './sheet.tsx';
@@ -15,6 +16,7 @@ import { TransportBar } from './transport-bar.tsx';
 export function Timeline({ editor }: { readonly editor: Editor }) {
   const { store, session, transport } = editor;
   const section = useRef<HTMLElement>(null);
+  useEffect(() => followKeySelection(editor), [editor]);
   const actor = selectedActor(store, session);
   if (!actor) return null;
   const index = transport.clipIndex;

@@ -1,8 +1,7 @@
-import type { Extrapolation } from '../../../../core/motion/clip-parts.ts';
 import { printable } from '../../../../core/diagnostics.ts';
-import { setExtrapolation } from '../../../../core/motion/edit/extrapolation.ts';
 import { type CurveModel, toggled } from '../../../curve-editor/curve-model.ts';
 import type { ShownCurve } from '../../../curve-editor/shown-curves.ts';
+import { Extrapolations } from './extrapolations.tsx';
 
 interface ChannelListProperties {
   readonly model: CurveModel;
@@ -18,7 +17,7 @@ export function ChannelList({ model }: ChannelListProperties) {
           <ChannelRow key={curve.key} model={model} curve={curve} isChosen={curve === chosen} />
         ))}
       </ul>
-      {chosen && <Extrapolations model={model} curve={chosen} />}
+      {chosen && !model.showsTable.value && <Extrapolations model={model} curve={chosen} />}
     </div>
   );
 }
@@ -69,44 +68,5 @@ function ChannelRow({ model, curve, isChosen }: RowProperties & { readonly isCho
         </svg>
       </button>
     </li>
-  );
-}
-
-const rules: Readonly<Record<Extrapolation, string>> = {
-  constant: 'constant',
-  linear: 'linear',
-  cycle: 'cycle',
-  cycle_offset: 'cycle with offset',
-  bounce: 'bounce',
-};
-
-const sides = { before: 'Before', after: 'After' } as const;
-
-function Extrapolations({ model, curve }: RowProperties) {
-  return (
-    <div class="extrapolations">
-      {(['before', 'after'] as const).map((side) => (
-        <label key={side}>
-          {sides[side]}
-          <select
-            aria-label={`${sides[side]} the keys of ${printable(curve.name, 60)}`}
-            disabled={model.locked.value.has(curve.key)}
-            value={curve.channel[side]}
-            onChange={({ currentTarget }) => {
-              const rule = currentTarget.value as Extrapolation;
-              model.edit(`Continue ${side} the keys: ${rules[rule]}`, (clip) =>
-                setExtrapolation(clip, curve.key, side, rule),
-              );
-            }}
-          >
-            {Object.entries(rules).map(([rule, label]) => (
-              <option key={rule} value={rule}>
-                {label}
-              </option>
-            ))}
-          </select>
-        </label>
-      ))}
-    </div>
   );
 }

@@ -8,15 +8,18 @@ import {
 import { keyPlace, sampleLine } from '../../../curve-editor/line-samples.ts';
 import type { PlotLine } from '../../../curve-editor/plot-lines.ts';
 import { type Place, type Plot, xOf, yOf } from '../../../curve-editor/plot.ts';
-import { type Box, boxHandles, handlePlace } from '../../../curve-editor/scale-box.ts';
+import { type Box, boxHandles, handlePlace, visibleBox } from '../../../curve-editor/scale-box.ts';
 import { type ValueUnit, valueMarks } from '../../../curve-editor/value-axis.ts';
-import { markStep } from '../../../timeline/time-axis.ts';
+import { rulerMarks } from '../../../timeline/marks.ts';
+import type { TimeUnit } from '../../../timeline/timeline-state.ts';
 import type { PlotColors } from './plot-colors.ts';
 
 /** What is drawn. */
 export interface Picture extends Shown {
   readonly colors: PlotColors;
   readonly fps: number;
+  /** What the ruler above is marked in. */
+  readonly timeUnit: TimeUnit;
   /** The range that is played, in seconds. */
   readonly range: readonly [start: number, end: number];
   /** What the values at the left are measured in, and those at the right, if any. */
@@ -36,22 +39,22 @@ export function drawPlot(context: Context, picture: Picture): void {
   drawHandles(context, picture);
   for (const line of lines) drawKeys(context, line, picture);
   const box = shownBox(picture);
-  if (box) drawScaleBox(context, box, picture.colors);
+  if (box) drawScaleBox(context, box, picture);
   if (picture.chosenBox) drawChosenBox(context, picture.chosenBox, picture.colors);
   drawValues(context, picture);
 }
 
-function drawGrid(context: Context, { plot, colors, fps, range, units }: Picture): void {
+function drawGrid(context: Context, { plot, colors, fps, timeUnit, range, units }: Picture): void {
   const [start, end] = range.map((time) => xOf(plot, time)) as [number, number];
   context.fillStyle = colors.of('beyond');
   context.fillRect(0, 0, Math.max(0, start), plot.height);
   context.fillRect(Math.max(0, end), 0, plot.width, plot.height);
   context.lineWidth = 1;
-  const step = markStep(plot.time, plot.width, fps, 70);
   context.strokeStyle = colors.of('line');
   context.beginPath();
-  for (let i = Math.ceil(plot.time[0] / step); i * step <= plot.time[1]; i++) {
-    const x = Math.round(xOf(plot, i * step)) + 0.5;
+  for (const mark of rulerMarks(plot.time, plot.width, fps, timeUnit)) {
+    if (!mark.text) continue;
+    const x = Math.floor(mark.x) + 0.5;
     context.moveTo(x, 0);
     context.lineTo(x, plot.height);
   }
@@ -150,13 +153,15 @@ function drawKeys(context: Context, line: PlotLine, picture: Picture): void {
   context.globalAlpha = 1;
 }
 
-function drawScaleBox(context: Context, box: Box, colors: PlotColors): void {
+function drawScaleBox(context: Context, box: Box, { plot, colors }: Picture): void {
+  const handles = visibleBox(box, plot);
+  if (!handles) return;
   context.strokeStyle = colors.of('quiet');
   context.fillStyle = colors.of('surface');
   context.lineWidth = 1;
   context.strokeRect(box.left, box.top, box.right - box.left, box.bottom - box.top);
   for (const handle of boxHandles) {
-    const { x, y } = handlePlace(box, handle);
+    const { x, y } = handlePlace(handles, handle);
     context.beginPath();
     context.rect(x - 3, y - 3, 6, 6);
     context.fill();

@@ -47,7 +47,10 @@ export function KeyFields({ editor, model }: KeyFieldsProperties) {
         close();
       }}
     >
-      <strong>{keyCount(keys.count)}</strong>
+      <strong>
+        {keyCount(keys.count)}
+        {keys.count > 1 && <small> each gets what is typed</small>}
+      </strong>
       <button type="button" class="sign" aria-label="Close the numbers" onClick={close}>
         ×
       </button>

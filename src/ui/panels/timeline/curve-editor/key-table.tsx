@@ -9,6 +9,7 @@ import { besideText, exactText, tangentText } from '../../../curve-editor/key-te
 import type { ShownCurve } from '../../../curve-editor/shown-curves.ts';
 import { type KeyCell, typeCell } from '../../../curve-editor/typed-keys.ts';
 import type { Editor } from '../../../editor.ts';
+import { Extrapolations } from './extrapolations.tsx';
 import { stepOfKey } from './table-steps.ts';
 
 interface KeyTableProperties {
@@ -72,9 +73,10 @@ export function KeyTable({ editor, model }: KeyTableProperties) {
   };
   const rows = curve.channel.keys.slice(start, start + pageRows);
   return (
-    <div class="key-table" onKeyDown={onKey}>
+    <div class="key-table">
       <table
         ref={grid}
+        onKeyDown={onKey}
         role="grid"
         aria-label={`Keys of ${printable(curve.name, 60)}`}
         aria-rowcount={count + 1}
@@ -135,6 +137,7 @@ export function KeyTable({ editor, model }: KeyTableProperties) {
           })}
         </tbody>
       </table>
+      <Extrapolations model={model} curve={curve} />
     </div>
   );
 }

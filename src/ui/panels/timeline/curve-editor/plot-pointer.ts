@@ -12,14 +12,16 @@ import {
   scalingKeys,
   turningHandle,
 } from '../../../curve-editor/key-drags.ts';
-import type { Place } from '../../../curve-editor/plot.ts';
+import { type Place, placeIn } from '../../../curve-editor/plot.ts';
 import type { Editor } from '../../../editor.ts';
+import { EdgeScroll } from '../../../timeline/edge-scroll.ts';
 import type { PlotView } from './plot-view.ts';
+import { pan } from './plot-window.ts';
 
 /** How far the pointer goes before a press becomes a drag, in pixels; a finger is less steady. */
 const [leastDrag, leastTouchDrag] = [3, 8];
 /** From how far a key or a handle is met, in pixels. */
-const [reach, touchReach] = [7, 16];
+const [reach, touchReach] = [7, 22];
 
 /** A press of the pointer on the plot, until it is released. */
 interface Press {
@@ -30,6 +32,8 @@ interface Press {
   readonly shift: boolean;
   /** What it does, once it has become a drag. */
   act: Act | null;
+  /** Where the pointer was last. */
+  last: PointerEvent;
 }
 
 interface Act {
@@ -46,8 +50,15 @@ export function listenToPlot(view: PlotView): () => void {
     const { left, top } = canvas.getBoundingClientRect();
     return { x: clientX - left, y: clientY - top };
   };
+  const act = (): void => press?.act?.move(placeOf(press.last), press.last);
+  const edges = new EdgeScroll({
+    size: () => view.shown().plot,
+    scroll: (across, down) => pan(view, view.shown().plot, { x: -across, y: -down }),
+    again: act,
+  });
   const stop = (): void => {
     press = null;
+    edges.end();
     window.removeEventListener('keydown', onKey, true);
   };
   const cancel = (): void => {
@@ -71,7 +82,8 @@ export function listenToPlot(view: PlotView): () => void {
     const isTouch = event.pointerType === 'touch';
     const from = placeOf(event);
     const hit = hitAt(view.shown(), from, isTouch ? touchReach : reach);
-    press = { id: event.pointerId, from, hit, isTouch, shift: event.shiftKey, act: null };
+    const { pointerId: id, shiftKey: shift } = event;
+    press = { id, from, hit, isTouch, shift, act: null, last: event };
     canvas.setPointerCapture(event.pointerId);
     window.addEventListener('keydown', onKey, true);
     choose(editor, model, press);
@@ -85,7 +97,9 @@ export function listenToPlot(view: PlotView): () => void {
     const far = Math.hypot(to.x - press.from.x, to.y - press.from.y);
     if (!press.act && far < (press.isTouch ? leastTouchDrag : leastDrag)) return;
     press.act ??= actOf(view, press);
-    press.act.move(to, event);
+    press.last = event;
+    act();
+    edges.moveTo(to.x, to.y);
   };
   const onUp = (event: PointerEvent): void => {
     if (!press || event.pointerId !== press.id) return;
@@ -149,10 +163,11 @@ function dragOf({ model, editor, shown }: PlotView, from: Place, hit: Hit): Drag
 }
 
 /** Edits keys as one gesture, which shows its result while it goes on. */
-function keyAct({ model, editor }: PlotView, drag: Drag): Act {
+function keyAct({ model, editor, shown }: PlotView, drag: Drag): Act {
   const { session, store } = editor;
   const before = session.selectedKeys.peek();
   const clip = model.shown.peek()?.parts;
+  const { plot } = shown();
   model.bind();
   model.hold();
   let gesture: Gesture | null = null;
@@ -163,7 +178,9 @@ function keyAct({ model, editor }: PlotView, drag: Drag): Act {
   return {
     move(to, event) {
       if (!clip || gesture?.isOpen === false) return;
-      const { label, telling, edit } = drag(to, { shift: event.shiftKey, alt: event.altKey });
+      // The plot may have scrolled since the drag began.
+      const place = placeIn(plot, shown().plot, to);
+      const { label, telling, edit } = drag(place, { shift: event.shiftKey, alt: event.altKey });
       const { clip: edited, selection } = edit(clip);
       const made = model.editOf(label, (now): ClipParts => (edited === clip ? now : edited));
       if (!made) return;
@@ -193,13 +210,15 @@ function merged(before: KeySelection, edited: KeySelection): KeySelection {
 function boxAct({ editor, model, shown, chosenBox }: PlotView, { from, shift }: Press): Act {
   const { session } = editor;
   const before = session.selectedKeys.peek();
+  const { plot } = shown();
   return {
     move(to) {
+      const start = placeIn(shown().plot, plot, from);
       const box = {
-        left: Math.min(from.x, to.x),
-        right: Math.max(from.x, to.x),
-        top: Math.min(from.y, to.y),
-        bottom: Math.max(from.y, to.y),
+        left: Math.min(start.x, to.x),
+        right: Math.max(start.x, to.x),
+        top: Math.min(start.y, to.y),
+        bottom: Math.max(start.y, to.y),
       };
       chosenBox.value = box;
       const found = keysInBox(shown(), box);

@@ -79,8 +79,12 @@ function apart(before: number, now: number): number {
   return isApart ? Math.abs(before / now) : 1;
 }
 
-/** @param by pixels to the right and downward */
-function pan({ model, editor }: PlotView, plot: Plot, by: Place): void {
+/**
+ * Moves what the plot shows.
+ *
+ * @param by pixels to the right and downward
+ */
+export function pan({ model, editor }: PlotView, plot: Plot, by: Place): void {
   const seconds = timeAt(plot, 0) - timeAt(plot, by.x);
   const plotted = plottedAt(plot, 0) - plottedAt(plot, by.y);
   editor.session.timeWindow.value = panned(plot.time, seconds);

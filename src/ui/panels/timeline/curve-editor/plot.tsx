@@ -7,6 +7,7 @@ import { timeAt } from '../../../curve-editor/plot.ts';
 import type { Box } from '../../../curve-editor/scale-box.ts';
 import type { ValueUnit } from '../../../curve-editor/value-axis.ts';
 import type { Editor } from '../../../editor.ts';
+import { timeUnit } from '../../../timeline/timeline-state.ts';
 import { onceAFrame } from '../../../once-a-frame.ts';
 import { drawPlot } from './draw-plot.ts';
 import { readColors } from './plot-colors.ts';
@@ -50,7 +51,10 @@ export function Plot({ editor, model, label }: PlotProperties) {
     });
     // What is drawn is read here, so that a change of it draws again.
     const endDrawing = effect(() => {
-      draw([shown(), chosenBox.value, model.shown.value, editor.theme.value, scheme.value]);
+      draw([
+        ...[shown(), chosenBox.value, model.shown.value],
+        ...[timeUnit.value, editor.theme.value, scheme.value],
+      ]);
     });
     return () => {
       endPointer();
@@ -127,6 +131,7 @@ function paint(
     ...seen,
     colors: readColors(probe),
     fps,
+    timeUnit: timeUnit.peek(),
     range: [start, end],
     units: unitsOf(model),
     chosenBox: chosenBox.peek(),
