@@ -45,7 +45,7 @@ test('poses are applied, blended, kept, renamed, undone and kept over a reload',
   // Its picture is drawn: some pixels of it are not transparent.
   const drawn = (): Promise<number> =>
     card('Waving arm')
-      .locator('canvas.scene')
+      .locator('canvas')
       .evaluate((canvas: HTMLCanvasElement) => {
         const { width, height } = canvas;
         const { data } = canvas.getContext('2d')!.getImageData(0, 0, width, height);
