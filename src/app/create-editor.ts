@@ -203,11 +203,12 @@ export function createEditor(
       // Few users save in another course's format, so its writers are loaded only when someone
       // does.
       const { saveAs } = await loadPart(import('./save-as.ts'));
-      const losses = await saveAs(shown.state.character, pose, format);
+      const { losses, motionsBeside } = await saveAs(shown.state, pose, format);
       session.problems.value = losses;
+      const beside = motionsBeside > 0 ? ', with its motions beside it as MOTION.json' : '';
       if (hasErrors(losses)) notice.value = 'Not saved; Problems says why';
-      else if (losses.length > 0) notice.value = 'Saved; what got lost is under Problems';
-      else notice.value = 'Saved, with nothing lost';
+      else if (losses.length > 0) notice.value = `Saved${beside}; what got lost is under Problems`;
+      else notice.value = `Saved${beside}, with nothing lost`;
     },
 
     async exportMesh() {

@@ -69,10 +69,10 @@ export class MotionFollower {
     }
   }
 
-  /** Whether an actor is to get motions. One whose clips somebody changed stays as it is. */
+  /** Whether an actor is to get motions. */
   private waits(actor: Actor): boolean {
     const entry = this.entryOf(actor);
-    if (!entry || !hasItsOwnClips(actor) || this.failed.has(actor.character)) return false;
+    if (!entry || this.failed.has(actor.character)) return false;
     return lacksMotions(entry, actor.character);
   }
 
@@ -82,8 +82,8 @@ export class MotionFollower {
 }
 
 /**
- * Replaces characters by those that have their motions too, where an actor's clips are still its
- * character's.
+ * Replaces characters by those that have their motions too. The clips that an actor has stay where
+ * they are, changed or not; the motions come after them.
  *
  * @param found by the character without them
  */
@@ -94,13 +94,13 @@ function giveMotions(found: ReadonlyMap<Character, Character>): Edit {
       ...scene,
       actors: scene.actors.map((actor) => {
         const character = found.get(actor.character);
-        if (!character || !hasItsOwnClips(actor)) return actor;
-        return { ...actor, character, clips: character.clips };
+        if (!character) return actor;
+        const { clips } = actor;
+        if (clips === actor.character.clips) return { ...actor, character, clips: character.clips };
+        const known = [...clips, ...actor.character.clips].map(({ name }) => name);
+        const came = character.clips.filter(({ name }) => !known.includes(name));
+        return { ...actor, character, clips: [...clips, ...came] };
       }),
     }),
   };
-}
-
-function hasItsOwnClips({ clips, character }: Actor): boolean {
-  return clips === character.clips;
 }

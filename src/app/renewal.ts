@@ -63,6 +63,11 @@ export function keptState(before: Actor, character: Character): KeptState {
   const weights = new Map(morphs.map(({ name }, index) => [name, morphWeights[index]!]));
   const clips = keptClips(before, character);
   const bound = clips.findIndex(({ name }) => name === boundClip(before)?.name);
+  // Morphs may have other places in the files now; joints and values of the same joints have not.
+  const hasSameSlots =
+    q.length === character.skeleton.qRest.length &&
+    before.character.morphs.length === character.morphs.length &&
+    before.character.morphs.every(({ name }, at) => name === character.morphs[at]!.name);
   return {
     q,
     name,
@@ -71,6 +76,7 @@ export function keptState(before: Actor, character: Character): KeptState {
     morphWeights: Float64Array.from(character.morphs, ({ name }) => weights.get(name) ?? 0),
     clips,
     clip: bound === -1 ? null : bound,
+    ...(bound !== -1 && hasSameSlots && { unkeyed: before.unkeyed }),
     normalizeWeights,
     influences,
     look,

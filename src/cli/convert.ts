@@ -4,23 +4,15 @@ import { parseArgs } from 'node:util';
 import type { Character } from '../core/character.ts';
 import { type Diagnostic, hasErrors } from '../core/diagnostics.ts';
 import type { Pose } from '../core/pose.ts';
-import type { ClipParts } from '../core/motion/clip-parts.ts';
-import { convertCharacter, type Converted } from '../formats/convert.ts';
-import { writeAnimOf } from '../formats/cse169/anim-of-clip.ts';
+import { convertCharacter } from '../formats/convert.ts';
 import { baseName } from '../formats/file-entry.ts';
 import type { OutputFile, Written } from '../formats/format.ts';
 import { holdsPosesOf, poseFormats } from '../formats/pose-formats.ts';
 import { poseToJson } from '../formats/write-pose-json.ts';
 import { readCharacters } from '../formats/read-characters.ts';
-import {
-  type ConvertTarget,
-  convertTargets,
-  loadWriter,
-  shapeOf,
-  writtenWord,
-} from '../formats/registry.ts';
-import { writeMotion } from '../formats/motion/write-motion.ts';
+import { convertTargets, loadWriter, writtenWord } from '../formats/registry.ts';
 import { savedFiles } from '../formats/saved-files.ts';
+import { writeConvertedMotion } from '../formats/write-converted-motion.ts';
 import type { Command } from './command.ts';
 import { printDiagnostics, readFiles, unwritable, userPath } from './files.ts';
 import { parseWords } from './parse-words.ts';
@@ -60,7 +52,7 @@ export const convert: Command = {
     printDiagnostics([...found, ...converted.losses, ...losses]);
     if (hasErrors(losses)) return 1;
     const poseFile = await writtenPose(options.pose, converted.character, converted.pose);
-    const motionFile = motion.value && writtenMotion(motion.value, converted, options.to);
+    const motionFile = motion.value && writeConvertedMotion(motion.value, converted, options.to);
     const lostLast = [...poseFile.losses, ...(motionFile?.losses ?? [])];
     printDiagnostics(lostLast);
     if (hasErrors(lostLast)) return 1;
@@ -111,19 +103,6 @@ async function writtenPose(
   if (path === undefined || !isHeld) return written;
   const files = written.files.map(({ bytes }) => ({ path: baseName(path), bytes }));
   return { ...written, files };
-}
-
-/** The motion as the format holds it: an `.anim` where it has clips, otherwise a MOTION.json. */
-function writtenMotion(
-  motion: ClipParts,
-  { character, pose, convertClip }: Converted,
-  to: ConvertTarget,
-): Written {
-  const { clip, losses } = convertClip(motion);
-  const written = shapeOf(to).clips
-    ? writeAnimOf(clip, character.skeleton, pose.q)
-    : writeMotion(clip, character);
-  return { files: written.files, losses: [...losses, ...written.losses] };
 }
 
 function writeAll(folder: string, files: readonly OutputFile[]): boolean {

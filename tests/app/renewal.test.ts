@@ -26,4 +26,11 @@ describe('files that are read again', () => {
     expect(kept.clips).toEqual([edited, own, after.clips[0]]);
     expect(kept.clip).toBe(1);
   });
+
+  it('leave what is unkeyed as it is while the clip stays bound', () => {
+    const unkeyed = { time: 0.5, values: [1], morphs: [], pins: [] };
+    const actor = { ...createActor(1, before, 'linear-blend', { clip: 1 }), unkeyed };
+    expect(keptState(actor, { ...plain, clips: named('run') }).unkeyed).toBe(unkeyed);
+    expect(keptState(actor, { ...plain, clips: named('walk') }).unkeyed).toBeUndefined();
+  });
 });

@@ -4,6 +4,7 @@ import { motionViewOf } from '../../document/motion-view.ts';
 import { boundClip } from '../../document/scene.ts';
 import { selectedActor } from '../../document/selected-actor.ts';
 import { selectedJoints } from '../../document/selected-joints.ts';
+import { hasNoSkin } from '../commands/motion-view-commands.ts';
 import type { Editor } from '../editor.ts';
 import { keptTrailNames } from '../trail-joints.ts';
 import { addCommandRow } from './command-row.ts';
@@ -59,6 +60,9 @@ export function addMotionViewFolder(gui: GUI, editor: Editor): () => void {
 
   function noteOf(hasClip: boolean): string {
     if (!hasClip) return 'Play a clip, or make one, to see its motion.';
+    if (ghosts.value.isOn && !trails.value.isOn && hasNoSkin(editor)) {
+      return 'Ghosts are of the skin, and this character has bones alone; trails show its joints.';
+    }
     if (!trails.value.isOn) return '';
     const kept = trailJoints.value.length > 0 ? keptTrailNames(editor) : [];
     const some = selectedJoints(session).length + kept.length > 0;
