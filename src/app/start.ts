@@ -7,7 +7,6 @@ import { Evaluations } from '../evaluation/evaluations.ts';
 import { Kernels } from '../evaluation/kernels.ts';
 import { failureText } from '../ui/attempt.ts';
 import { guardDrops } from '../ui/guard-drops.ts';
-import { loadSkinningShader } from '../view/skinning-shaders.ts';
 import { Viewer } from '../view/viewer.ts';
 import {
   type Catalogue,
@@ -42,7 +41,7 @@ export async function start(root: HTMLElement): Promise<void> {
   const session = new Session();
   const store = new Store((before, after) => reconcile(session, before, after));
   const kernels = new Kernels({
-    complete: loadSkinningShader,
+    complete: () => loadPart(import('../view/skinning-shaders.ts')),
     onFailed: (error) => (opening.notice.value = failureText(error)),
   });
   const evaluations = new Evaluations(store, session, kernels);

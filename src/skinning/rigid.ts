@@ -3,6 +3,7 @@ import type { InfluenceRows, Skin } from '../core/skin.ts';
 import { transformNormalsByCofactors, transformPoints } from './affine-kernel.ts';
 import { packAffinePalette } from './affine-palette.ts';
 import { blockSize, createMatrixBlock } from './blend-matrices.ts';
+import { heaviestEntry } from './heaviest-entry.ts';
 import type { PosedStreams, SkinningMethod } from './method.ts';
 
 /**
@@ -34,17 +35,6 @@ function deform(mesh: Mesh, skin: Skin, palette: Float32Array, out: PosedStreams
 }
 
 const matrices = createMatrixBlock();
-
-function heaviestEntry(skin: Skin, point: number): number {
-  let entry = 0;
-  let heaviest = 0;
-  for (let i = skin.start[point]!; i < skin.start[point + 1]!; i++) {
-    if (skin.weights[i]! <= heaviest) continue;
-    heaviest = skin.weights[i]!;
-    entry = skin.entries[i]!;
-  }
-  return entry;
-}
 
 /** One influence of weight 1 for each point: 0 + 1 · M has the bits of M. */
 function heaviestInfluence(skin: Skin): InfluenceRows {

@@ -19,6 +19,7 @@ addShaderFiles(
   import.meta.glob<string>(
     [
       '../../shaders/lib/*.glsl',
+      '!**/lib/quaternions.glsl',
       '../../shaders/skinning/{stage.*,linear-blend}.glsl',
       '../../shaders/passes/{backdrop,blur,contact-shadow,floor,key-shadow,mesh}.*.glsl',
     ],

@@ -1,15 +1,13 @@
-import { loadPart } from '../core/failure.ts';
-import type { SkinningMethod } from '../skinning/method.ts';
 import { addShaderFiles } from './shader-files.ts';
 
-const later = import.meta.glob<string>(
-  ['../../shaders/skinning/*.glsl', '!**/stage.*.glsl', '!**/linear-blend.glsl'],
-  { query: '?raw', import: 'default' },
+/** The GLSL with which kernels run on the GPU, except linear blend's. */
+addShaderFiles(
+  import.meta.glob<string>(
+    [
+      '../../shaders/lib/quaternions.glsl',
+      '../../shaders/skinning/*.glsl',
+      '!**/skinning/{stage.*,linear-blend}.glsl',
+    ],
+    { query: '?raw', import: 'default', eager: true },
+  ),
 );
-
-/** Loads the GLSL chunk with which a kernel runs on the GPU. */
-export async function loadSkinningShader({ chunk }: SkinningMethod): Promise<void> {
-  const path = `../../shaders/skinning/${chunk}.glsl`;
-  const load = later[path];
-  if (load) addShaderFiles({ [path]: await loadPart(load()) });
-}

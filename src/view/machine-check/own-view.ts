@@ -5,7 +5,7 @@ import { Evaluations } from '../../evaluation/evaluations.ts';
 import { Kernels } from '../../evaluation/kernels.ts';
 import { kernels } from '../../skinning/registry.ts';
 import { passes } from '../passes/registry.ts';
-import { loadSkinningShader } from '../skinning-shaders.ts';
+import '../skinning-shaders.ts';
 import { type CaptureSize, Viewer } from '../viewer.ts';
 
 /** A view with a scene and a context of its own, which the picture on the page does not notice. */
@@ -26,7 +26,7 @@ export async function createOwnView({ width, height }: CaptureSize): Promise<Own
   const canvas = document.createElement('canvas');
   const session = new Session();
   const store = new Store();
-  const evaluations = new Evaluations(store, session, new Kernels({ prepare: loadSkinningShader }));
+  const evaluations = new Evaluations(store, session, new Kernels());
   await evaluations.prepare(kernels.map(({ id }) => id));
   const viewer = new Viewer(canvas, store, session, evaluations, () => undefined);
   viewer.connect({});
