@@ -1,5 +1,5 @@
-import { diagonal } from '../core/bounds.ts';
 import { skinInUse } from '../document/scene.ts';
+import { differenceOf, sizeOf } from './comparison/difference.ts';
 import type { Evaluation } from './evaluation.ts';
 import { poseVertices } from '../skinning/pose-vertices.ts';
 
@@ -26,7 +26,7 @@ export interface Truncation {
  */
 export function truncationOf(evaluation: Evaluation): Truncation | null {
   const { state, revisions, rest, method, palette, use } = evaluation;
-  const { mesh, bounds } = state.character;
+  const { mesh } = state.character;
   if (state.influences === null || mesh.pointCount === 0) return null;
   let held = truncations.get(evaluation);
   if (held?.revision === revisions.vertices) return held.truncation;
@@ -34,21 +34,12 @@ export function truncationOf(evaluation: Evaluation): Truncation | null {
   const fullSkin = skinInUse({ ...state, influences: null });
   poseVertices(method, mesh, rest, fullSkin, palette, use, { positions: full, normals: null });
   const kept = evaluation.vertices().positions;
-  const errors = held?.truncation.errors ?? new Float32Array(mesh.pointCount);
-  const size = diagonal(bounds);
-  let [movedCount, largest, sum, worst] = [0, 0, 0, 0];
-  for (let point = 0; point < mesh.pointCount; point++) {
-    let squared = 0;
-    for (let i = point * 3; i < point * 3 + 3; i++) squared += (kept[i]! - full[i]!) ** 2;
-    const distance = Math.sqrt(squared);
-    const error = distance > leastMove * size ? distance : 0;
-    errors[point] = error;
-    sum += error;
-    if (error > 0) movedCount++;
-    if (error > largest) [largest, worst] = [error, point];
-  }
-  const height = bounds.max[1]! - bounds.min[1]! || size;
-  const mean = sum / mesh.pointCount;
+  const { height, diagonal } = sizeOf(state.character);
+  const least = leastMove * diagonal;
+  const written = held?.truncation.errors;
+  const difference = differenceOf(kept, full, mesh.pointCount, least, written);
+  const { distances: errors, largest, mean, worst } = difference;
+  const movedCount = errors.reduce((count, error) => count + Number(error > 0), 0);
   held = {
     revision: revisions.vertices,
     full,
