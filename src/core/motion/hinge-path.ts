@@ -58,7 +58,9 @@ function follow(channel: RotationChannel, order: HingeOrder): HingePath {
     const former = Float64Array.from(angles.slice(-3));
     extract(time, former);
     const isFar = found.some((angle, i) => Math.abs(angle - former[i]!) > step);
-    if (isFar && halvings > 0) {
+    // Beyond a pole the nearest angles may not be those that a way beside it leads to.
+    const isBeyond = Math.cos(found[1]!) * Math.cos(former[1]!) < 0;
+    if ((isFar || isBeyond) && halvings > 0) {
       goTo((from + time) / 2, halvings - 1);
       goTo(time, halvings - 1);
     } else add(time);
@@ -70,12 +72,24 @@ function follow(channel: RotationChannel, order: HingeOrder): HingePath {
       return;
     }
     const from = channel.times[key - 1]!;
-    const turn = 2 * arcBetween(channel.values, key * 4 - 4, channel.values, key * 4);
-    const pieces = Math.max(1, Math.ceil(turn / step));
+    const pieces = Math.max(1, Math.ceil(longestTurn(channel, key) / step));
     for (let i = 1; i < pieces; i++) goTo(from + ((time - from) * i) / pieces, depth);
     goTo(time, depth);
   });
   return { order, handedness, times: Float64Array.from(times), angles: Float64Array.from(angles) };
+}
+
+/**
+ * At least how far a curve turns from the key before one to it, in radians: the ways between both
+ * keys, and for a squad, which may leave them and come back, those by its control points.
+ */
+function longestTurn({ values, controls }: RotationChannel, key: number): number {
+  const [from, to] = [key * 4 - 4, key * 4];
+  const turn = 2 * arcBetween(values, from, values, to);
+  if (controls.length === 0) return turn;
+  const toControls =
+    arcBetween(values, from, controls, from) + arcBetween(values, to, controls, to);
+  return turn + 2 * (toControls + arcBetween(controls, from, controls, to));
 }
 
 /**
@@ -97,7 +111,9 @@ export function writeHingeAngles(
   else if (last === 0) angles.set(known);
   else {
     const rule = time < times[0]! ? before : after;
-    const isRepeated = rule !== 'constant' && rule !== 'linear';
+    // At the last key itself the curve does not begin again.
+    const isOutside = time < times[0]! || time > times[last]!;
+    const isRepeated = isOutside && rule !== 'constant' && rule !== 'linear';
     const inside = isRepeated ? timeInCycle(times, rule, time, cycleAt(times, time)) : time;
     const held = Math.min(Math.max(inside, times[0]!), times[last]!);
     const at = spanAt(times, held);
