@@ -14,8 +14,13 @@ import {
 import { existingPath } from './existing-path.ts';
 import { readFiles, unreadable, userPath } from './files.ts';
 
-/** Reads the channels of a MOTION.json or an `.anim`, which no character is needed for. */
-export async function readChannels(path: string): Promise<Parsed<readonly SampledChannel[]>> {
+/**
+ * Reads the channels of a MOTION.json or an `.anim`, which no character is needed for, by their
+ * numbers in the file; undefined where one can't be used.
+ */
+export async function readChannels(
+  path: string,
+): Promise<Parsed<readonly (SampledChannel | undefined)[]>> {
   const { bytes, diagnostics } = await bytesOf(path);
   if (!bytes) return { diagnostics };
   if (isAnim(path)) {

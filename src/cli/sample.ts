@@ -35,11 +35,15 @@ export const sample: Command = {
 /** Names in a usage error; a clip may have thousands. */
 const mostNames = 40;
 
-function unknownChannel(channel: number | string, channels: readonly SampledChannel[]): string {
+function unknownChannel(
+  channel: number | string,
+  channels: readonly (SampledChannel | undefined)[],
+): string {
   const found = typeof channel === 'number' ? channel : `"${printable(channel, 80)}"`;
-  if (channels.length === 0) return `expected a channel, found a motion without any`;
-  const names = channels.slice(0, mostNames).map(({ names: [name] }) => printable(name!, 80));
-  const more = channels.length - names.length;
+  const usable = channels.filter((each) => each !== undefined);
+  if (usable.length === 0) return `expected a channel, found a motion without any`;
+  const names = usable.slice(0, mostNames).map(({ names: [name] }) => printable(name!, 80));
+  const more = usable.length - names.length;
   const list = `${names.join(', ')}${more > 0 ? ` and ${more} more` : ''}`;
   return `expected --channel from 0 to ${channels.length - 1} or a name, found ${found}; the channels are ${list}`;
 }
@@ -47,7 +51,7 @@ function unknownChannel(channel: number | string, channels: readonly SampledChan
 function parseOptions(words: readonly string[]) {
   const { values, positionals } = parseWords(() =>
     parseArgs({
-      args: joinValue(words, '--times'),
+      args: joinValue(joinValue(words, '--times'), '--channel'),
       options: {
         channel: { type: 'string' },
         times: { type: 'string' },

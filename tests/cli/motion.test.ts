@@ -62,10 +62,31 @@ describe('sample of a MOTION.json', () => {
     expect(JSON.parse(out[0]!)).toEqual({ channel: 'smile', times: [0], values: [0.25] });
   });
 
+  it('counts channels as the file does, with those that cannot be used and with doubles', async () => {
+    const morph = (value: number) => ({ target: { morph: 'smile' }, keys: [[0, value]] });
+    const channels = [{ target: { light: 'sun' }, keys: [] }, morph(1), morph(2)];
+    const contents = { 'm.json': JSON.stringify({ channels }) };
+    for (const [channel, value] of [
+      ['1', 1],
+      ['2', 2],
+      ['smile', 2],
+    ] as const) {
+      const words = ['m.json', '--channel', channel, '--times', '0'];
+      expect(await runCommand('sample', contents, ...words).code).toBe(0);
+      expect(out.at(-1)).toBe(`0\t${value}`);
+    }
+    for (const channel of ['0', '-1']) {
+      const words = ['m.json', '--channel', channel, '--times', '0'];
+      await expect(runCommand('sample', contents, ...words).code).rejects.toThrow(
+        'expected --channel from 0 to 2 or a name',
+      );
+    }
+  });
+
   it('lists the channels when one is not there', async () => {
     const words = ['m.json', '--channel', 'elbow.rx', '--times', '0'];
     await expect(runCommand('sample', { 'm.json': wave }, ...words).code).rejects.toThrow(
-      'expected --channel from 0 to 3 or a name, found "elbow.rx"; the channels are Right elbow.rx, Neck.rotation, morph.smile, pin.Left foot.x',
+      'expected --channel from 0 to 4 or a name, found "elbow.rx"; the channels are Right elbow.rx, Neck.rotation, morph.smile, pin.Left foot.x',
     );
   });
 

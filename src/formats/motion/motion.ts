@@ -17,6 +17,8 @@ export interface Motion {
   readonly end: number;
   readonly fps: number;
   readonly channels: readonly MotionChannel[];
+  /** Every channel at its number in the file, also the doubles; undefined where it can't be used. */
+  readonly listed: readonly (MotionChannel | undefined)[];
   /** Channels that can't be used, as the file has them, for saving. */
   readonly unread: readonly unknown[];
 }

@@ -1,4 +1,5 @@
 import type { KeyParts, Quaternion, RotationKeyParts } from '../../core/motion/clip-parts.ts';
+import { sameTime } from '../../core/motion/edit/keys.ts';
 import { defaultLimits } from '../../core/limits.ts';
 import { quaternionOf } from '../ball-values.ts';
 import type { JsonValue } from '../json/decoder.ts';
@@ -9,8 +10,6 @@ import { readTangent } from './read-tangent.ts';
 const mostKeys = 1_000_000;
 /** In seconds. */
 export const largestTime = 1e9;
-/** Keys as near to each other in seconds as this are one key. */
-const sameTime = 1e-4;
 
 /** Reads the keys of a number: `[t, v]` or `[t, v, in, out]`. */
 export function readNumberKeys(json: JsonValue): readonly KeyParts[] | undefined {
@@ -97,7 +96,7 @@ function rising<Key extends { readonly time: number }>(
   const distinct: Key[] = [];
   for (const key of sorted) {
     const last = distinct.at(-1);
-    if (last && key.time - last.time <= sameTime) distinct.pop();
+    if (last && sameTime(last.time, key.time)) distinct.pop();
     distinct.push(key);
   }
   if (distinct.length < sorted.length) {

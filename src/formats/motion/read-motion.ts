@@ -36,17 +36,12 @@ export function readMotionText(file: string, text: string): Parsed<Motion> {
     field.warn('unknown', `one of ${known.join(', ')}`, name, 'it is left out');
   }
   const fps = readFps(fields.get('fps'));
-  const read: MotionChannel[] = [];
-  const unread: unknown[] = [];
-  for (const each of list) {
-    const channel = readChannel(each.reporting({ effect: kept }));
-    if (channel) read.push(channel);
-    else unread.push(each.value);
-  }
-  const channels = withoutDoubles(read);
+  const listed = list.map((each) => readChannel(each.reporting({ effect: kept })));
+  const unread = list.filter((_, at) => !listed[at]).map(({ value }) => value);
+  const channels = withoutDoubles(listed.filter((each) => each !== undefined));
   const [start, end] = readRange(fields.get('range')) ?? rangeOfKeys(channels);
   const name = pathStem(baseName(file)).replace(/\.motion$/i, '');
-  const value: Motion = { file, name, start, end, fps, channels, unread };
+  const value: Motion = { file, name, start, end, fps, channels, listed, unread };
   return { value, diagnostics: log.diagnostics };
 }
 

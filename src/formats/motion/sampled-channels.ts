@@ -11,12 +11,11 @@ export interface SampledChannel {
   valueAt(time: number): number | readonly number[];
 }
 
-/** The channels of a motion that can be used, in the order of its file. */
-export function channelsOfMotion({ channels }: Motion): readonly SampledChannel[] {
-  return channels.map(({ target, curve }) => ({
-    names: target.names,
-    valueAt: evaluatorOf(curve),
-  }));
+/** The channels of a motion in the order of its file; undefined where one can't be used. */
+export function channelsOfMotion({ listed }: Motion): readonly (SampledChannel | undefined)[] {
+  return listed.map(
+    (each) => each && { names: each.target.names, valueAt: evaluatorOf(each.curve) },
+  );
 }
 
 /**
@@ -31,14 +30,14 @@ export function channelsOfAnim({ channels }: ScalarClipParts): readonly SampledC
   });
 }
 
-/** The channel of a name; a clear name goes before a short one. */
+/** The channel of a name, of several the last one; a clear name goes before a short one. */
 export function channelNamed(
-  channels: readonly SampledChannel[],
+  channels: readonly (SampledChannel | undefined)[],
   name: string,
 ): SampledChannel | undefined {
   return (
-    channels.find(({ names }) => names[0] === name) ??
-    channels.find(({ names }) => names.includes(name))
+    channels.findLast((each) => each?.names[0] === name) ??
+    channels.findLast((each) => each?.names.includes(name))
   );
 }
 
