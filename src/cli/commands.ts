@@ -1,4 +1,5 @@
 import type { Command } from './command.ts';
+import { compare } from './compare.ts';
 import { convert } from './convert.ts';
 import { ik } from './ik.ts';
 import { info } from './info.ts';
@@ -6,4 +7,4 @@ import { pose } from './pose.ts';
 import { sample } from './sample.ts';
 
 /** Every command of the command line. */
-export const commands: readonly Command[] = [info, pose, convert, sample, ik];
+export const commands: readonly Command[] = [info, pose, compare, convert, sample, ik];

@@ -1,0 +1,69 @@
+import { parseArgs } from 'node:util';
+import { compareWith } from '../evaluation/comparison/compare.ts';
+import { comparisonRows, type NamedNumbers } from '../evaluation/comparison/comparison-rows.ts';
+import { sizeOf } from '../evaluation/comparison/difference.ts';
+import { rowSumsOf } from '../evaluation/comparison/row-sums.ts';
+import type { Evaluation } from '../evaluation/evaluation.ts';
+import { writeCsv } from '../formats/csv/write-csv.ts';
+import type { Command } from './command.ts';
+import { comparisonLines } from './comparison-lines.ts';
+import { methodNamed, methodNames, methodsNamed } from './named-methods.ts';
+import { parseWords } from './parse-words.ts';
+import { createPool, plainCharacter, posedEvaluation } from './posed-evaluation.ts';
+import { readPosed } from './read-posed.ts';
+import { UsageError } from './usage-error.ts';
+import { writeText } from './write-text.ts';
+
+const list = methodNames.join(',');
+
+/**
+ * `compare FILES [--pose POSE]` prints how far apart skinning methods put the points of a pose, and
+ * what volume each leaves. `--csv` also has the distance of every point.
+ */
+export const compare: Command = {
+  name: 'compare',
+  usage: `compare FILES [--pose POSE.json|POSE.vpd] [--methods ${list}] [--base ${methodNames.join('|')}] [--normalize] [--csv OUT.csv]`,
+  summary:
+    'Compares skinning methods in one pose of one character: how far each puts the points from where the base does, at most and in the mean, and its volume against that at rest. The base is the first method, if --base names none. A volume is that of the closed parts of the mesh of at least 1 % of its area; without any it is "–". Where rows of weights don\'t sum to 1, the part that is due to this is printed too, and --normalize divides them by their sums. The CSV has the same numbers and the distance of every point.',
+  async run(words) {
+    const { files, pose, methods, base, normalize, csv } = parseOptions(words);
+    const posed = await readPosed(files, pose);
+    if (!posed) return 1;
+    const pool = await createPool();
+    const character = plainCharacter(posed.character);
+    const kept = { ...posed.pose, normalizeWeights: normalize };
+    const evaluations: Evaluation[] = [];
+    for (const { id } of methods) {
+      evaluations.push(await posedEvaluation(pool, character, id, kept));
+    }
+    const numbers = compareWith(evaluations[methods.indexOf(base)]!, evaluations);
+    const named = numbers.map((each, i): NamedNumbers => ({ name: methods[i]!.short, ...each }));
+    const size = sizeOf(character);
+    if (csv !== undefined && !writeText(csv, writeCsv(comparisonRows(size, named)))) return 1;
+    const sums = rowSumsOf(evaluations[0]!.skin);
+    console.log(comparisonLines(named, base.short, size, sums).join('\n'));
+    return 0;
+  },
+};
+
+function parseOptions(words: readonly string[]) {
+  const { values, positionals: files } = parseWords(() =>
+    parseArgs({
+      args: [...words],
+      options: {
+        pose: { type: 'string' },
+        methods: { type: 'string' },
+        base: { type: 'string' },
+        normalize: { type: 'boolean', default: false },
+        csv: { type: 'string' },
+      },
+      allowPositionals: true,
+    }),
+  );
+  const { pose, normalize, csv } = values;
+  if (files.length === 0) throw new UsageError('expected files, found none');
+  const listed = methodsNamed('--methods', values.methods);
+  const base = values.base === undefined ? listed[0]! : methodNamed('--base', values.base);
+  const methods = listed.includes(base) ? listed : [base, ...listed];
+  return { files, pose, methods, base, normalize, csv };
+}
