@@ -71,6 +71,7 @@ const layouts = [
 test('every layout of palette and influences agrees bit for bit', async () => {
   for (const { joints, influences, blocks, textures } of layouts) {
     await drop(page(), madeCharacter(joints, influences));
+    await chooseKernel(page(), 'linear-blend');
     await setPose(page(), wildPose(joints, 3));
     const layout = `${joints} joints, ${influences} influences`;
     const found = await verify(page());

@@ -23,12 +23,17 @@ vec3 transformPoint(vec4 row0, vec4 row1, vec4 row2, vec3 position) {
   );
 }
 
-// Transforms the normal by three rows and normalizes it.
-vec3 transformNormal(vec3 row0, vec3 row1, vec3 row2, vec3 normal) {
-  vec3 n = vec3(dotInOrder(row0, normal), dotInOrder(row1, normal), dotInOrder(row2, normal));
+vec3 makeUnit(vec3 n) {
   float squared = dotInOrder(n, n);
   if (squared > 1e-30) return flushSubnormal(n * (1.0 / sqrt(squared)));
   return vec3(0.0, 1.0, 0.0);
+}
+
+// Transforms the normal by three rows and normalizes it.
+vec3 transformNormal(vec3 row0, vec3 row1, vec3 row2, vec3 normal) {
+  return makeUnit(
+    vec3(dotInOrder(row0, normal), dotInOrder(row1, normal), dotInOrder(row2, normal))
+  );
 }
 
 // The normal is transformed by the cofactors, which are the inverse transpose times the

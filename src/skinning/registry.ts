@@ -39,11 +39,27 @@ const rigidRow: KernelRow<'rigid'> = {
   load: async () => (await loadPart(import('./rigid.ts'))).rigid,
 };
 
+const dualQuaternionRow: KernelRow<'dual-quaternion'> = {
+  id: 'dual-quaternion',
+  label: 'Dual quaternions',
+  short: 'dqs',
+  load: async () => (await loadPart(import('./dual-quaternion.ts'))).dualQuaternion,
+};
+
 /** Every kernel. */
-export const kernels: readonly KernelRow[] = [linearBlendRow, jointNormalsRow, rigidRow];
+export const kernels: readonly KernelRow[] = [
+  linearBlendRow,
+  jointNormalsRow,
+  rigidRow,
+  dualQuaternionRow,
+];
 
 /** Every skinning method, as shown in the interface. */
-export const methods: readonly KernelRow<MethodId>[] = [linearBlendRow, rigidRow];
+export const methods: readonly KernelRow<MethodId>[] = [
+  linearBlendRow,
+  rigidRow,
+  dualQuaternionRow,
+];
 
 /** Every way in which normals follow, as shown in the interface. */
 export const normalWays: readonly { readonly id: NormalsId; readonly label: string }[] = [

@@ -1,4 +1,12 @@
 import {
+  type DualQuaternion,
+  inner,
+  moved,
+  rigidAndStretch,
+  scaled,
+  sum,
+} from './dual-quaternions.ts';
+import {
   inverse,
   type Matrix,
   multiply,
@@ -86,11 +94,62 @@ const rigid: MethodOracle = {
   },
 };
 
+/**
+ * Kavan and others 2007: the dual quaternions of the joints are blended, each with the sign that
+ * agrees with that of the largest weight, and normalized. What is left of the matrices is blended
+ * linearly before. Negative weights count as 0; without a direction it is linear blend.
+ */
+const dualQuaternion: MethodOracle = {
+  position(vertex, transforms) {
+    const blend = blendedMotion(vertex, transforms);
+    if (!blend) return linearBlend.position(vertex, transforms);
+    return moved(blend.motion, timesVector(blend.stretch, vertex.position));
+  },
+  normal(vertex, transforms) {
+    const blend = blendedMotion(vertex, transforms);
+    if (!blend) return linearBlend.normal(vertex, transforms);
+    const [rotation] = blend.motion;
+    const onStretched = turnedNormal(blend.stretch, vertex.normal);
+    return unit(moved([rotation, [0, 0, 0, 0]], onStretched));
+  },
+};
+
+function blendedMotion(
+  vertex: Vertex,
+  transforms: Transforms,
+): { motion: DualQuaternion; stretch: Matrix } | null {
+  const pivot = rigidAndStretch(skinningMatrix(heaviest(vertex, transforms), transforms));
+  let [rotation, dual]: DualQuaternion = [
+    [0, 0, 0, 0],
+    [0, 0, 0, 0],
+  ];
+  const stretch = [0, 1, 2].map(() => [0, 0, 0]);
+  const used = influencesOf(vertex, transforms).filter(([, weight]) => weight > 0);
+  const total = used.reduce((weights, [, weight]) => weights + weight, 0);
+  for (const [joint, weight] of used) {
+    const part = rigidAndStretch(skinningMatrix(joint, transforms));
+    const signed = inner(pivot.motion[0], part.motion[0]) < 0 ? -weight : weight;
+    rotation = sum(rotation, scaled(part.motion[0], signed));
+    dual = sum(dual, scaled(part.motion[1], signed));
+    part.stretch.forEach((row, i) => {
+      row.forEach((value, k) => (stretch[i]![k]! += (weight / total) * value));
+    });
+  }
+  const length = Math.hypot(...rotation);
+  if (length < 1e-6) return null;
+  return { motion: [scaled(rotation, 1 / length), scaled(dual, 1 / length)], stretch };
+}
+
+function timesVector(matrix: Matrix, vector: Vector): number[] {
+  return matrix.map((row) => row.reduce((total, value, k) => total + value * vector[k]!, 0));
+}
+
 /** Oracles by the id of the method in the registry; a new method needs one here. */
 export const methodOracles: Readonly<Record<string, MethodOracle | undefined>> = {
   'linear-blend': linearBlend,
   'joint-normals': jointNormals,
   rigid,
+  'dual-quaternion': dualQuaternion,
 };
 
 function influencesOf({ influences }: Vertex, { firstRoot }: Transforms): readonly Influence[] {

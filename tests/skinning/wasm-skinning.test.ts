@@ -19,6 +19,8 @@ import { compiledSkinning } from '../support/wasm-skinning.ts';
 
 const wasm = await compiledSkinning();
 const linearBlend = loadedKernel('linear-blend');
+/** Those that have a plan for the WebAssembly kernel. */
+const planned = loadedKernels.filter((method) => method.wasm);
 
 /** Counts differences over some poses of a character, for every method. */
 function differencesOf(kernel: WasmSkinning, character: Character, seeds = [51, 52]): number {
@@ -30,7 +32,7 @@ function differencesOf(kernel: WasmSkinning, character: Character, seeds = [51, 
     const morphWeights = Float64Array.from(character.morphs, () => random());
     const mesh = restMesh(character, { q, morphWeights });
     const joints = jointMatrices(skeleton, q);
-    for (const method of loadedKernels) {
+    for (const method of planned) {
       const palette = new Float32Array(skin.paletteJoint.length * method.vec4sPerEntry(skin) * 4);
       method.packPalette(skin, joints, palette);
       count += bitDifferences(kernel, method, mesh, skin, palette);
@@ -48,7 +50,7 @@ describe('the WebAssembly kernel gives the bits of the strict kernels', () => {
     expect(differencesOf(wasm, await readBundled(id), [53])).toBe(0);
   });
 
-  it.each(loadedKernels)('for random skins under $id', (method) => {
+  it.each(planned)('for random skins under $id', (method) => {
     fc.assert(
       fc.property(skinned(method.strides[0]!), ({ mesh, skin, palette }) => {
         expect(bitDifferences(wasm, method, mesh, skin, palette)).toBe(0);
