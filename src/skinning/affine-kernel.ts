@@ -86,7 +86,8 @@ export function makeUnit(normals: Float32Array, first: number, end: number): voi
   }
 }
 
-function applyRow(rows: Float32Array, row: number, x: number, y: number, z: number): number {
+/** Multiplies a row of a matrix by (x, y, z, 1). */
+export function applyRow(rows: Float32Array, row: number, x: number, y: number, z: number): number {
   return fround(dot(rows[row]!, rows[row + 1]!, rows[row + 2]!, x, y, z) + rows[row + 3]!);
 }
 

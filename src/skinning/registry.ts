@@ -46,12 +46,20 @@ const dualQuaternionRow: KernelRow<'dual-quaternion'> = {
   load: async () => (await loadPart(import('./dual-quaternion.ts'))).dualQuaternion,
 };
 
+const centersOfRotationRow: KernelRow<'centers-of-rotation'> = {
+  id: 'centers-of-rotation',
+  label: 'Centers of rotation',
+  short: 'cor',
+  load: async () => (await loadPart(import('./centers-of-rotation.ts'))).centersOfRotation,
+};
+
 /** Every kernel. */
 export const kernels: readonly KernelRow[] = [
   linearBlendRow,
   jointNormalsRow,
   rigidRow,
   dualQuaternionRow,
+  centersOfRotationRow,
 ];
 
 /** Every skinning method, as shown in the interface. */
@@ -59,6 +67,7 @@ export const methods: readonly KernelRow<MethodId>[] = [
   linearBlendRow,
   rigidRow,
   dualQuaternionRow,
+  centersOfRotationRow,
 ];
 
 /** Every way in which normals follow, as shown in the interface. */

@@ -1,3 +1,4 @@
+import { normalAboutCenter, turnedAboutCenter } from './centers-of-rotation.ts';
 import {
   type DualQuaternion,
   inner,
@@ -23,6 +24,8 @@ export interface Vertex {
   readonly position: Vector;
   readonly normal: Vector;
   readonly influences: readonly Influence[];
+  /** Its center of rotation in the bind pose, for the method that has one; null for none. */
+  readonly center?: Vector | null;
 }
 
 /** T of every joint, and the inverse of its B. */
@@ -150,6 +153,7 @@ export const methodOracles: Readonly<Record<string, MethodOracle | undefined>> =
   'joint-normals': jointNormals,
   rigid,
   'dual-quaternion': dualQuaternion,
+  'centers-of-rotation': { position: turnedAboutCenter, normal: normalAboutCenter },
 };
 
 function influencesOf({ influences }: Vertex, { firstRoot }: Transforms): readonly Influence[] {

@@ -8,7 +8,8 @@ import { kernelById, kernelNamed, kernels } from '../../src/skinning/registry.ts
 import { loadedKernels } from '../support/kernels.ts';
 import { identity, type Matrix, translation } from '../reference/matrix.ts';
 import { columnMajor } from '../support/compare.ts';
-import { type KernelId, plainUse } from '../../src/skinning/method.ts';
+import { useOf } from '../support/method-use.ts';
+import type { KernelId } from '../../src/skinning/method.ts';
 
 /** One vertex that follows one palette entry, whose matrix is the given one in every pose. */
 function oneVertex(position: readonly number[], normal: readonly number[], bind: Matrix) {
@@ -37,7 +38,7 @@ describe.each(loadedKernels)('the strict kernel of $id', (method) => {
     const palette = new Float32Array(method.vec4sPerEntry(skin) * 4);
     method.packPalette(skin, new Float64Array(0), palette);
     const out = { positions: new Float32Array(3), normals: new Float32Array(3) };
-    method.deform(mesh, skin, palette, out, plainUse);
+    method.deform(mesh, skin, palette, out, useOf(method, mesh, skin));
     return { position: [...out.positions], normal: [...out.normals] };
   }
 

@@ -3,6 +3,7 @@ import { skinVertices } from '../support/skin-vertices.ts';
 import { characterOfRig, qOfValues } from '../fixtures/character-of-rig.ts';
 import { type Rig, transformsOf } from '../fixtures/rig.ts';
 import type { Values } from '../reference/kinematics.ts';
+import { rotationCenters } from '../reference/centers-of-rotation.ts';
 import { type MethodOracle, methodOracles, type Vertex } from '../reference/skinning.ts';
 import { numbersAt } from '../support/compare.ts';
 
@@ -22,14 +23,30 @@ export function skinRigByOracle(
   const { mesh } = characterOfRig(rig);
   const oracle = oracleOf(method);
   const transforms = transformsOf(rig, values);
+  const centers = method.id === 'centers-of-rotation' ? centersOf(rig) : null;
   const vertices = rig.points.map((position, point): Vertex => {
     const normal = numbersAt(mesh.normals, point, 3);
-    return { position, normal, influences: rig.rows[point]! };
+    const center = centers?.[point] ?? null;
+    return { position, normal, influences: rig.rows[point]!, center };
   });
   return {
     positions: vertices.flatMap((vertex) => oracle.position(vertex, transforms)),
     normals: vertices.flatMap((vertex) => oracle.normal(vertex, transforms)),
   };
+}
+
+const knownCenters = new WeakMap<Rig, ReturnType<typeof rotationCenters>>();
+
+function centersOf(rig: Rig): ReturnType<typeof rotationCenters> {
+  let centers = knownCenters.get(rig);
+  if (!centers) {
+    // Points without weights follow the first root.
+    const root = rig.joints.findIndex(({ parent }) => parent === -1);
+    const rows = rig.rows.map((row) => (row.length > 0 ? row : [[root, 1] as const]));
+    centers = rotationCenters(rig.points, rig.triangles, rows);
+    knownCenters.set(rig, centers);
+  }
+  return centers;
 }
 
 export function oracleOf({ id }: SkinningMethod): MethodOracle {
