@@ -17,6 +17,7 @@ import { Sections } from '../ui/panels/sections.tsx';
 import { TopBar } from '../ui/panels/top-bar.tsx';
 import { ViewOverlay } from '../ui/panels/view-overlay.tsx';
 import { listenToPointer } from '../ui/pointer.ts';
+import { followComparison } from '../ui/deform-lab/follow-comparison.ts';
 import { followShots } from '../ui/shots.ts';
 import { addSheetHandle } from '../ui/sheet-handle.ts';
 import { addSplitter } from '../ui/splitter.ts';
@@ -66,6 +67,7 @@ export function startInterface(
   followCursor(layout.canvas, editor);
   followChains(editor);
   followShots(editor);
+  followComparison(editor);
   keepOneTool(editor.session);
   effect(() => {
     layout.root.dataset['drawer'] = editor.drawer.value ?? '';

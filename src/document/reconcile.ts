@@ -51,6 +51,7 @@ function fitActor(session: Session, old?: Actor, now?: Actor): void {
     session.hoveredLimb.value = null;
     session.hoveredPoint.value = null;
     session.markedPoint.value = null;
+    session.inspectedPoint.value = null;
   }
   if (!haveSameJoints(old?.character, now?.character)) dropJoints(session);
   const { clipIndex } = session;

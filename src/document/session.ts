@@ -2,8 +2,8 @@ import { signal } from '@preact/signals-core';
 import type { Bone } from '../core/bones.ts';
 import type { Diagnostic } from '../core/diagnostics.ts';
 import type { KeySelection } from '../core/motion/key-selection.ts';
+import type { Comparison } from './comparison.ts';
 import type { ActorId } from './scene.ts';
-import type { KernelId } from '../skinning/method.ts';
 import type { ChainLength } from '../posing/ik/chain.ts';
 import type { IkMethodId, Vector3 } from '../posing/ik/problem.ts';
 import type { PlayMode } from '../posing/playhead.ts';
@@ -95,8 +95,10 @@ export class Session {
   readonly skeletonStyle = signal<SkeletonStyle>('sticks');
   readonly showAxes = signal(false);
   readonly translucent = signal(false);
-  /** A kernel that is shown next to each actor's own for comparison, or null. */
-  readonly comparedKernel = signal<KernelId | null>(null);
+  /** How the scene is shown under several methods, or null. */
+  readonly comparison = signal<Comparison | null>(null);
+  /** The point of the selected actor's mesh whose ways under these methods are shown, or null. */
+  readonly inspectedPoint = signal<number | null>(null);
   readonly skinDevice = signal<SkinDevice>('gpu');
   readonly detail = signal<Detail>('full');
   readonly selectedActorId = signal<ActorId | null>(null);

@@ -21,7 +21,7 @@ const savedSignals = [
   'weightView',
   'unlitWeights',
   'showNormals',
-  'comparedKernel',
+  'comparison',
   'shownShot',
   'showThirds',
   'posesBy',

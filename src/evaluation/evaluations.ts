@@ -12,7 +12,7 @@ import { Kernels } from './kernels.ts';
 
 /** What differs from the scene for every actor, for views beside the usual one. */
 export interface Overrides {
-  readonly deformation?: Deformation;
+  readonly deformation?: Partial<Deformation>;
 }
 
 /**
@@ -77,7 +77,9 @@ export class Evaluations {
   /** The evaluation of an actor of the scene. */
   of(actor: Actor, { deformation }: Overrides = {}): Evaluation {
     const shown = deformation ? { ...actor, ...deformation } : actor;
-    const key = deformation ? `${actor.id} ${kernelOf(shown).id}` : String(actor.id);
+    const key = deformation
+      ? `${actor.id} ${kernelOf(shown).id} ${deformation.normalizeWeights}`
+      : String(actor.id);
     let evaluator = this.evaluators.get(key);
     if (!evaluator?.fits(shown)) {
       evaluator?.dispose();

@@ -1,6 +1,17 @@
 import { type Gpu, GpuLimitError } from './gpu.ts';
 import type { TextureTarget } from './texture-target.ts';
 
+/** A point of a picture, in pixels from its lower left corner. */
+interface Corner {
+  readonly x: number;
+  readonly y: number;
+}
+
+interface Size {
+  readonly width: number;
+  readonly height: number;
+}
+
 /**
  * An offscreen picture with color and depth, usually at 4 samples a pixel. It is resolved to one
  * sample, which is both shown and read back, so a capture is exactly what was seen.
@@ -54,16 +65,18 @@ export class RenderTarget {
   }
 
   /**
-   * Copies another target's resolved picture into this one's, with its lower left corner at x, y.
+   * Copies another target's resolved picture into this one's, with its lower left corner at `corner`,
+   * as far as it is in a rectangle of this one.
    */
-  paste(part: RenderTarget, x: number, y: number): void {
+  paste(part: RenderTarget, corner: Corner, clip: Corner & Size): void {
     const { gl } = this;
-    const { width, height } = part;
+    const [left, bottom] = [clip.x, clip.y];
+    const [right, top] = [left + clip.width, bottom + clip.height];
     gl.bindFramebuffer(gl.READ_FRAMEBUFFER, part.resolved);
     gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, this.resolved);
     gl.blitFramebuffer(
-      ...[0, 0, width, height],
-      ...[x, y, x + width, y + height],
+      ...[left - corner.x, bottom - corner.y, right - corner.x, top - corner.y],
+      ...[left, bottom, right, top],
       gl.COLOR_BUFFER_BIT,
       gl.NEAREST,
     );

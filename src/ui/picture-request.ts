@@ -9,13 +9,12 @@ export function pictureRequest(editor: Looking & Pick<PageState, 'picture'>): Pi
   const { viewer } = editor;
   const settings = editor.picture.value;
   const { width, height } = shotFrameOf(viewer);
-  const { contents } = viewer;
+  const { contents, columns } = viewer;
   const view = viewer.size.value;
-  const count = contents.length;
-  const framed = { width: (view.width * width) / count, height: view.height * height };
+  const framed = { width: (view.width * width) / columns, height: view.height * height };
   const size = pictureSizeOf(settings, framed, ratioOf(shownShot(editor)));
   return {
-    size: { ...size, width: size.width * count },
+    size: { ...size, width: size.width * columns },
     contents: contents.map((content) => ({ ...content, camera: viewer.camera.value })),
     showSurroundings: settings.background,
     samples: settings.samples,

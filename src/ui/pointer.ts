@@ -52,7 +52,7 @@ export function listenToPointer(canvas: HTMLCanvasElement, editor: Looking & Tel
 
   canvas.addEventListener('pointerdown', (event) => {
     if (event.pointerType === 'mouse' && places.size > 0) return;
-    const place = placeOf(event, canvas, editor.viewer.contents.length);
+    const place = placeOf(event, canvas, editor.viewer.columns);
     places.set(event.pointerId, place);
     canvas.setPointerCapture(event.pointerId);
     canvas.focus(withoutRing);
@@ -64,7 +64,7 @@ export function listenToPointer(canvas: HTMLCanvasElement, editor: Looking & Tel
     pressed = isFirst && event.button === 0 ? place : null;
   });
   canvas.addEventListener('pointermove', (event) => {
-    const place = placeOf(event, canvas, editor.viewer.contents.length);
+    const place = placeOf(event, canvas, editor.viewer.columns);
     if (!places.has(event.pointerId)) {
       hover(place);
       return;
@@ -82,7 +82,7 @@ export function listenToPointer(canvas: HTMLCanvasElement, editor: Looking & Tel
     if (!places.delete(event.pointerId)) return;
     drag?.end();
     drag = null;
-    const place = placeOf(event, canvas, editor.viewer.contents.length);
+    const place = placeOf(event, canvas, editor.viewer.columns);
     if (pressed) click(place);
     pressed = null;
     hover(session.byTouch.value ? null : place);
@@ -109,7 +109,7 @@ export function listenToPointer(canvas: HTMLCanvasElement, editor: Looking & Tel
         return;
       }
       camera.value = zoom(camera.value, Math.exp(pixels * zoomPerWheelPixel));
-      hover(placeOf(event, canvas, editor.viewer.contents.length));
+      hover(placeOf(event, canvas, editor.viewer.columns));
     },
     { passive: false },
   );

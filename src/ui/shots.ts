@@ -10,13 +10,12 @@ import {
   type Shot,
   shotById,
 } from '../document/shots.ts';
-import { cameraBetween } from '../view/camera-path.ts';
 import { frameWithin, framingOf, type ShotFrame, widened } from '../view/shot-frame.ts';
 import type { Looking, Telling } from './editor.ts';
+import { moveCamera } from './move-camera.ts';
 
 /** The form of the first shot; later ones have that of the shot before. */
 const firstAspect: AspectId = '4:5';
-const easeMilliseconds = 260;
 
 /** Keeps the view framed as the shot that is shown has it. */
 export function followShots(editor: Looking): void {
@@ -102,20 +101,4 @@ export function removeShownShot(editor: Looking & Telling): void {
   leaveShot(editor);
   editor.store.dispatch(removeShot(shot));
   editor.notice.value = `${shot.name} removed`;
-}
-
-/** Moves the camera in a moment, unless the user asks for less motion or moves it elsewhere. */
-function moveCamera({ camera }: Looking['viewer'], from: Shot['camera'], to: Shot['camera']): void {
-  const isStill = matchMedia('(prefers-reduced-motion: reduce)').matches;
-  const begin = performance.now();
-  let shown = from;
-  step(isStill ? Infinity : begin);
-
-  function step(now: number): void {
-    if (camera.peek() !== shown) return;
-    const part = Math.min(1, Math.max(0, (now - begin) / easeMilliseconds));
-    shown = cameraBetween(from, to, part * part * (3 - 2 * part));
-    camera.value = shown;
-    if (part < 1) requestAnimationFrame(step);
-  }
 }

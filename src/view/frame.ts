@@ -18,6 +18,8 @@ export interface Frame {
   readonly theme: Theme;
   readonly camera: Camera;
   readonly viewport: Viewport;
+  /** The part of the viewport that is in the picture. */
+  readonly clip: Viewport;
   readonly detail: Detail;
   /** How wide lines are, as a factor of their width on the page. */
   readonly scale: number;
@@ -44,7 +46,7 @@ export function createFrame(
   characters: readonly CharacterView[],
   options: ViewOptions,
   plainTheme: Theme,
-  { camera, viewport, lineScale = 1, window }: RenderView,
+  { camera, viewport, clip = viewport, lineScale = 1, window }: RenderView,
   detail: Detail = 'full',
 ): Frame {
   const { width, height } = viewport;
@@ -68,6 +70,7 @@ export function createFrame(
     theme,
     camera,
     viewport,
+    clip,
     detail,
     scale: scaleOf(detail) * lineScale,
     eye,

@@ -144,11 +144,11 @@ export class Renderer {
       return;
     }
     for (const [index, frame] of frames.entries()) {
-      const { x, y, width, height } = frame.viewport;
+      const { width, height } = frame.viewport;
       const part = new RenderTarget(this.gpu, width, height);
       try {
         this.drawFrame(part, frame, index);
-        target.paste(part, x, y);
+        target.paste(part, frame.viewport, frame.clip);
       } finally {
         part.dispose();
       }

@@ -1,4 +1,5 @@
 import type { WeightViewId } from '../skinning/weights/views.ts';
+import type { Evaluation } from '../evaluation/evaluation.ts';
 import type { Environment } from '../document/environment.ts';
 import type { ActorId, Scene } from '../document/scene.ts';
 import { selectedJoints } from '../document/selected-joints.ts';
@@ -10,6 +11,11 @@ export interface WeightOptions {
   readonly unlit: boolean;
   /** The marked point of its mesh, or null. */
   readonly marked: number | null;
+  /**
+   * Returns the colors to show in their place: (vertexCount × 4) sRGB bytes, the same array until they
+   * change.
+   */
+  readonly paint?: (evaluation: Evaluation) => Uint8Array;
 }
 
 /** What a picture depends on and the session has as it is. */

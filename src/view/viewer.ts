@@ -8,7 +8,6 @@ import type { Store } from '../document/store.ts';
 import type { Evaluation } from '../evaluation/evaluation.ts';
 import type { Evaluations } from '../evaluation/evaluations.ts';
 import type { VertexStreams } from '../skinning/method.ts';
-import { deformationOf } from '../skinning/registry.ts';
 import type { Camera } from '../document/camera.ts';
 import { frameBox, startCamera } from './camera.ts';
 import type { Framing } from './shot-frame.ts';
@@ -65,6 +64,8 @@ export class Viewer {
     const options = viewOptionsOf(this.session, this.store.scene.value);
     return this.passes.value.flatMap((pass) => (pass.isShown(options) ? pass.id : [])).join();
   });
+  /** The views that share the picture, as while methods are compared. */
+  readonly parts = signal<readonly Omit<ViewContent, 'camera'>[]>([{ overrides: {} }]);
   /** How a shot's picture lies in the view, or null while that is the whole view. */
   readonly framing = signal<Framing | null>(null);
   /** The camera of the whole view. */
@@ -114,23 +115,22 @@ export class Viewer {
     if (gl) this.keepRenderer(gl, layout);
   }
 
-  /**
-   * The contents of the view: the scene and, if it is compared, the same scene by another method
-   * beside it.
-   */
+  /** The contents of the view, all by one camera. */
   get contents(): readonly ViewContent[] {
     const camera = this.viewCamera.value;
-    const compared = this.session.comparedKernel.value;
-    const own = { camera, overrides: {} };
-    if (compared === null) return [own];
-    return [own, { camera, overrides: { deformation: deformationOf(compared) } }];
+    return this.parts.value.map((part) => ({ ...part, camera }));
   }
 
-  /** The aspect ratio of one of the views that are side by side. */
+  /** The number of views that are side by side. */
+  get columns(): number {
+    const { value } = this.parts;
+    return value[0]?.span ? 1 : value.length;
+  }
+
+  /** The aspect ratio of one of them. */
   get aspect(): number {
     const { width, height } = this.size.value;
-    const count = this.session.comparedKernel.value === null ? 1 : 2;
-    return width / count / height;
+    return width / this.columns / height;
   }
 
   resize(width: number, height: number): void {
@@ -276,7 +276,13 @@ export class Viewer {
     const [first] = selected ? renderer.viewsOf([this.evaluations.of(selected)]) : [];
     if (first) this.poseMilliseconds.value = first.poseMilliseconds;
     return views.map((view, index) =>
-      createFrame(renderer.viewsOf(shown[index]!), options, themes[theme], view, detail),
+      createFrame(
+        renderer.viewsOf(shown[index]!),
+        { ...options, ...view.options },
+        themes[theme],
+        view,
+        detail,
+      ),
     );
   }
 

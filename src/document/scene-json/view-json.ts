@@ -1,10 +1,10 @@
 import { defaultLimits } from '../../core/limits.ts';
-import { kernels } from '../../skinning/registry.ts';
 import { weightViews } from '../../skinning/weights/views.ts';
 import { plainView, type SavedSignals, type ViewState } from '../view-state.ts';
 import { cameraJson } from './camera-json.ts';
+import { comparisonJson, formerComparison } from './comparison-json.ts';
 import { type Codec, flag, index, numberWithin, oneOf, orNull, text } from './codec.ts';
-import { type Codecs, fields, readFields, writeFields } from './fields.ts';
+import { type Codecs, readFields, writeFields } from './fields.ts';
 
 const { coordinate } = defaultLimits;
 
@@ -21,7 +21,7 @@ const signals: Codecs<SavedSignals> = {
   weightView: oneOf(weightViews.map(({ id }) => id)),
   unlitWeights: flag,
   showNormals: flag,
-  comparedKernel: orNull(oneOf(kernels.map(({ id }) => id))),
+  comparison: orNull(comparisonJson),
   shownShot: orNull(index),
   showThirds: flag,
   posesBy: oneOf(['selection', 'mode']),
@@ -36,7 +36,14 @@ const rows: Codecs<ViewState> = {
   workspace: text,
   selected: orNull(index),
   joint: orNull(index),
-  signals: fields(plainView.signals, signals),
+  signals: {
+    write: (value) => writeFields(signals, value, plainView.signals),
+    read(json) {
+      const read = readFields(signals, json, [formerComparison.name]);
+      const comparison = read && formerComparison.read(json);
+      return read && { ...plainView.signals, ...comparison, ...read };
+    },
+  },
 };
 
 /** How the scene is viewed: time, camera and switches. */

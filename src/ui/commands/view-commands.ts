@@ -1,5 +1,4 @@
-import { selectedActor } from '../../document/selected-actor.ts';
-import { methods } from '../../skinning/registry.ts';
+import { loadPart } from '../../core/failure.ts';
 import type { Editor } from '../editor.ts';
 import { type Command, toggle, toggleDialog } from './command.ts';
 
@@ -50,10 +49,14 @@ export const viewCommands = [
   },
   {
     id: 'compare',
-    label: 'Compare two methods side by side, or stop',
+    label: 'Compare skinning methods where they differ most, or stop',
+    short: 'Compare methods',
     keys: [{ key: 'x' }],
-    isOn: ({ session }) => session.comparedKernel.value !== null,
-    run: toggleCompared,
+    isOn: ({ session }) => session.comparison.value !== null,
+    run: async (editor) => {
+      const { toggleComparison } = await loadPart(import('../deform-lab/open-comparison.ts'));
+      await toggleComparison(editor);
+    },
   },
   {
     id: 'bone-mode',
@@ -111,12 +114,4 @@ function cycleDrawn({ session: { showSkin, showSkeleton } }: Editor): void {
   if (showSkin.value && showSkeleton.value) showSkeleton.value = false;
   else if (showSkin.value) [showSkin.value, showSkeleton.value] = [false, true];
   else [showSkin.value, showSkeleton.value] = [true, true];
-}
-
-/** Compares the selected actor's method with the first other one. */
-function toggleCompared({ store, session }: Editor): void {
-  const { comparedKernel } = session;
-  const actor = selectedActor(store, session);
-  const other = methods.find(({ id }) => id !== actor?.method);
-  comparedKernel.value = comparedKernel.value === null && other ? other.id : null;
 }

@@ -1,5 +1,6 @@
 import { effect } from '@preact/signals-core';
 import type { GUI } from 'lil-gui';
+import { comparisonOf } from '../../document/comparison.ts';
 import { setMethod, setNormalizeWeights, setNormals } from '../../document/edits.ts';
 import { selectedActor } from '../../document/selected-actor.ts';
 import type { Session, SkinDevice } from '../../document/session.ts';
@@ -7,6 +8,7 @@ import type { NormalsId } from '../../core/skin.ts';
 import type { KernelId, MethodId } from '../../skinning/method.ts';
 import { type KernelRow, kernels, menuName, methods, normalWays } from '../../skinning/registry.ts';
 import type { Editor } from '../editor.ts';
+import { leaveComparison } from '../deform-lab/open-comparison.ts';
 import { watch } from '../watch.ts';
 import { addCommandRow } from './command-row.ts';
 
@@ -38,10 +40,11 @@ export function addSkinFolder(gui: GUI, editor: Editor): void {
       if (state) store.dispatch(setNormalizeWeights(state.id, normalize));
     },
     get compared(): KernelId | 'none' {
-      return session.comparedKernel.value ?? 'none';
+      return session.comparison.value?.methods.find((method) => method !== 'own') ?? 'none';
     },
     set compared(kernel: KernelId | 'none') {
-      session.comparedKernel.value = kernel === 'none' ? null : kernel;
+      if (kernel === 'none') leaveComparison(editor);
+      else session.comparison.value = { ...comparisonOf(['own', kernel]), layout: 'side by side' };
     },
     get device(): SkinDevice {
       return session.skinDevice.value;
@@ -69,8 +72,8 @@ export function addSkinFolder(gui: GUI, editor: Editor): void {
   result.className = 'verification';
   folder.$children.append(result);
 
-  const { skinDevice, comparedKernel } = session;
-  watch([store.scene, session.selectedActorId, skinDevice, comparedKernel], () => {
+  const { skinDevice, comparison } = session;
+  watch([store.scene, session.selectedActorId, skinDevice, comparison], () => {
     for (const row of rows) row.updateDisplay();
   });
   effect(() => {

@@ -28,7 +28,7 @@ function Frames({ editor: { viewer, session } }: { readonly editor: Looking }) {
   const kind = `${isWhole ? 'whole ' : ''}${session.showThirds.value ? 'thirds' : ''}`;
   return (
     <div class="shot-frames">
-      {viewer.contents.map((_, view) => (
+      {Array.from({ length: viewer.columns }, (_, view) => (
         <div key={view}>
           <div class={`shot-frame ${kind}`} style={size} />
         </div>

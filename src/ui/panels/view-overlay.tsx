@@ -2,9 +2,7 @@ import { useEffect, useState } from 'preact/hooks';
 import { printable } from '../../core/diagnostics.ts';
 import { loadPart } from '../../core/failure.ts';
 import { actorById } from '../../document/scene.ts';
-import { selectedActor } from '../../document/selected-actor.ts';
 import type { ActiveDof } from '../../document/session.ts';
-import { kernelById, kernelOf } from '../../skinning/registry.ts';
 import { axisViewOf } from '../../view/axis-views.ts';
 import { lightOfHandle } from '../../view/light-handles.ts';
 import { pinHandles } from '../../view/pin-handles.ts';
@@ -34,7 +32,6 @@ export function ViewOverlay({ editor }: { readonly editor: Editor }) {
       <ViewControls editor={editor} />
       <ProgressBox editor={editor} />
       <ViewMessage editor={editor} />
-      <ComparedMethods editor={editor} />
       <CameraText editor={editor} />
       <ViewHint editor={editor} />
       <ActiveDofText editor={editor} />
@@ -48,6 +45,7 @@ export function ViewOverlay({ editor }: { readonly editor: Editor }) {
           <span>Auto-key</span>
         </div>
       )}
+      {editor.session.comparison.value && <Loaded editor={editor} load={loadComparison} />}
       {editor.session.showWeights.value && <Loaded editor={editor} load={loadWeights} />}
     </>
   );
@@ -55,6 +53,10 @@ export function ViewOverlay({ editor }: { readonly editor: Editor }) {
 
 async function loadWeights(): Promise<SectionComponent> {
   return (await loadPart(import('./weights-overlay.tsx'))).WeightsOverlay;
+}
+
+async function loadComparison(): Promise<SectionComponent> {
+  return (await loadPart(import('./deform-lab/comparison-overlay.tsx'))).ComparisonOverlay;
 }
 
 /** What a newcomer may try next in the view; it goes once that was done. */
@@ -77,20 +79,6 @@ function ProgressBox({ editor }: { readonly editor: Editor }) {
         <progress value={progress.fraction} max={1} />
       </label>
       <CommandButton editor={editor} command="cancel-work" />
-    </div>
-  );
-}
-
-/** Names the method of each half of the picture. */
-function ComparedMethods({ editor: { store, session } }: { readonly editor: Looking }) {
-  const compared = session.comparedKernel.value;
-  const actor = selectedActor(store, session);
-  if (compared === null || !actor) return null;
-  return (
-    <div class="compared">
-      {[kernelOf(actor), kernelById(compared)].map(({ label }, half) => (
-        <span key={half}>{label}</span>
-      ))}
     </div>
   );
 }

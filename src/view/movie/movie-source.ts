@@ -52,7 +52,9 @@ export async function movieSource(
     throw new Failure('There is no view to make a movie of at the moment');
   const held = new MovieScene(viewer, scene, session);
   const { size, samples, background } = plan;
-  const beside = contents.flatMap(({ overrides: { deformation } }) => deformation ?? []);
+  const beside = contents.flatMap(({ overrides: { deformation } }) =>
+    scene.actors.map((actor) => kernelOf({ ...actor, ...deformation }).id),
+  );
   const { hold, options } = held;
   const request = { size, samples, showSurroundings: background, hold, options };
   const work: PictureWork = signal ? { signal } : {};
@@ -83,7 +85,7 @@ export async function movieSource(
   };
 
   function settle(): Promise<void> {
-    return held.evaluations.settled(beside.map((deformation) => kernelOf(deformation).id));
+    return held.evaluations.settled(beside);
   }
 }
 

@@ -94,7 +94,13 @@ const shown = new WeakMap<CharacterView, readonly unknown[]>();
 function updateColors(view: CharacterView, { options, detail }: Frame): void {
   const { evaluation, skinned } = view;
   const { skin, state, revisions } = evaluation;
-  const { view: id } = options.weights!;
+  const { view: id, paint } = options.weights!;
+  if (paint) {
+    const painted = paint(evaluation);
+    if (shown.get(view)?.[0] !== painted) skinned.writeColors(painted);
+    shown.set(view, [painted]);
+    return;
+  }
   const joint =
     id === 'joint' ? (options.selectedJoint ?? options.hoveredLimb?.joint ?? null) : null;
   const key = [skin, id, joint, id === 'error' ? revisions.vertices : 0];

@@ -8,6 +8,12 @@ export interface Samples {
   readonly pixels: Uint8Array;
 }
 
+/** Columns of a picture, in its pixels from its left edge. */
+interface Columns {
+  readonly x: number;
+  readonly width: number;
+}
+
 /** A picture that is being put together: RGBA with alpha not multiplied in, the top row first. */
 export interface PixelGoal {
   readonly width: number;
@@ -22,6 +28,7 @@ export interface PixelGoal {
  *
  * @param count of samples on each side of a pixel
  * @param left, bottom where the samples begin in the goal, in its pixels from its lower left corner
+ * @param clip the columns of the goal that are written
  */
 export function averageSamples(
   { width, height, pixels }: Samples,
@@ -29,14 +36,16 @@ export function averageSamples(
   goal: PixelGoal,
   left: number,
   bottom: number,
+  clip: Columns = { x: left, width: width / count },
 ): void {
-  const columns = width / count;
+  const first = Math.max(0, clip.x - left);
+  const end = Math.min(width / count, clip.x + clip.width - left);
   for (let row = 0; row < height / count; row++) {
-    let at = ((goal.height - 1 - bottom - row) * goal.width + left) * 4;
-    for (let column = 0; column < columns; column++, at += 4) {
-      const first = (row * count * width + column * count) * 4;
-      if (count === 1) copyPixel(pixels, first, goal.pixels, at);
-      else meanOfSquare(pixels, first, width, count, goal.pixels, at);
+    let at = ((goal.height - 1 - bottom - row) * goal.width + left + first) * 4;
+    for (let column = first; column < end; column++, at += 4) {
+      const sample = (row * count * width + column * count) * 4;
+      if (count === 1) copyPixel(pixels, sample, goal.pixels, at);
+      else meanOfSquare(pixels, sample, width, count, goal.pixels, at);
     }
   }
 }

@@ -44,8 +44,9 @@ export async function makePasses(
   for (const id of ids) goals.set(id, new Uint8Array(width * height * (id === 'depth' ? 2 : 3)));
   await eachTile(viewer, { size, contents, samples: 1, tileLimit }, work, (part) => {
     const { content, held, view, tile } = part;
+    const { camera, overrides, clip = view } = content;
     const drawn = {
-      ...content,
+      ...{ camera, overrides },
       viewport: { x: 0, y: 0, width: tile.width, height: tile.height },
       window: windowOf(view, tile, 1),
     };
@@ -62,9 +63,11 @@ export async function makePasses(
     for (let row = 0; row < tile.height; row++) {
       const top = height - 1 - tile.y - row;
       for (let column = 0; column < tile.width; column++) {
+        const x = view.x + tile.x + column;
+        if (x < clip.x || x >= clip.x + clip.width) continue;
         const point = reader.at(geometry, (row * tile.width + column) * 4);
         if (!point) continue;
-        const at = top * width + view.x + tile.x + column;
+        const at = top * width + x;
         for (const image of images) image.write(point, image.bytes, at * image.pixelBytes);
       }
     }

@@ -2,7 +2,12 @@ import { Failure } from '../../core/failure.ts';
 import type { Overrides } from '../../evaluation/evaluations.ts';
 import { RenderTarget } from '../../gl/render-target.ts';
 import type { Frame } from '../frame.ts';
-import { type PictureWindow, sideBySide, type ViewContent } from '../render-view.ts';
+import {
+  type PictureWindow,
+  type RenderView,
+  sideBySide,
+  type ViewContent,
+} from '../render-view.ts';
 import type { Renderer } from '../renderer.ts';
 import type { ViewOptions } from '../view-options.ts';
 import type { CaptureSize, Viewer } from '../viewer.ts';
@@ -37,7 +42,7 @@ export interface PictureWork {
 
 /** A tile of one of the views that are side by side. */
 export interface TileOfView {
-  readonly content: ViewContent;
+  readonly content: RenderView;
   readonly held: HeldMoment;
   /** The view's place in the picture. */
   readonly view: Tile;
@@ -65,15 +70,16 @@ export async function makePicture(
   const lineScale = samples * Math.max(1, height / plainHeight);
   await eachTile(viewer, { size, contents, samples, tileLimit, hold }, work, (part) => {
     const { content, held, view, tile } = part;
+    const { camera, overrides, options: own } = content;
     const drawn = {
-      ...content,
+      ...{ camera, overrides, ...(own && { options: own }) },
       viewport: { x: 0, y: 0, width: tile.width * samples, height: tile.height * samples },
       window: windowOf(view, tile, samples),
       lineScale,
     };
     const pixels = drawApart(viewer, drawn, held.shown, changed, captureFrame);
     const drawnPixels = { ...drawn.viewport, pixels };
-    averageSamples(drawnPixels, samples, picture, view.x + tile.x, tile.y);
+    averageSamples(drawnPixels, samples, picture, view.x + tile.x, tile.y, content.clip ?? view);
   });
   return picture;
 }
@@ -102,8 +108,10 @@ export async function eachTile(
     const parts = sideBySide(contents, width, height).flatMap((content): TileOfView[] => {
       const held = hold(content.overrides);
       moments.push(held);
-      const view = content.viewport;
-      return tilesOf(view, samples, tileLimit).map((tile) => ({ content, held, view, tile }));
+      const { viewport: view, clip = view } = content;
+      return tilesOf(view, samples, tileLimit)
+        .filter(({ x, width }) => view.x + x < clip.x + clip.width && view.x + x + width > clip.x)
+        .map((tile) => ({ content, held, view, tile }));
     });
     for (const [at, part] of parts.entries()) {
       if (at > 0) await new Promise((resolve) => setTimeout(resolve));

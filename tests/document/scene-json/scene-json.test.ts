@@ -2,6 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { jointRange } from '../../../src/core/pose.ts';
 import { sameValue } from '../../../src/core/same-value.ts';
+import { comparisonOf } from '../../../src/document/comparison.ts';
 import { actorOf } from '../../../src/document/scene-json/actor-json.ts';
 import { readScene, type SceneDescription } from '../../../src/document/scene-json/read-scene.ts';
 import { distinctCharacters, writeScene } from '../../../src/document/scene-json/write-scene.ts';
@@ -68,7 +69,7 @@ describe('a scene that is written and read again', () => {
         showWeights: true,
         weightView: 'sum',
         unlitWeights: true,
-        comparedKernel: 'joint-normals',
+        comparison: { ...comparisonOf(['own', 'rigid', 'joint-normals']), base: 1, heatMap: true },
         clipTime: 0.1 + 0.2,
         playMode: 'go on',
       },
@@ -86,6 +87,17 @@ describe('a scene that is written and read again', () => {
 });
 
 describe('an older version', () => {
+  it('that compared a kernel with each own one did so side by side', () => {
+    const former =
+      '{"version":1,"characters":[],"actors":[],"view":{"signals":{"comparedKernel":"rigid"}}}';
+    const { value, diagnostics } = readScene('scene.json', former);
+    expect(diagnostics).toEqual([]);
+    expect(value!.view!.signals.comparison).toEqual({
+      ...comparisonOf(['own', 'rigid']),
+      layout: 'side by side',
+    });
+  });
+
   it('0, the note of early pictures, gives its character in its pose', () => {
     const text = '{"bundled":"tube","name":"Tim","pose":{"joints":{"joint 1":[0,0,0,2]}}}';
     const { value, diagnostics } = readScene('scene.json', text);

@@ -1,0 +1,112 @@
+import { mat3, quat, vec3 } from 'gl-matrix';
+import { bonesOf } from '../core/bones.ts';
+import type { Character } from '../core/character.ts';
+import { noParent } from '../core/skeleton.ts';
+import { noJoint } from '../core/skin.ts';
+import { bodyOf } from './natural/body.ts';
+import { naturesOf } from './natural/natures.ts';
+import { rollJoint } from './roll-joint.ts';
+import { turnAbout, turnJoint, type TurnStart, turnStart } from './turn-joint.ts';
+
+/** A pose in which skinning methods differ, with what makes it as a label. */
+export interface TellingPose {
+  readonly label: string;
+  /** (qCount) */
+  readonly q: Float64Array;
+}
+
+const degree = Math.PI / 180;
+const [twist, bend] = [150 * degree, 120 * degree];
+/** Both of two joints move a point by at least this weight. */
+const sharedWeight = 0.05;
+
+/**
+ * Returns the pose with one joint twisted along its limb, and with it bent, as far as it can do each:
+ * an elbow, or else the joint that shares the most points with its parent.
+ *
+ * @param q (qCount) the pose before
+ */
+export function tellingPoses(character: Character, q: Float64Array): readonly TellingPose[] {
+  const elbow = bodyOf(character).roles.indexOf('elbow');
+  const joint = elbow < 0 ? sharingJoint(character) : elbow;
+  if (joint === null) return [];
+  const name = character.skeleton.names[joint]!;
+  const poses = [
+    { label: elbow < 0 ? `Twist ${name}` : 'Twist the forearm', q: twisted(character, q, joint) },
+    { label: elbow < 0 ? `Bend ${name}` : 'Bend the elbow', q: bent(character, q, joint) },
+  ];
+  return poses.filter((pose) => pose.q.some((value, i) => value !== q[i]));
+}
+
+/** The joint that moves the most points together with its parent, or null if none shares any. */
+function sharingJoint({ skeleton, skin }: Character): number | null {
+  const { start, entries, weights, paletteJoint } = skin;
+  const counts = new Uint32Array(skeleton.jointCount);
+  for (let point = 0; point + 1 < start.length; point++) {
+    const joints = new Set<number>();
+    for (let i = start[point]!; i < start[point + 1]!; i++) {
+      const joint = paletteJoint[entries[i]!]!;
+      if (weights[i]! >= sharedWeight && joint !== noJoint) joints.add(joint);
+    }
+    for (const joint of joints) if (joints.has(skeleton.parents[joint]!)) counts[joint]!++;
+  }
+  const most = Math.max(0, ...counts);
+  return most === 0 ? null : counts.indexOf(most);
+}
+
+function twisted(character: Character, q: Float64Array, joint: number): Float64Array {
+  const end = limbEnd(character, joint);
+  const rolled = rollJoint(character.skeleton, q, joint, end, twist);
+  if (rolled.some((value, i) => value !== q[i])) return rolled;
+  const hand = wristBelow(character, joint);
+  // An elbow that is a mere hinge leaves this to the wrist.
+  return hand === null
+    ? rolled
+    : rollJoint(character.skeleton, q, hand, limbEnd(character, hand), twist);
+}
+
+function bent(character: Character, q: Float64Array, joint: number): Float64Array {
+  const start = turnStart(character.skeleton, joint, q);
+  return turnJoint(start, turnAbout(bendAxis(character, joint, start), bend), q);
+}
+
+/** The axis of bending by nature, or one at a right angle to the limb; character space. */
+function bendAxis(character: Character, joint: number, start: TurnStart): vec3 {
+  const characterFromJoint = start.frames.characterFromJoint;
+  const rotation = mat3.fromMat4(new Float64Array(9), characterFromJoint);
+  const nature = naturesOf(character).find((each) => each.joint === joint);
+  if (nature) {
+    const [x, y, z, w] = nature.jointFromNature;
+    const axis = vec3.transformQuat(new Float64Array(3), [1, 0, 0], quat.fromValues(x, y, z, w));
+    return vec3.normalize(axis, vec3.transformMat3(axis, axis, rotation));
+  }
+  const along = vec3.transformMat3(new Float64Array(3), limbEnd(character, joint), rotation);
+  vec3.normalize(along, along);
+  const across = (axis: vec3): number => 1 - Math.abs(vec3.dot(axis, along));
+  // A hinge of its own bends a joint best, where one lies across the limb.
+  const [hinge] = [...start.free].sort((a, b) => across(b.axis) - across(a.axis));
+  if (hinge && across(hinge.axis) > 0.5) return hinge.axis;
+  const other: vec3 = Math.abs(along[2]) < 0.9 ? [0, 0, 1] : [0, 1, 0];
+  const axis = vec3.cross(new Float64Array(3), along, other);
+  return vec3.normalize(axis, axis);
+}
+
+/** The far end of a joint's longest bone, in the joint's frame. */
+function limbEnd(character: Character, joint: number): readonly [number, number, number] {
+  const own = bonesOf(character).filter((bone) => bone.joint === joint);
+  const [longest] = own.sort((a, b) => Math.hypot(...b.vector) - Math.hypot(...a.vector));
+  return longest?.vector ?? [0, 0, 0];
+}
+
+function wristBelow(character: Character, elbow: number): number | null {
+  const { parents, jointCount } = character.skeleton;
+  const { roles } = bodyOf(character);
+  const isBelow = (joint: number): boolean => {
+    for (let at = joint; at !== noParent; at = parents[at]!) if (at === elbow) return true;
+    return false;
+  };
+  for (let joint = elbow + 1; joint < jointCount; joint++) {
+    if (roles[joint] === 'wrist' && isBelow(joint)) return joint;
+  }
+  return null;
+}

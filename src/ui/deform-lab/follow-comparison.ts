@@ -1,0 +1,40 @@
+import { effect } from '@preact/signals-core';
+import type { Comparison } from '../../document/comparison.ts';
+import { overridesOf } from '../../evaluation/comparison/overrides.ts';
+import { heatPaint } from '../../view/heat-map.ts';
+import type { ViewContent } from '../../view/render-view.ts';
+import type { Looking } from '../editor.ts';
+import { comparedOf } from './compared.ts';
+import { heatScale } from './heat-scale.ts';
+
+type Part = Omit<ViewContent, 'camera'>;
+
+const whole: readonly Part[] = [{ overrides: {} }];
+
+/** Keeps the view divided as the session compares methods. */
+export function followComparison(editor: Looking): void {
+  const { session, viewer } = editor;
+  effect(() => {
+    const comparison = session.comparison.value;
+    viewer.parts.value = comparison ? partsOf(editor, comparison) : whole;
+  });
+}
+
+function partsOf(editor: Looking, comparison: Comparison): readonly Part[] {
+  const { methods, layout, wipes, base, heatMap } = comparison;
+  const { unlitWeights } = editor.session;
+  const scale = heatMap ? heatScale(comparedOf(editor)) : 0;
+  const { kernels } = editor.evaluations.pool;
+  const baseOverrides = overridesOf(methods[base]!, comparison);
+  const weights = {
+    ...{ view: 'error' as const, unlit: unlitWeights.value, marked: null },
+    paint: heatPaint(baseOverrides, kernels, scale),
+  };
+  return methods.map((method, index): Part => {
+    return {
+      overrides: overridesOf(method, comparison),
+      ...(heatMap && index !== base && scale > 0 && { options: { weights } }),
+      ...(layout === 'wipe' && { span: [wipes[index - 1] ?? 0, wipes[index] ?? 1] }),
+    };
+  });
+}

@@ -1,0 +1,129 @@
+import { batch } from '@preact/signals-core';
+import type { Camera } from '../../document/camera.ts';
+import { comparisonOf } from '../../document/comparison.ts';
+import { setPose } from '../../document/edits.ts';
+import { selectedActor } from '../../document/selected-actor.ts';
+import type { Session } from '../../document/session.ts';
+import type { Gesture } from '../../document/store.ts';
+import { type TellingPose, tellingPoses } from '../../posing/telling-poses.ts';
+import type { KernelId } from '../../skinning/method.ts';
+import { kernelOf, kernels } from '../../skinning/registry.ts';
+import type { Looking, Telling } from '../editor.ts';
+import { moveCamera } from '../move-camera.ts';
+import { comparedOf } from './compared.ts';
+import { differenceText } from './difference-text.ts';
+import { cameraAt, placeOfWorst, viewPlace } from './place-of-worst.ts';
+
+/** A smaller difference, as a part of the height, is hardly seen. */
+export const telling = 0.01;
+
+/** What a comparison has changed besides itself, and gives back at its end. */
+interface Visit {
+  /** The camera before it was moved, and whether only the comparison has moved it since. */
+  camera: { readonly before: Camera; readonly isOwn: () => boolean } | null;
+  /** The pose that was taken to see a difference. */
+  offered: Gesture | null;
+}
+
+const visits = new WeakMap<Session, Visit>();
+
+function visitOf(session: Session): Visit {
+  let visit = visits.get(session);
+  if (!visit) visits.set(session, (visit = { camera: null, offered: null }));
+  return visit;
+}
+
+/** Compares the selected character's method with another one, or ends the comparison. */
+export async function toggleComparison(editor: Looking & Telling): Promise<void> {
+  if (editor.session.comparison.value) leaveComparison(editor);
+  else await openComparison(editor);
+}
+
+/** The first of these that is not the character's own. */
+const others: readonly KernelId[] = ['dual-quaternion', 'rigid', 'linear-blend'];
+
+async function openComparison(editor: Looking & Telling): Promise<void> {
+  const { store, session, evaluations, notice } = editor;
+  const actor = selectedActor(store, session);
+  if (!actor) {
+    notice.value = 'There is no character whose methods could be compared';
+    return;
+  }
+  const own = kernelOf(actor).id;
+  const other = others.find((id) => id !== own && kernels.some((kernel) => kernel.id === id))!;
+  await evaluations.prepare([other]);
+  session.comparison.value = comparisonOf(['own', other]);
+  showWorst(editor);
+}
+
+/** Ends the comparison. Camera and pose are again as they were, unless the user went on with them. */
+export function leaveComparison({ session, viewer }: Looking): void {
+  const { camera, offered } = visitOf(session);
+  visits.delete(session);
+  batch(() => {
+    session.comparison.value = null;
+    session.inspectedPoint.value = null;
+    offered?.withdraw();
+    if (camera?.isOwn()) viewer.camera.value = camera.before;
+  });
+}
+
+/** The poses in which the selected character shows how methods differ. */
+export function offeredPoses({ evaluations }: Looking): readonly TellingPose[] {
+  const shown = evaluations.selected();
+  return shown ? tellingPoses(shown.state.character, shown.poseToEdit.q) : [];
+}
+
+/** Gives the selected character such a pose, in place of one that it got in this way. */
+export function takeOffered(editor: Looking & Telling, label: string): void {
+  const { store, session } = editor;
+  const visit = visitOf(session);
+  visit.offered?.withdraw();
+  const [pose, actor] = [
+    offeredPoses(editor).find((each) => each.label === label),
+    selectedActor(store, session),
+  ];
+  if (!pose || !actor) return;
+  visit.offered = store.begin(label);
+  visit.offered.preview(setPose(actor.id, pose.q, label));
+  visit.offered.commit();
+  showWorst(editor);
+}
+
+/**
+ * Says what the largest difference is, and brings it into view where it can be seen, with a wipe
+ * through it.
+ */
+export function showWorst(editor: Looking & Telling): void {
+  const { session, viewer, notice } = editor;
+  const compared = comparedOf(editor);
+  const place = compared && placeOfWorst(compared);
+  if (!compared || !place) {
+    notice.value = 'The methods put every vertex at the same place in this pose';
+    return;
+  }
+  const { worst, base, size } = compared;
+  notice.value =
+    `${worst!.kernel.label} and ${base.kernel.label} differ by at most ` +
+    differenceText(worst!.difference.largest, size);
+  const visit = visitOf(session);
+  let goal = viewer.viewCamera.peek();
+  if (worst!.difference.largest >= telling * size.height && !viewer.framing.peek()) {
+    const from = viewer.camera.peek();
+    const before = visit.camera?.isOwn() ? visit.camera.before : from;
+    goal = cameraAt(from, compared, place);
+    visit.camera = { before, isOwn: moveCamera(viewer, from, goal) };
+  }
+  wipeThrough(editor, goal);
+}
+
+/** Moves the nearest wipe to the place of the largest difference. */
+function wipeThrough(editor: Looking, camera: Camera): void {
+  const { session, viewer } = editor;
+  const comparison = session.comparison.peek();
+  const compared = comparedOf(editor);
+  const place = compared && placeOfWorst(compared);
+  if (comparison?.layout !== 'wipe' || comparison.wipes.length !== 1 || !place) return;
+  const [x] = viewPlace(camera, viewer.aspect, place.other);
+  session.comparison.value = { ...comparison, wipes: [Math.min(0.95, Math.max(0.05, x))] };
+}

@@ -1,0 +1,48 @@
+import '../../styles/deform-lab.css';
+import { comparedOf } from '../../deform-lab/compared.ts';
+import { telling } from '../../deform-lab/open-comparison.ts';
+import type { Editor } from '../../editor.ts';
+import { HeatLegend } from './heat-legend.tsx';
+import { OfferedPoses } from './offered-poses.tsx';
+import { WipeHandle } from './wipe-handle.tsx';
+import { WorstMark } from './worst-mark.tsx';
+
+/**
+ * Over the view while methods are compared: their names, the wipes between them, where they differ
+ * most, and what the colors mean.
+ */
+export function ComparisonOverlay({ editor }: { readonly editor: Editor }) {
+  const comparison = editor.session.comparison.value;
+  const compared = comparedOf(editor);
+  if (!comparison || !compared) return null;
+  const { rows, base, worst, size } = compared;
+  const isWipe = comparison.layout === 'wipe';
+  const edges = isWipe
+    ? [0, ...comparison.wipes, 1]
+    : [...rows.keys(), rows.length].map((column) => column / rows.length);
+  const isAlike = (worst?.difference.largest ?? 0) < telling * size.height;
+  return (
+    <>
+      <div class={`compared ${isWipe ? '' : 'apart'}`}>
+        {rows.map(({ method, kernel }, index) => {
+          const [from, to] = [edges[index]!, edges[index + 1]!];
+          const place = { left: `${from * 100}%`, width: `${(to - from) * 100}%` };
+          return (
+            <span key={method} style={place}>
+              <span>{kernel.label}</span>
+            </span>
+          );
+        })}
+      </div>
+      <WorstMark editor={editor} compared={compared} columns={isWipe ? 1 : rows.length} />
+      {isWipe &&
+        comparison.wipes.map((_, index) => (
+          <WipeHandle key={index} editor={editor} index={index} />
+        ))}
+      <div class="comparison-foot">
+        {isAlike && <OfferedPoses editor={editor} about />}
+        {comparison.heatMap && worst && <HeatLegend compared={compared} base={base} />}
+      </div>
+    </>
+  );
+}

@@ -1,0 +1,57 @@
+import type { Compared } from '../../deform-lab/compared.ts';
+import { differenceText } from '../../deform-lab/difference-text.ts';
+import { placeOfWorst, viewPlace } from '../../deform-lab/place-of-worst.ts';
+import type { Looking } from '../../editor.ts';
+
+interface WorstMarkProperties {
+  readonly editor: Looking;
+  readonly compared: Compared;
+  /** The number of views that are side by side. */
+  readonly columns: number;
+}
+
+/**
+ * Marks where a method differs most from the base, in each view, with a line between the two places
+ * and the figure. A click inspects the vertex.
+ */
+export function WorstMark({ editor: { session, viewer }, compared, columns }: WorstMarkProperties) {
+  const place = placeOfWorst(compared);
+  if (!place) return null;
+  const camera = viewer.viewCamera.value;
+  const { worst, base, size } = compared;
+  const text = differenceText(worst!.difference.largest, size);
+  const { inspectedPoint } = session;
+  const isOpen = inspectedPoint.value === place.point;
+  return (
+    <>
+      {Array.from({ length: columns }, (_, column) => {
+        const [from, to] = [place.base, place.other].map((each) => {
+          const [x, y] = viewPlace(camera, viewer.aspect, each);
+          return [((x + column) / columns) * 100, y * 100] as const;
+        });
+        const isIn = to![0] > (column / columns) * 100 && to![0] < ((column + 1) / columns) * 100;
+        if (!isIn || to![1] < 0 || to![1] > 100) return null;
+        return (
+          <div key={column} class="worst-mark">
+            <svg aria-hidden="true">
+              <line x1={`${from![0]}%`} y1={`${from![1]}%`} x2={`${to![0]}%`} y2={`${to![1]}%`} />
+              <circle cx={`${from![0]}%`} cy={`${from![1]}%`} r="3" />
+              <circle cx={`${to![0]}%`} cy={`${to![1]}%`} r="8" class="ring" />
+            </svg>
+            <button
+              type="button"
+              class={to![0] / 100 > (column + 0.6) / columns ? 'to-left' : ''}
+              style={{ left: `${to![0]}%`, top: `${to![1]}%` }}
+              aria-pressed={isOpen}
+              aria-label={`Largest difference of ${worst!.kernel.label} from ${base.kernel.label}: ${text}, vertex ${place.point}. Inspect it`}
+              title={`Vertex #${place.point}: inspect it`}
+              onClick={() => (inspectedPoint.value = isOpen ? null : place.point)}
+            >
+              {text}
+            </button>
+          </div>
+        );
+      })}
+    </>
+  );
+}

@@ -1,0 +1,51 @@
+import { diagonal } from '../core/bounds.ts';
+import { differenceOf } from '../evaluation/comparison/difference.ts';
+import { verticesBy } from '../evaluation/comparison/vertices-by.ts';
+import type { Evaluation } from '../evaluation/evaluation.ts';
+import type { Overrides } from '../evaluation/evaluations.ts';
+import type { Kernels } from '../evaluation/kernels.ts';
+import { colorAt, errorRamp, zeroColor } from '../skinning/weights/ramps.ts';
+
+/** A smaller difference, as a part of the character's size, is rounding. */
+export const leastPart = 1e-6;
+
+interface Painted {
+  readonly revision: number;
+  readonly colors: Uint8Array;
+}
+
+/**
+ * Returns what gives the vertices of a character colors for how far they are from where another method
+ * puts them: gray where they are at the same place, and the last color at `scale`.
+ *
+ * @param base how that method differs from what the scene has
+ * @param scale in the character's units
+ */
+export function heatPaint(
+  base: Overrides,
+  kernels: Kernels,
+  scale: number,
+): (evaluation: Evaluation) => Uint8Array {
+  const held = new WeakMap<Evaluation, Painted>();
+  return (evaluation) => {
+    const revision = evaluation.revisions.vertices;
+    const former = held.get(evaluation);
+    if (former?.revision === revision) return former.colors;
+    const colors = heatColors(evaluation, verticesBy(evaluation, base, kernels), scale);
+    held.set(evaluation, { revision, colors });
+    return colors;
+  };
+}
+
+function heatColors(evaluation: Evaluation, base: Float32Array, scale: number): Uint8Array {
+  const { mesh, bounds } = evaluation.state.character;
+  const { positions } = evaluation.vertices();
+  const least = leastPart * diagonal(bounds);
+  const { distances } = differenceOf(positions, base, mesh.vertexCount, least);
+  const colors = new Uint8Array(mesh.vertexCount * 4).fill(255);
+  distances.forEach((distance, vertex) => {
+    const color = distance === 0 ? zeroColor : colorAt(errorRamp, distance / scale);
+    colors.set(color, vertex * 4);
+  });
+  return colors;
+}
