@@ -50,10 +50,27 @@ export const browserFlags = [
 ];
 
 /**
+ * Features that Playwright turns off as well: the browser knows only the last list that it is given.
+ * They hold back the first paint, ask before a page is left, and look for other servers.
+ */
+const unwantedFeatures = [
+  ...['AvoidUnnecessaryBeforeUnloadCheckSync', 'DestroyProfileOnBrowserClose', 'HttpsUpgrades'],
+  ...['HttpsFirstBalancedModeAutoEnable', 'LensOverlay', 'MediaRouter', 'PaintHolding'],
+  ...['ThirdPartyStoragePartitioning', 'AvoidCorsURLLoaderRestartOnRedirect', 'OptimizationHints'],
+  ...['TcpPortRandomizationWin', 'NetworkTimeServiceQuerying', 'AimEnabled', 'PreconnectToSearch'],
+];
+/** The address bar of every new window loads pages of its own, which nobody sees in tests. */
+const addressBarFeatures = ['WebUIOmniboxPopup', 'WebUIOmniboxAimPopup', 'WebUIOmniboxFullPopup'];
+
+/**
  * In tests, SwiftShader does not paint the panels as well: the CPU's own painting takes a third less
  * time of the whole page's, and WebGL draws the same.
  */
-export const testFlags = [...browserFlags, '--disable-gpu-rasterization'];
+export const testFlags = [
+  ...browserFlags,
+  '--disable-gpu-rasterization',
+  `--disable-features=${[...unwantedFeatures, ...addressBarFeatures].join(',')}`,
+];
 
 const ways = {
   environment: fromEnvironment,
