@@ -1,10 +1,10 @@
 import { expect } from '@playwright/test';
 import { choose, getPose, openApp, setPose, verify } from './support/app.ts';
 import { madePmd } from './support/made-pmd.ts';
-import { sharedPage, test } from './support/test.ts';
+import { coarse, sharedPage, test } from './support/test.ts';
 
 // A scene can hold several characters, each with its own pose, method and place.
-test.use({ viewport: { width: 960, height: 480 } });
+test.use({ ...coarse, viewport: { width: 960, height: 480 } });
 const page = sharedPage((page) => openApp(page, 'model=human'));
 
 const undo = () => page().getByRole('button', { name: 'Undo' });

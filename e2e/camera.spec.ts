@@ -1,7 +1,9 @@
 import { expect } from '@playwright/test';
 import { capture, getPose, openView } from './support/app.ts';
 import { cameraOf } from './support/controls.ts';
-import { sharedPage, test } from './support/test.ts';
+import { coarse, sharedPage, test } from './support/test.ts';
+
+test.use(coarse);
 
 // A pointer that drags on the view moves only the camera.
 const page = sharedPage((page) => openView(page, 'model=tube'));

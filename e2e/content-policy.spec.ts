@@ -1,10 +1,10 @@
 import { expect, type Page } from '@playwright/test';
 import { openApp } from './support/app.ts';
-import { test, watchPolicy } from './support/test.ts';
+import { coarse, test, watchPolicy } from './support/test.ts';
 
 // These tests check the content security policy of the built page. Every other spec checks that the
 // page itself violates nothing.
-test.use({ viewport: { width: 960, height: 420 } });
+test.use({ ...coarse, viewport: { width: 960, height: 420 } });
 
 declare global {
   interface Window {

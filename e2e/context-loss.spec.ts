@@ -1,7 +1,7 @@
 import { expect, type Page } from '@playwright/test';
 import { capture, drop, openApp, openJoint, openView, verify } from './support/app.ts';
 import { madeCharacter } from './support/made-character.ts';
-import { sharedPage, test } from './support/test.ts';
+import { coarse, sharedPage, test } from './support/test.ts';
 
 declare global {
   interface Window {
@@ -10,7 +10,7 @@ declare global {
 }
 
 // A small view is drawn faster, and its size does not matter here.
-test.use({ viewport: { width: 960, height: 420 } });
+test.use({ ...coarse, viewport: { width: 960, height: 420 } });
 
 const page = sharedPage((page) => openView(page, 'model=tube'));
 

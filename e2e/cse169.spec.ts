@@ -13,9 +13,9 @@ import {
   verify,
 } from './support/app.ts';
 import { drawnOf } from './support/controls.ts';
-import { sharedPage, test } from './support/test.ts';
+import { coarse, sharedPage, test } from './support/test.ts';
 
-test.use({ viewport: { width: 960, height: 440 } });
+test.use({ ...coarse, viewport: { width: 960, height: 440 } });
 const page = sharedPage(async (page) => {
   await openApp(page, 'model=insect&workspace=cse169');
   for (const tab of ['deform', 'animate'] as const) await openTab(page, tab);

@@ -3,10 +3,10 @@ import { type CDPSession, expect, type Page } from '@playwright/test';
 import { chooseFromMenu, expectFittingCanvas } from './support/app.ts';
 import { onlyColors, violations } from './support/axe.ts';
 import { madeCharacter } from './support/made-character.ts';
-import { sharedPage, test } from './support/test.ts';
+import { coarse, sharedPage, test } from './support/test.ts';
 
 // Files are dragged over the page by the browser itself, and go where the view says.
-test.use({ viewport: { width: 1100, height: 480 } });
+test.use({ ...coarse, viewport: { width: 1100, height: 480 } });
 // The page begins as a first visit does, because no later one does: the scene of an earlier visit is
 // restored.
 const page = sharedPage(async (page) => {

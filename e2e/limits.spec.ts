@@ -1,10 +1,10 @@
 import { expect } from '@playwright/test';
 import { drop, openApp, openTab } from './support/app.ts';
 import { madeCharacter } from './support/made-character.ts';
-import { test } from './support/test.ts';
+import { coarse, test } from './support/test.ts';
 
 // A small view is drawn faster, and its size does not matter here.
-test.use({ viewport: { width: 960, height: 420 } });
+test.use({ ...coarse, viewport: { width: 960, height: 420 } });
 
 test('a character beyond the limits of the GPU is reported, and the page keeps working', async ({
   page,

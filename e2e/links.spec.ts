@@ -1,9 +1,10 @@
 import { expect, type Page } from '@playwright/test';
 import { capture, drop, getPose, setPose } from './support/app.ts';
 import { madeCharacter } from './support/made-character.ts';
-import { test } from './support/test.ts';
+import { coarse, test } from './support/test.ts';
 
 test.use({
+  ...coarse,
   viewport: { width: 760, height: 360 },
   permissions: ['clipboard-read', 'clipboard-write'],
 });

@@ -3,7 +3,9 @@ import { expect } from '@playwright/test';
 import { kernels } from '../src/skinning/registry.ts';
 import type { MachineReport } from '../src/app/check-machine.ts';
 import { chooseFromMenu, openApp } from './support/app.ts';
-import { sharedPage, test } from './support/test.ts';
+import { coarse, sharedPage, test } from './support/test.ts';
+
+test.use(coarse);
 
 const page = sharedPage(openApp);
 const check = () => chooseFromMenu(page(), 'Check this machine');

@@ -11,9 +11,9 @@ import {
 } from './support/app.ts';
 import { cameraOf } from './support/controls.ts';
 import { expectPicture } from './support/pictures.ts';
-import { sharedPage, test } from './support/test.ts';
+import { coarse, sharedPage, test } from './support/test.ts';
 
-test.use({ viewport: { width: 1000, height: 460 } });
+test.use({ ...coarse, viewport: { width: 1000, height: 460 } });
 const page = sharedPage(async (page) => {
   await openApp(page, 'workspace=mannequin');
   await expect(controlRow(page, 'Dragging').locator('option:checked')).toHaveText('as in CS354');
@@ -268,6 +268,7 @@ test.describe('touch', () => {
 });
 
 test.describe('pictures', () => {
+  test.use({ deviceScaleFactor: 1 });
   const view = sharedPage((page) => openView(page, 'workspace=mannequin'));
 
   test('a translucent skin shows the bones inside', async () => {

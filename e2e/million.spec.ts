@@ -4,11 +4,11 @@ import { courseFiles } from '../bench/data/course-files.ts';
 import { cylinder } from '../bench/data/cylinder.ts';
 import { chooseFromMenu, openApp } from './support/app.ts';
 import { expectShortTasks, type LongTask, mainThreadTasks } from './support/main-thread.ts';
-import { test } from './support/test.ts';
+import { coarse, test } from './support/test.ts';
 
 // `npm run test:long -- million` opens a character of a million vertices, and measures how long the
 // page's main thread is busy meanwhile. The usual size shows that a large character works at all.
-test.use({ viewport: { width: 960, height: 420 } });
+test.use({ ...coarse, viewport: { width: 960, height: 420 } });
 
 const vertexCount = Number(process.env['MILLION_VERTICES'] ?? 20_000);
 const isLong = vertexCount >= 1_000_000;

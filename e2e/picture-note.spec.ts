@@ -4,9 +4,9 @@ import { PNG } from 'pngjs';
 import { insertPngText } from '../src/formats/png/text-chunk.ts';
 import { bytesOf, drop, getPose, openApp, setPose } from './support/app.ts';
 import { madeCharacter } from './support/made-character.ts';
-import { sharedPage, test } from './support/test.ts';
+import { coarse, sharedPage, test } from './support/test.ts';
 
-test.use({ viewport: { width: 960, height: 420 } });
+test.use({ ...coarse, viewport: { width: 960, height: 420 } });
 const page = sharedPage((page) => openApp(page, 'model=tube'));
 
 async function savedPicture(): Promise<Buffer> {

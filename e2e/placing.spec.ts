@@ -1,10 +1,10 @@
 import { expect, type Page } from '@playwright/test';
 import { controlRow, expectFittingCanvas, openApp } from './support/app.ts';
 import { find, type Place } from './support/find-limb.ts';
-import { sharedPage, test } from './support/test.ts';
+import { coarse, sharedPage, test } from './support/test.ts';
 
 // A whole character is moved, turned and scaled: by handles in the view, by keys and by numbers.
-test.use({ viewport: { width: 900, height: 520 } });
+test.use({ ...coarse, viewport: { width: 900, height: 520 } });
 const page = sharedPage((page) => openApp(page, 'model=human'));
 
 const undo = () => page().getByRole('button', { name: 'Undo' });
@@ -296,7 +296,7 @@ test('a hundred posed copies share mesh, weights and textures; each adds three b
 });
 
 test.describe('by touch', () => {
-  test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+  test.use({ ...coarse, viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
 
   test('one finger moves the character over the floor', async ({ page }) => {
     await openApp(page, 'model=human');

@@ -1,12 +1,12 @@
 import { expect } from '@playwright/test';
 import { capture, getPose, openApp, openJoint } from './support/app.ts';
 import { find, type Over, type Place } from './support/find-limb.ts';
-import { sharedPage, test } from './support/test.ts';
+import { coarse, sharedPage, test } from './support/test.ts';
 
 // The pointer needs no mode: a click selects a limb, a drag on the selected limb or on one of its
 // rings poses, and every other drag is the camera's.
 // A small view is drawn faster.
-test.use({ viewport: { width: 760, height: 400 } });
+test.use({ ...coarse, viewport: { width: 760, height: 400 } });
 const page = sharedPage((page) => openApp(page, 'model=human'));
 
 const canvas = () => page().locator('canvas.scene');

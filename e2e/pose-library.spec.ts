@@ -1,9 +1,9 @@
 import { expect, type Locator } from '@playwright/test';
 import { openApp, startOver } from './support/app.ts';
 import { violations } from './support/axe.ts';
-import { sharedPage, test } from './support/test.ts';
+import { coarse, sharedPage, test } from './support/test.ts';
 
-test.use({ viewport: { width: 1000, height: 560 } });
+test.use({ ...coarse, viewport: { width: 1000, height: 560 } });
 const page = sharedPage((page) => openApp(page, 'model=human'));
 
 const library = (): Locator => page().locator('.poses');

@@ -3,11 +3,11 @@ import { expect } from '@playwright/test';
 import { largestDifference } from '../tests/support/compare.ts';
 import { controlRow, drop, getPose, openApp, setPose, vertices } from './support/app.ts';
 import { wildPose } from './support/poses.ts';
-import { sharedPage, test } from './support/test.ts';
+import { coarse, sharedPage, test } from './support/test.ts';
 
 // Poses are saved and restored as files, through the clipboard and in pictures; the posed mesh can
 // be saved too.
-test.use({ viewport: { width: 960, height: 480 } });
+test.use({ ...coarse, viewport: { width: 960, height: 480 } });
 
 const page = sharedPage(async (page) => {
   await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);

@@ -1,9 +1,9 @@
 import { expect } from '@playwright/test';
 import { drop, openApp } from './support/app.ts';
 import { madeCharacter } from './support/made-character.ts';
-import { sharedPage, test } from './support/test.ts';
+import { coarse, sharedPage, test } from './support/test.ts';
 
-test.use({ viewport: { width: 960, height: 480 } });
+test.use({ ...coarse, viewport: { width: 960, height: 480 } });
 
 const page = sharedPage(async (page) => {
   await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);

@@ -4,10 +4,10 @@ import { expect } from '@playwright/test';
 import { zipSync } from 'fflate';
 import { drop, openApp } from './support/app.ts';
 import { madeCharacter } from './support/made-character.ts';
-import { sharedPage, test } from './support/test.ts';
+import { coarse, sharedPage, test } from './support/test.ts';
 
 // A small view is drawn faster, and its size does not matter here.
-test.use({ viewport: { width: 960, height: 420 } });
+test.use({ ...coarse, viewport: { width: 960, height: 420 } });
 
 const page = sharedPage((page) => openApp(page, 'model=tube'));
 const status = () => page().locator('.status strong');

@@ -3,11 +3,11 @@ import { openApp } from './support/app.ts';
 import { countedUser } from './support/counted-user.ts';
 import { courseCharacter } from './support/course-character.ts';
 import { mainThreadTasks } from './support/main-thread.ts';
-import { test } from './support/test.ts';
+import { coarse, test } from './support/test.ts';
 
 // A press is answered while a character loads. Machines differ in speed, so this counts the turns
 // that the page got meanwhile, and only notes how long its tasks were.
-test.use({ viewport: { width: 900, height: 480 } });
+test.use({ ...coarse, viewport: { width: 900, height: 480 } });
 
 /** While a worker reads; a page that reads by itself has none. */
 const leastTurns = 5;

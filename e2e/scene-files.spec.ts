@@ -3,9 +3,9 @@ import { expect } from '@playwright/test';
 import { strToU8, unzipSync, zipSync } from 'fflate';
 import { capture, chooseFromMenu, drop, getPose, openApp, setPose } from './support/app.ts';
 import { madeCharacter } from './support/made-character.ts';
-import { sharedPage, test } from './support/test.ts';
+import { coarse, sharedPage, test } from './support/test.ts';
 
-test.use({ viewport: { width: 960, height: 420 } });
+test.use({ ...coarse, viewport: { width: 960, height: 420 } });
 test.describe.configure({ timeout: 60_000 });
 
 /** The page, in a browser that lets no page write files, so that they are downloaded. */

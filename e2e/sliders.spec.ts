@@ -1,9 +1,9 @@
 import { expect } from '@playwright/test';
 import { getPose, openApp, openJoint, setPose } from './support/app.ts';
-import { sharedPage, test } from './support/test.ts';
+import { coarse, sharedPage, test } from './support/test.ts';
 
 // These tests cover what rows of numbers do besides being dragged.
-test.use({ viewport: { width: 960, height: 440 } });
+test.use({ ...coarse, viewport: { width: 960, height: 440 } });
 const page = sharedPage(openApp);
 
 test.beforeEach(() => setPose(page(), { joints: { Chest: [0.5, 0.25, -0.25] } }));

@@ -12,10 +12,10 @@ import {
 } from './support/app.ts';
 import { cameraOf } from './support/controls.ts';
 import { madeCharacter } from './support/made-character.ts';
-import { sharedPage, test } from './support/test.ts';
+import { coarse, sharedPage, test } from './support/test.ts';
 
 // Every edit is one step of undo, and the button shows its name.
-test.use({ viewport: { width: 960, height: 440 } });
+test.use({ ...coarse, viewport: { width: 960, height: 440 } });
 const page = sharedPage(openApp);
 
 const undo = () => page().getByRole('button', { name: 'Undo' });

@@ -3,7 +3,9 @@ import { PNG } from 'pngjs';
 import type { CaptureOptions } from '../src/app/scripting.ts';
 import { bytesOf, choose, openView, setPose } from './support/app.ts';
 import { wildPose } from './support/poses.ts';
-import { sharedPage, test } from './support/test.ts';
+import { coarse, sharedPage, test } from './support/test.ts';
+
+test.use(coarse);
 
 // Each of the views side by side has its own camera and method, and looks as if it were alone.
 const page = sharedPage((page) => openView(page, 'model=human'));

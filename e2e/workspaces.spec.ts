@@ -9,9 +9,9 @@ import {
 } from './support/app.ts';
 import { catalogue } from './support/catalogue.ts';
 import { cameraOf, drawnOf } from './support/controls.ts';
-import { sharedPage, test } from './support/test.ts';
+import { coarse, sharedPage, test } from './support/test.ts';
 
-test.use({ viewport: { width: 960, height: 440 } });
+test.use({ ...coarse, viewport: { width: 960, height: 440 } });
 const page = sharedPage(() => Promise.resolve());
 
 const menu = () => controlRow(page(), 'Look of').locator('select');

@@ -1,7 +1,9 @@
 import { expect } from '@playwright/test';
 import { drop, getPose, openApp } from '../support/app.ts';
 import { model1Files, needModel1 } from '../support/shared.ts';
-import { test } from '../support/test.ts';
+import { coarse, test } from '../support/test.ts';
+
+test.use(coarse);
 
 needModel1();
 

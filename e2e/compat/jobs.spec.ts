@@ -3,11 +3,11 @@ import { largestDifference } from '../../tests/support/compare.ts';
 import { vertices } from '../support/app.ts';
 import { model1Files, needModel1 } from '../support/shared.ts';
 import { doStudentsJob } from '../support/student.ts';
-import { test } from '../support/test.ts';
+import { coarse, test } from '../support/test.ts';
 import { posedModel1 } from './model1-oracle.ts';
 
 needModel1();
-test.use({ viewport: { width: 1000, height: 640 } });
+test.use({ ...coarse, viewport: { width: 1000, height: 640 } });
 
 /** The right elbow's place in the file. */
 const rightElbow = '#14';

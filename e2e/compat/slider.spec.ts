@@ -3,7 +3,7 @@ import type { PoseJson } from '../../src/formats/pose-json.ts';
 import { boundingDiagonal, largestDifference, numbersAt } from '../../tests/support/compare.ts';
 import { drop, getPose, openApp, openJoint, setPose, vertices } from '../support/app.ts';
 import { model1Files, model1Poses, needModel1 } from '../support/shared.ts';
-import { sharedPage, test } from '../support/test.ts';
+import { coarse, sharedPage, test } from '../support/test.ts';
 import { posedModel1 } from './model1-oracle.ts';
 
 needModel1();
@@ -13,7 +13,7 @@ const [joint, number] = ['Chest', '#1'];
 const bound = 2e-6;
 
 test.describe('a slider, on Model1', () => {
-  test.use({ viewport: { width: 1000, height: 600 } });
+  test.use({ ...coarse, viewport: { width: 1000, height: 600 } });
   const page = sharedPage(async (page) => {
     await openApp(page, 'model=tube');
     await drop(page, model1Files());
