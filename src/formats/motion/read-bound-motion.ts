@@ -6,6 +6,7 @@ import { bindChannels } from '../cse169/bind-channels.ts';
 import { extensionOf } from '../file-entry.ts';
 import { bindMotion } from './bind-motion.ts';
 import { readMotion } from './read-motion.ts';
+import { type ReorderedAngles, reorderAngles } from './reorder-angles.ts';
 
 /** Reads a MOTION.json, or an `.anim` by its extension, for a character. */
 export function readBoundMotion(
@@ -30,7 +31,30 @@ function readBoundAnim(file: string, bytes: Uint8Array, thing: AnimatedThing): P
     ({ target, keys }) => target && !slotOf(target, thing) && keys.some(({ value }) => value !== 0),
   );
   if (still.length > 0) diagnostics.push(movesNothing(file, still.length));
-  return { value: bound.value, diagnostics };
+  const reordered = reorderAngles(bound.value, thing.skeleton);
+  diagnostics.push(...orderDiagnostics(file, reordered));
+  return { value: reordered.clip, diagnostics };
+}
+
+function orderDiagnostics(
+  file: string,
+  { joints, leftOut, largest }: ReorderedAngles,
+): readonly Diagnostic[] {
+  const degrees = Number(((largest * 180) / Math.PI).toPrecision(2));
+  const base = { code: 'anim/order', file, expected: 'joints that turn by Rz · Ry · Rx' } as const;
+  const sampled: Diagnostic = {
+    ...base,
+    severity: 'warning',
+    found: `${joints} that turn in another order`,
+    effect: `their rotations are sampled at frames as angles of their own order; off by at most ${degrees}° between them`,
+  };
+  const long: Diagnostic = {
+    ...base,
+    severity: 'error',
+    found: `${leftOut} that turn in another order, over more frames than can be sampled`,
+    effect: 'they do not move',
+  };
+  return [...(joints > 0 ? [sampled] : []), ...(leftOut > 0 ? [long] : [])];
 }
 
 function movesNothing(file: string, count: number): Diagnostic {
