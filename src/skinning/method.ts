@@ -118,7 +118,7 @@ export interface SkinningMethod<Id extends KernelId = KernelId, Extra = unknown>
    * @param mesh before its rest layers
    * @param rest the mesh after them
    */
-  finish?(mesh: Mesh, rest: Mesh, posed: PosedStreams, use: MethodUse<Extra>): void;
+  finish?(mesh: Mesh, rest: Mesh, skin: Skin, posed: PosedStreams, use: MethodUse<Extra>): void;
   /** Further attributes of the shader, each (vertexCount × 3). */
   attributes?(mesh: Mesh, extra: Extra): Readonly<Record<string, Float32Array>>;
   /** Further uniforms of the shader. */

@@ -24,5 +24,5 @@ export function poseVertices(
   if (!wasm?.deform(method, skinned, skin, palette, out)) {
     method.deform(skinned, skin, palette, out, use);
   }
-  method.finish?.(mesh, rest, out, use);
+  method.finish?.(mesh, rest, skin, out, use);
 }

@@ -53,6 +53,13 @@ const centersOfRotationRow: KernelRow<'centers-of-rotation'> = {
   load: async () => (await loadPart(import('./centers-of-rotation.ts'))).centersOfRotation,
 };
 
+const deltaMushRow: KernelRow<'delta-mush'> = {
+  id: 'delta-mush',
+  label: 'Delta mush',
+  short: 'mush',
+  load: async () => (await loadPart(import('./delta-mush.ts'))).deltaMush,
+};
+
 /** Every kernel. */
 export const kernels: readonly KernelRow[] = [
   linearBlendRow,
@@ -60,6 +67,7 @@ export const kernels: readonly KernelRow[] = [
   rigidRow,
   dualQuaternionRow,
   centersOfRotationRow,
+  deltaMushRow,
 ];
 
 /** Every skinning method, as shown in the interface. */
@@ -68,6 +76,7 @@ export const methods: readonly KernelRow<MethodId>[] = [
   rigidRow,
   dualQuaternionRow,
   centersOfRotationRow,
+  deltaMushRow,
 ];
 
 /** Every way in which normals follow, as shown in the interface. */

@@ -49,11 +49,11 @@ export function meanNormal(
   return sum.map((value) => (total === 0 ? 0 : value / total));
 }
 
-function minus(a: Vector, b: Vector): number[] {
+export function minus(a: Vector, b: Vector): number[] {
   return a.map((value, axis) => value - b[axis]!);
 }
 
-function cross([ax, ay, az]: Vector, [bx, by, bz]: Vector): number[] {
+export function cross([ax, ay, az]: Vector, [bx, by, bz]: Vector): number[] {
   return [ay! * bz! - az! * by!, az! * bx! - ax! * bz!, ax! * by! - ay! * bx!];
 }
 

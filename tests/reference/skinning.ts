@@ -1,4 +1,5 @@
 import { normalAboutCenter, turnedAboutCenter } from './centers-of-rotation.ts';
+import { deltaMushed, type MushedSurface, type SkinnedSurface } from './delta-mush.ts';
 import {
   type DualQuaternion,
   inner,
@@ -39,6 +40,8 @@ export interface Transforms {
 export interface MethodOracle {
   position(vertex: Vertex, transforms: Transforms): Vector;
   normal(vertex: Vertex, transforms: Transforms): Vector;
+  /** For methods that need the whole surface. */
+  finish?(surface: SkinnedSurface): MushedSurface;
 }
 
 /**
@@ -147,6 +150,8 @@ function timesVector(matrix: Matrix, vector: Vector): number[] {
   return matrix.map((row) => row.reduce((total, value, k) => total + value * vector[k]!, 0));
 }
 
+const deltaMush: MethodOracle = { ...linearBlend, finish: (surface) => deltaMushed(surface) };
+
 /** Oracles by the id of the method in the registry; a new method needs one here. */
 export const methodOracles: Readonly<Record<string, MethodOracle | undefined>> = {
   'linear-blend': linearBlend,
@@ -154,6 +159,7 @@ export const methodOracles: Readonly<Record<string, MethodOracle | undefined>> =
   rigid,
   'dual-quaternion': dualQuaternion,
   'centers-of-rotation': { position: turnedAboutCenter, normal: normalAboutCenter },
+  'delta-mush': deltaMush,
 };
 
 function influencesOf({ influences }: Vertex, { firstRoot }: Transforms): readonly Influence[] {

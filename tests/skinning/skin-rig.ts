@@ -29,9 +29,17 @@ export function skinRigByOracle(
     const center = centers?.[point] ?? null;
     return { position, normal, influences: rig.rows[point]!, center };
   });
+  const skinned = vertices.map((vertex) => oracle.position(vertex, transforms));
+  const skinnedNormals = vertices.map((vertex) => oracle.normal(vertex, transforms));
+  const finished = oracle.finish?.({
+    triangles: rig.triangles,
+    rest: rig.points,
+    restNormals: vertices.map(({ normal }) => normal),
+    skinned,
+  });
   return {
-    positions: vertices.flatMap((vertex) => oracle.position(vertex, transforms)),
-    normals: vertices.flatMap((vertex) => oracle.normal(vertex, transforms)),
+    positions: (finished?.positions ?? skinned).flat(),
+    normals: (finished?.normals ?? skinnedNormals).flat(),
   };
 }
 
