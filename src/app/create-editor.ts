@@ -26,7 +26,7 @@ import { posedPoints } from '../view/posed-points.ts';
 import { verifyShown } from '../view/verify.ts';
 import type { CatalogueScene } from './catalogue.ts';
 import type { OpeningOfScenes } from './create-opening.ts';
-import { download } from './download.ts';
+import { download } from '../ui/download.ts';
 import { MotionFollower } from './follow-motions.ts';
 import { freshTarget } from './scenes/scene-target.ts';
 

@@ -9,7 +9,7 @@ import { type ConvertTarget, loadWriter, shapeOf, writtenWord } from '../formats
 import { savedFiles } from '../formats/saved-files.ts';
 import { writeMotionsBeside } from '../formats/write-converted-motion.ts';
 import { poseToJson } from '../formats/write-pose-json.ts';
-import { download } from './download.ts';
+import { download } from '../ui/download.ts';
 
 /** What came of a character that is saved in another format. */
 interface SavedAs {

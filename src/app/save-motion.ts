@@ -4,7 +4,7 @@ import type { Written } from '../formats/format.ts';
 import { writeMotion } from '../formats/motion/write-motion.ts';
 import type { MotionForm } from '../ui/editor.ts';
 import type { Actor } from '../document/scene.ts';
-import { download } from './download.ts';
+import { download } from '../ui/download.ts';
 
 /**
  * Downloads a clip of an actor in one of the forms.

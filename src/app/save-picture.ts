@@ -13,7 +13,7 @@ import {
   type PictureWork,
 } from '../view/picture/make-picture.ts';
 import { tilesOf } from '../view/picture/picture-tiles.ts';
-import { download } from './download.ts';
+import { download } from '../ui/download.ts';
 import { pictureKeyword } from './picture-note.ts';
 import type { SceneParts } from './scenes/scene-parts.ts';
 import { sceneText } from './scenes/scene-text.ts';

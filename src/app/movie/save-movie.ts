@@ -1,7 +1,7 @@
 import type { Editor, MovieChoice } from '../../ui/editor.ts';
 import { movieRequest } from '../../ui/movie-request.ts';
 import type { MoviePlan } from '../../view/movie/movie-plan.ts';
-import { download } from '../download.ts';
+import { download } from '../../ui/download.ts';
 import { movieFormats } from './formats.ts';
 import { makeMovie } from './make-movie.ts';
 

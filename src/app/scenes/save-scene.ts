@@ -3,7 +3,7 @@ import { plainName, withPlainPaths } from '../../formats/belonging/plain-path.ts
 import { sceneExtension } from '../../formats/extensions.ts';
 import { pathStem } from '../../formats/file-entry.ts';
 import type { OutputFile } from '../../formats/format.ts';
-import { download } from '../download.ts';
+import { download } from '../../ui/download.ts';
 import { sceneTextName } from './scene-among.ts';
 import type { SceneParts } from './scene-parts.ts';
 import { filesOfScene, sceneText } from './scene-text.ts';

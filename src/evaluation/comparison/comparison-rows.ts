@@ -1,5 +1,6 @@
 import type { MethodNumbers } from './compare.ts';
 import type { CharacterSize } from './difference.ts';
+import { sixDigits } from './six-digits.ts';
 
 /** Numbers of a method with the name that stands over their column. */
 export interface NamedNumbers extends MethodNumbers {
@@ -21,25 +22,20 @@ export function* comparisonRows(
   const row = (quantity: string, value: (numbers: MethodNumbers) => number | null): Row => {
     return [quantity, null, ...methods.map(value)];
   };
-  yield row('largest', ({ difference }) => shortened(difference.largest));
+  yield row('largest', ({ difference }) => sixDigits(difference.largest));
   yield row('largest vertex', ({ difference: { largest, worst } }) => (largest > 0 ? worst : null));
-  yield row('largest / height', ({ difference }) => shortened(difference.largest / size.height));
+  yield row('largest / height', ({ difference }) => sixDigits(difference.largest / size.height));
   yield row('largest / diagonal', ({ difference }) =>
-    shortened(difference.largest / size.diagonal),
+    sixDigits(difference.largest / size.diagonal),
   );
-  yield row('mean', ({ difference }) => shortened(difference.mean));
-  yield row('mean / height', ({ difference }) => shortened(difference.mean / size.height));
-  yield row('mean / diagonal', ({ difference }) => shortened(difference.mean / size.diagonal));
-  yield row('volume / rest', ({ volume }) => volume && shortened(volume));
-  yield row('largest by row sums', ({ bySums }) => bySums && shortened(bySums.largest));
-  yield row('mean by row sums', ({ bySums }) => bySums && shortened(bySums.mean));
+  yield row('mean', ({ difference }) => sixDigits(difference.mean));
+  yield row('mean / height', ({ difference }) => sixDigits(difference.mean / size.height));
+  yield row('mean / diagonal', ({ difference }) => sixDigits(difference.mean / size.diagonal));
+  yield row('volume / rest', ({ volume }) => sixDigits(volume));
+  yield row('largest by row sums', ({ bySums }) => sixDigits(bySums?.largest ?? null));
+  yield row('mean by row sums', ({ bySums }) => sixDigits(bySums?.mean ?? null));
   const distances = methods.map(({ difference }) => difference.distances);
   for (let point = 0; point < (distances[0]?.length ?? 0); point++) {
-    yield ['distance', point, ...distances.map((each) => shortened(each[point]!))];
+    yield ['distance', point, ...distances.map((each) => sixDigits(each[point]!))];
   }
-}
-
-/** Six digits, which is what float32 positions give. */
-function shortened(value: number): number {
-  return Number(value.toPrecision(6));
 }
