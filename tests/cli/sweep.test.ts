@@ -24,8 +24,8 @@ const files = {
         return `f ${a} ${a - 4} ${b - 4} ${b}`;
       }),
     ),
-    'f 1 2 3 4',
-    'f 16 15 14 13',
+    'f 4 3 2 1',
+    'f 13 14 15 16',
     '',
   ].join('\n'),
   'a.attach': floors.map((y) => ring.map(() => `${1 - y / 3} ${y / 3}\n`).join('')).join(''),
