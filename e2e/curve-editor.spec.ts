@@ -158,7 +158,8 @@ test('each end goes on by its own rule', async () => {
   const after = page().getByRole('combobox', { name: /^After the keys of/ });
   await timeline().getByRole('button', { name: 'arm X', exact: true }).click();
   // A clip that loops is never shown beyond its end.
-  await timeline().getByRole('combobox', { name: 'At the end' }).selectOption('Go on');
+  const atEnd = timeline().getByRole('combobox', { name: 'At the end' });
+  await atEnd.selectOption('Go on');
   await after.selectOption('cycle');
   expect(await xAt(1.5)).toBeCloseTo(0.6, 12);
   await after.selectOption('cycle with offset');
@@ -166,6 +167,7 @@ test('each end goes on by its own rule', async () => {
   await undo();
   await expect(after).toHaveValue('constant');
   expect(await xAt(1.5)).toBe(0);
+  await atEnd.selectOption('Loop');
 });
 
 test('keys in a rectangle are scaled by their box about its other side', async () => {
@@ -224,6 +226,13 @@ test('every key is read and changed in a table by keys alone', async () => {
 });
 
 test('the plot is as expected, in light and dark colors that a checker accepts', async () => {
+  // Whatever came before, all keys fill the plot and the list shows the row of the curve.
+  await page().locator('.plot').focus();
+  await page().keyboard.press('Control+a');
+  await timeline().locator('.curve-editor [data-command="frame-keys"]').click();
+  await timeline()
+    .getByRole('button', { name: 'arm X', exact: true })
+    .evaluate((row) => row.scrollIntoView({ block: 'end' }));
   const { x, y } = await placeOf(0.5, 0.6);
   await page().mouse.click(x, y);
   await page().mouse.move(5, 5);

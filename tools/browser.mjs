@@ -63,12 +63,13 @@ const unwantedFeatures = [
 const addressBarFeatures = ['WebUIOmniboxPopup', 'WebUIOmniboxAimPopup', 'WebUIOmniboxFullPopup'];
 
 /**
- * In tests, SwiftShader does not paint the panels as well: the CPU's own painting takes a third less
- * time of the whole page's, and WebGL draws the same.
+ * In tests, SwiftShader draws only the view: it neither paints the panels nor puts the page
+ * together, which the CPU's own painting does in less time. WebGL draws the same.
  */
 export const testFlags = [
   ...browserFlags,
   '--disable-gpu-rasterization',
+  '--disable-gpu-compositing',
   `--disable-features=${[...unwantedFeatures, ...addressBarFeatures].join(',')}`,
 ];
 
