@@ -14,7 +14,7 @@ const { fround, sqrt } = Math;
 
 // This mirrors shaders/skinning/dual-quaternion.glsl, operation by operation: change one with the
 // other. Within an entry of the palette there are these offsets, in numbers.
-const rotationAt = 12;
+export const rotationAt = 12;
 const dualAt = 16;
 const stretchAt = 20;
 
