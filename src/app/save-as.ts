@@ -24,12 +24,13 @@ interface SavedAs {
  * the images of its materials; nothing if the format can't hold the character.
  */
 export async function saveAs(
-  { character, clips }: Pick<Actor, 'character' | 'clips'>,
+  { character, skin, clips }: Pick<Actor, 'character' | 'skin' | 'clips'>,
   pose: Pose,
   format: ConvertTarget,
 ): Promise<SavedAs> {
-  // The actor's clips are the present ones; the character's are as they were opened.
-  const converted = convertCharacter({ ...character, clips: [] }, format, pose);
+  // The actor's clips and weights are the present ones; the character's are as they were opened.
+  const present = { ...character, skin: skin ?? character.skin, clips: [] };
+  const converted = convertCharacter(present, format, pose);
   const write = await loadWriter(format);
   const { files, losses } = write(converted.character);
   if (hasErrors(losses)) return { losses, motionsBeside: 0 };

@@ -82,8 +82,8 @@ function channelsOfActor({ clips }: Actor): ChannelParts[] {
 
 /** All buffers of an actor's character, of its look and of the weights that are computed from it. */
 function buffersOfActor(actor: Actor): ArrayBuffer[] {
-  const { q, morphWeights, look, character } = actor;
-  const own = buffersOf([q, morphWeights, look, skinInUse(actor)]);
+  const { q, morphWeights, look, skin, character } = actor;
+  const own = buffersOf([q, morphWeights, look, skin, skinInUse(actor)]);
   return [...own, ...buffersOfCharacter(character)];
 }
 

@@ -98,6 +98,8 @@ export interface Actor {
   readonly normalizeWeights: boolean;
   /** How many influences each point keeps, the strongest ones; null keeps all. */
   readonly influences: number | null;
+  /** The weights with the user's changes, which share unchanged arrays; null if there are none. */
+  readonly skin: Skin | null;
   readonly look: ActorLook;
 }
 
@@ -120,6 +122,7 @@ export type KeptState = Partial<
     | 'normals'
     | 'normalizeWeights'
     | 'influences'
+    | 'skin'
     | 'look'
   >
 >;
@@ -156,6 +159,7 @@ export function createActor(
     normals: kept.normals ?? defaultDeformation(character).normals,
     normalizeWeights: kept.normalizeWeights ?? false,
     influences: kept.influences ?? null,
+    skin: kept.skin ?? null,
     look: kept.look ?? plainLook,
   };
 }
@@ -194,10 +198,12 @@ function sameActor(a: Actor, b: Actor): boolean {
 }
 
 /**
- * The weights that are used: the file's, of these the strongest of each point if only some are
- * kept, and each row divided by its sum if they are normalized.
+ * The weights that are used: the file's with the user's changes, of these the strongest of each
+ * point if only some are kept, and each row divided by its sum if they are normalized.
  */
-export function skinInUse({ character: { skin }, normalizeWeights, influences }: Actor): Skin {
+export function skinInUse(actor: Actor): Skin {
+  const { normalizeWeights, influences } = actor;
+  const skin = actor.skin ?? actor.character.skin;
   const kept =
     influences === null ? skin : derived(skin, influences, () => keepInfluences(skin, influences));
   return normalizeWeights ? derived(kept, 0, () => normalizeSkin(kept)) : kept;

@@ -1,9 +1,11 @@
 import fc from 'fast-check';
 import { buildCharacter } from '../../src/core/build-character.ts';
 import type { Character } from '../../src/core/character.ts';
+import type { Skin } from '../../src/core/skin.ts';
 import type { Light } from '../../src/document/environment.ts';
 import { type Actor, type Scene, type Source, unmoved } from '../../src/document/scene.ts';
 import type { SavedPose } from '../../src/document/saved-poses.ts';
+import { changedSkin } from '../../src/document/skin-edits.ts';
 import { aspects, type Shot } from '../../src/document/shots.ts';
 import type { NatureSettings } from '../../src/posing/natural/nature-settings.ts';
 import type { Pin } from '../../src/posing/pins/pin.ts';
@@ -135,6 +137,21 @@ function asScene(actors: readonly Omit<Actor, 'id'>[]): readonly Actor[] {
   });
 }
 
+/** The weights of a character with other rows at a few points. */
+function skinOf(character: Character): fc.Arbitrary<Skin | null> {
+  const { start, paletteJoint } = character.skin;
+  const influence = fc.record({
+    entry: fc.nat(paletteJoint.length - 1),
+    weight: fc.integer({ min: 1, max: 300 }).map((weight) => Math.fround(weight / 100 - 1)),
+  });
+  const row = fc.uniqueArray(influence, {
+    ...{ minLength: 1, maxLength: 5, selector: ({ entry }) => entry },
+  });
+  return fc
+    .array(fc.tuple(fc.nat(start.length - 2), row), { maxLength: 4 })
+    .map((rows) => changedSkin(character, character.skin, new Map(rows)));
+}
+
 function actorOf(character: Character): fc.Arbitrary<Omit<Actor, 'id'>> {
   const { skeleton, morphs } = character;
   const values = fc.array(fc.option(number, { nil: undefined }), {
@@ -183,6 +200,7 @@ function actorOf(character: Character): fc.Arbitrary<Omit<Actor, 'id'>> {
     normals: fc.constantFrom(...normalWays.map(({ id }) => id)),
     normalizeWeights: fc.boolean(),
     influences: fc.option(fc.integer({ min: 1, max: 20 })),
+    skin: skinOf(character),
     look: fc.record({
       visible: fc.boolean(),
       clay: fc.nat(7),

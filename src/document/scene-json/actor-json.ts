@@ -13,6 +13,7 @@ import { lookJson } from './look-json.ts';
 import { readMorphWeights, writeMorphWeights } from './morph-weights.ts';
 import { readNatures, writeNatures } from './natures-json.ts';
 import { type FindActor, readPins, writePins } from './pins-json.ts';
+import { readSkin, writeSkin } from './skin-json.ts';
 import { transformJson } from './transform-json.ts';
 import { readUnkeyed, writeUnkeyed } from './unkeyed-json.ts';
 
@@ -29,6 +30,7 @@ type PlainFields = Omit<
   | 'clips'
   | 'clip'
   | 'unkeyed'
+  | 'skin'
 >;
 
 const plainFields: Codecs<PlainFields> = {
@@ -45,7 +47,18 @@ const plainFields: Codecs<PlainFields> = {
 
 /** The fields that need the character. `pose` is as in POSE.json, for people who write by hand. */
 const characterFields = [
-  ...['character', 'values', 'pose', 'pins', 'natures', 'morphs', 'clips', 'clip', 'unkeyed'],
+  ...[
+    'character',
+    'values',
+    'pose',
+    'pins',
+    'natures',
+    'morphs',
+    'clips',
+    'clip',
+    'unkeyed',
+    'weights',
+  ],
 ] as const;
 
 /** An actor whose character may still be on its way. */
@@ -81,6 +94,7 @@ export function writeActor(
     ...(Object.keys(weights).length > 0 && { morphs: weights }),
     ...(clips && { clips }),
     ...(actor.clip !== null && { clip: keyAt(namesOf(actor.clips), actor.clip) }),
+    ...(actor.skin && { weights: writeSkin(actor.skin, actor.character) }),
     ...(actor.unkeyed && { unkeyed: writeUnkeyed(actor.unkeyed, actor.character) }),
   };
 }
@@ -106,8 +120,8 @@ export function actorOf(
 ): Actor {
   const { skeleton, morphs } = character;
   const members = json.record('an object');
-  const [values, pose, pins, natures, weights, clips, clip, unkeyed] = [
-    ...['values', 'pose', 'pins', 'natures', 'morphs', 'clips', 'clip', 'unkeyed'],
+  const [values, pose, pins, natures, morphWeights, clips, clip, unkeyed, weights] = [
+    ...['values', 'pose', 'pins', 'natures', 'morphs', 'clips', 'clip', 'unkeyed', 'weights'],
   ].map((key) => members?.get(key));
   const fresh = freshActor(id, character, source);
   const q = (pose && decodePose(pose, skeleton).value?.q) ?? fresh.q;
@@ -121,7 +135,9 @@ export function actorOf(
     q,
     pins: held,
     natures: natures ? readNatures(natures, skeleton) : fresh.natures,
-    morphWeights: weights ? readMorphWeights(weights, namesOf(morphs)) : fresh.morphWeights,
+    morphWeights: morphWeights
+      ? readMorphWeights(morphWeights, namesOf(morphs))
+      : fresh.morphWeights,
     clips: kept,
     clip: clip ? readBoundClip(clip, listed) : null,
     unkeyed: unkeyed
@@ -131,6 +147,7 @@ export function actorOf(
           held.map(({ joint }) => joint),
         )
       : null,
+    skin: weights ? readSkin(weights, character) : null,
   };
 }
 

@@ -46,10 +46,10 @@ export function posePicture(
   joints: readonly number[],
   side: number,
 ): Picture {
-  const { character, method, q, morphWeights, normals, normalizeWeights, influences } = actor;
+  const { character, method, q, morphWeights, normals, normalizeWeights, influences, skin } = actor;
   const look = { ...actor.look, visible: true };
   const alone = createActor(pictureId, character, method, {
-    ...{ q, morphWeights, normals, normalizeWeights, influences, look },
+    ...{ q, morphWeights, normals, normalizeWeights, influences, skin, look },
   });
   const still = viewer.evaluations.of(alone).still();
   viewer.held.add(still);
