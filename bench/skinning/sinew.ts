@@ -50,7 +50,7 @@ export async function wasmSkinning(
   const normals = withNormals ? new Float32Array(mesh.vertexCount * 3) : null;
   const out = { positions, normals };
   const run = (): void => {
-    if (!kernel.deform(linearBlend, mesh, skin, palette, out))
+    if (!kernel.deform(linearBlend, mesh, skin, palette, out, plainUse))
       throw new Error('no kernel');
   };
   return { positions, ...(normals && { normals }), run };

@@ -8,14 +8,17 @@ import { blendMatrices, blockSize, createMatrixBlock } from './blend-matrices.ts
 import { blendMotions } from './blend-motions.ts';
 import {
   type MethodParameter,
+  type MethodSettings,
   type MethodUse,
   type PosedStreams,
   settingOf,
   type SkinningMethod,
 } from './method.ts';
+import { linearBlend } from './linear-blend.ts';
 import { mixBlock } from './mix-vertices.ts';
 import { writeRigidMotion } from './rotation-quaternion.ts';
 import { bindFactors } from './stretch.ts';
+import { signedInfluences } from './wasm/signed-influences.ts';
 
 const blend: MethodParameter = {
   name: 'blend',
@@ -46,7 +49,13 @@ export const dualQuaternion: SkinningMethod<'dual-quaternion'> = {
   packPalette,
   deform,
   uniforms: (settings) => ({ blend: settingOf(settings, blend) }),
-  wasm: null,
+  wasm: {
+    rows: signedInfluences,
+    blend: 'dual-quaternions',
+    normals: 'cofactors',
+    complete: moveLost,
+    mixture: { other: linearBlend.wasm!, share: shareOf },
+  },
   chunk: 'dual-quaternion',
 };
 
@@ -95,7 +104,7 @@ function deform(
   out: PosedStreams,
   { settings }: MethodUse,
 ): void {
-  const share = Math.fround(settingOf(settings, blend));
+  const share = shareOf(settings);
   const stride = palette.length / skin.paletteJoint.length;
   for (let first = 0; first < mesh.vertexCount; first += blockSize) {
     const end = Math.min(first + blockSize, mesh.vertexCount);
@@ -111,6 +120,20 @@ function deform(
 }
 
 const matrices = createMatrixBlock();
+
+function shareOf(settings: MethodSettings): number {
+  return Math.fround(settingOf(settings, blend));
+}
+
+/** Moves vertices whose position is not a number by linear blend. */
+function moveLost(mesh: Mesh, skin: Skin, palette: Float32Array, out: PosedStreams): void {
+  const stride = palette.length / skin.paletteJoint.length;
+  for (let vertex = 0; vertex < mesh.vertexCount; vertex++) {
+    if (!Number.isNaN(out.positions[vertex * 3]!)) continue;
+    blendMatrices(mesh, skin, palette, stride, 0, vertex, vertex + 1, matrices);
+    transform(mesh, vertex, vertex + 1, out);
+  }
+}
 
 function transform(mesh: Mesh, first: number, end: number, out: PosedStreams): void {
   transformPoints(matrices, mesh.positions, first, end, out.positions);

@@ -25,13 +25,34 @@ export type KernelId = MethodId | 'joint-normals';
 
 /**
  * What the WebAssembly kernel does for a method: it blends the first three vec4s of the palette's
- * entries as the rows of a matrix and applies it to points.
+ * entries as the rows of a matrix, or the next two as a dual quaternion, and applies the result to
+ * points.
  */
 export interface WasmPlan {
-  /** The influences that are blended. */
-  readonly rows: (skin: Skin) => InfluenceRows;
+  /** The influences that are blended, with pairs for dual quaternions; null if it can't. */
+  readonly rows: (skin: Skin) => WasmRows | null;
+  readonly blend?: 'dual-quaternions';
   /** Normals are transformed by the cofactors of the matrix, or by one of the next three vec4s. */
   readonly normals: 'cofactors' | 'next-rows';
+  /** Moves vertices whose position is not a number; the kernel leaves those that it can't move. */
+  readonly complete?: SkinningMethod['deform'];
+  /**
+   * The method's share, from 0 to 1, in a mixture with what another plan computes from the same
+   * palette.
+   */
+  readonly mixture?: {
+    readonly other: WasmPlan;
+    share(settings: MethodSettings): number;
+  };
+}
+
+/**
+ * Influences, and for blends of quaternions (pairCount × 2) pairs of palette entries, which their
+ * entries count: that of the point's largest weight and the one that influences it. So signs of
+ * rotations are found once for each pair and pose.
+ */
+export interface WasmRows extends InfluenceRows {
+  readonly pairs?: Uint16Array;
 }
 
 /** A number that a user may set for a method. */

@@ -21,7 +21,7 @@ export function poseVertices(
   wasm: WasmSkinning | null = null,
 ): void {
   const skinned = method.finish ? mesh : rest;
-  if (!wasm?.deform(method, skinned, skin, palette, out)) {
+  if (!wasm?.deform(method, skinned, skin, palette, out, use)) {
     method.deform(skinned, skin, palette, out, use);
   }
   method.finish?.(mesh, rest, skin, out, use);

@@ -5,11 +5,12 @@ import type { Character } from '../../src/core/character.ts';
 import { jointMatrices } from '../../src/core/forward-kinematics.ts';
 import { emptyMesh, type Mesh } from '../../src/core/mesh.ts';
 import { noJoint, type Skin } from '../../src/core/skin.ts';
+import { plainUse } from '../../src/skinning/method.ts';
 import { restMesh } from '../../src/skinning/rest-mesh.ts';
 import type { WasmSkinning } from '../../src/skinning/wasm/wasm-skinning.ts';
 import { kernelFile } from '../../tools/compile-kernel.ts';
 import { characterOfRig } from '../fixtures/character-of-rig.ts';
-import { allRigs, rotatedTree } from '../fixtures/rigs.ts';
+import { allRigs, oddWeights, rotatedTree } from '../fixtures/rigs.ts';
 import { withMorph } from '../fixtures/with-morph.ts';
 import { bitDifferences } from '../support/bit-differences.ts';
 import { bundledIds, readBundled } from '../support/bundled.ts';
@@ -19,6 +20,7 @@ import { compiledSkinning } from '../support/wasm-skinning.ts';
 
 const wasm = await compiledSkinning();
 const linearBlend = loadedKernel('linear-blend');
+const dualQuaternion = loadedKernel('dual-quaternion');
 /** Those that have a plan for the WebAssembly kernel. */
 const planned = loadedKernels.filter((method) => method.wasm);
 
@@ -33,6 +35,7 @@ function differencesOf(kernel: WasmSkinning, character: Character, seeds = [51, 
     const mesh = restMesh(character, { q, morphWeights });
     const joints = jointMatrices(skeleton, q);
     for (const method of planned) {
+      if (!method.wasm!.rows(skin)) continue;
       const palette = new Float32Array(skin.paletteJoint.length * method.vec4sPerEntry(skin) * 4);
       method.packPalette(skin, joints, palette);
       count += bitDifferences(kernel, method, mesh, skin, palette);
@@ -59,6 +62,22 @@ describe('the WebAssembly kernel gives the bits of the strict kernels', () => {
     );
   });
 
+  it('for mixtures of dual quaternions and linear blend', () => {
+    const { mesh, skin, skeleton } = characterOfRig(oddWeights());
+    const palette = new Float32Array(skin.paletteJoint.length * 20);
+    const q = skeleton.qRest.map((value, i) => value + Math.sin(i));
+    dualQuaternion.packPalette(skin, jointMatrices(skeleton, q), palette);
+    for (const blend of [0, 0.3, 1]) {
+      expect(bitDifferences(wasm, dualQuaternion, mesh, skin, palette, { blend })).toBe(0);
+    }
+    // Nothing has a direction, so all is linear blend.
+    for (let entry = 0; entry < palette.length; entry += 20)
+      palette.fill(0, entry + 12, entry + 16);
+    for (const blend of [0.3, 1]) {
+      expect(bitDifferences(wasm, dualQuaternion, mesh, skin, palette, { blend })).toBe(0);
+    }
+  });
+
   it('for two meshes that share a skin', () => {
     const { mesh, skin } = characterOfRig(rotatedTree());
     const palette = new Float32Array(skin.paletteJoint.length * 12).fill(0.3);
@@ -81,6 +100,8 @@ describe('the comparison finds a fault in the kernel', () => {
       'f32x4.add(f32x4.add(f32x4.mul(ax, bx), f32x4.mul(ay, by)), f32x4.mul(az, bz))',
       'f32x4.add(f32x4.mul(ax, bx), f32x4.add(f32x4.mul(ay, by), f32x4.mul(az, bz)))',
     ],
+    'rotations that point away from the pivot': ['away ? -0.0 : 0.0', '0.0'],
+    'a term of the translation': ['minor(y, ez, z, ey)', 'minor(y, ez, z, ex)'],
   };
 
   it.each(Object.entries(faults))('%s', async (_, [text, faulty]) => {
@@ -99,12 +120,25 @@ describe('where the WebAssembly kernel can’t compute', () => {
 
   it('it says so for a method without a plan', () => {
     const other = { ...linearBlend, wasm: null };
-    expect(wasm.deform(other, mesh, character.skin, palette, out)).toBe(false);
+    expect(wasm.deform(other, mesh, character.skin, palette, out, plainUse)).toBe(false);
+  });
+
+  it('it says so for dual quaternions of a skin that stretches', () => {
+    const stretched = characterOfRig(allRigs['own binds']!());
+    const all = new Float32Array(stretched.skin.paletteJoint.length * 32);
+    const { mesh, skin } = stretched;
+    const room = { positions: new Float32Array(mesh.vertexCount * 3), normals: null };
+    expect(wasm.deform(dualQuaternion, mesh, skin, all, room, plainUse)).toBe(false);
+    // Without dual quaternions it is linear blend, of the same palette.
+    const none = { extra: undefined, settings: { blend: 0 } };
+    expect(wasm.deform(dualQuaternion, mesh, skin, all, room, none)).toBe(true);
   });
 
   it('it says so for a mesh that is too large for it', () => {
     const huge = { ...mesh, vertexCount: 2 ** 28 };
-    expect(wasm.deform(linearBlend, huge, { ...character.skin }, palette, out)).toBe(false);
+    expect(wasm.deform(linearBlend, huge, { ...character.skin }, palette, out, plainUse)).toBe(
+      false,
+    );
   });
 
   it('compiling rejects bytes that are no kernel', async () => {
@@ -136,7 +170,10 @@ function skinned(vec4sPerEntry: number): fc.Arbitrary<Skinned> {
       const start = Uint32Array.of(0, ...rows.map((_, i) => rows.slice(0, i + 1).flat().length));
       const skin: Skin = {
         paletteJoint: new Uint16Array(entryCount).fill(noJoint),
-        jointFromBind: new Float64Array(entryCount * 16),
+        jointFromBind: Float64Array.from(
+          { length: entryCount * 16 },
+          (_, i) => +((i % 16) % 5 === 0),
+        ),
         start,
         entries: Uint16Array.from(rows.flat(), ([entry]) => entry),
         weights: Float32Array.from(rows.flat(), ([, each]) => each),

@@ -1,6 +1,6 @@
 import type { Mesh } from '../../src/core/mesh.ts';
 import type { Skin } from '../../src/core/skin.ts';
-import type { SkinningMethod } from '../../src/skinning/method.ts';
+import type { MethodSettings, SkinningMethod } from '../../src/skinning/method.ts';
 import { useOf } from './method-use.ts';
 import type { WasmSkinning } from '../../src/skinning/wasm/wasm-skinning.ts';
 
@@ -14,15 +14,16 @@ export function bitDifferences(
   mesh: Mesh,
   skin: Skin,
   palette: Float32Array,
+  settings?: MethodSettings,
 ): number {
   const room = (): Float32Array => new Float32Array(mesh.vertexCount * 3).fill(NaN);
   const strict = { positions: room(), normals: room() };
   const both = { positions: room(), normals: room() };
   const alone = { positions: room(), normals: null };
-  const use = useOf(method, mesh, skin);
+  const use = useOf(method, mesh, skin, settings);
   method.deform(mesh, skin, palette, strict, use);
   for (const out of [both, alone]) {
-    if (!wasm.deform(method, mesh, skin, palette, out))
+    if (!wasm.deform(method, mesh, skin, palette, out, use))
       throw new Error(`${method.id} has no plan`);
   }
   return (

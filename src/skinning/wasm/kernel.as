@@ -1,6 +1,7 @@
 // The skinning kernels for WebAssembly, in AssemblyScript. They compute what blend-matrices.ts,
-// affine-kernel.ts and joint-normals.ts of src/skinning define, with the same operations in the same
-// order, for four vertices at a time: a vector has one number of each. Change one with the other.
+// affine-kernel.ts, joint-normals.ts, blend-quaternions.ts and blend-motions.ts of src/skinning
+// define, with the same operations in the same order, for four vertices at a time: a vector has one
+// number of each. Change one with the other.
 //
 // The host lays out the memory (wasm-skin.ts). A group is four vertices with as many influences:
 // - influences: for each influence of the group, 4 weights (float32) and 4 palette entries (uint16)
@@ -61,6 +62,106 @@ export function blendMatrices(
     storeTransposed(matrices + 128, a2, b2, c2, d2);
     matrices += matrixBytes;
   }
+}
+
+/**
+ * Writes the signed palette: for each pair of a pivot and an entry, the bytes of the entry from
+ * `from` on. Those from its rotation on are reversed if it points away from that of the pivot.
+ *
+ * @param pairs two palette entries each (uint16)
+ * @param from at most `rotation`, where an entry has its rotation; both in bytes, as `stride`
+ */
+export function signPalette(
+  count: i32,
+  pairs: usize,
+  palette: usize,
+  stride: usize,
+  rotation: usize,
+  from: usize,
+  out: usize,
+): void {
+  for (; count > 0; count--, pairs += 4) {
+    const pivot = palette + <usize>load<u16>(pairs) * stride + rotation;
+    const entry = palette + <usize>load<u16>(pairs, 2) * stride;
+    const turn = entry + rotation;
+    const three =
+      load<f32>(pivot) * load<f32>(turn) +
+      load<f32>(pivot, 4) * load<f32>(turn, 4) +
+      load<f32>(pivot, 8) * load<f32>(turn, 8);
+    const away = three + load<f32>(pivot, 12) * load<f32>(turn, 12) < 0;
+    const reversed = f32x4.splat(away ? -0.0 : 0.0);
+    for (let at = from; at < stride; at += 16, out += 16) {
+      const numbers = v128.load(entry + at);
+      v128.store(out, at < rotation ? numbers : v128.xor(numbers, reversed));
+    }
+  }
+}
+
+/**
+ * Blends the dual quaternions of groups that have `count` influences, and writes their motions as
+ * matrices. Entries are those of the signed palette, a rotation and a dual part each. Returns
+ * whether any blend has no direction; the matrix of such a vertex has no numbers.
+ */
+export function blendDualQuaternions(
+  groups: i32,
+  count: i32,
+  influences: usize,
+  palette: usize,
+  matrices: usize,
+): bool {
+  let isLost = zero();
+  for (; groups > 0; groups--) {
+    let a0 = zero(), a1 = zero();
+    let b0 = zero(), b1 = zero();
+    let c0 = zero(), c1 = zero();
+    let d0 = zero(), d1 = zero();
+    for (let i = 0; i < count; i++, influences += influenceBytes) {
+      let weight = v128.load32_splat(influences);
+      let entry = palette + (<usize>load<u16>(influences, 16) << 5);
+      a0 = f32x4.add(a0, f32x4.mul(weight, v128.load(entry)));
+      a1 = f32x4.add(a1, f32x4.mul(weight, v128.load(entry, 16)));
+      weight = v128.load32_splat(influences, 4);
+      entry = palette + (<usize>load<u16>(influences, 18) << 5);
+      b0 = f32x4.add(b0, f32x4.mul(weight, v128.load(entry)));
+      b1 = f32x4.add(b1, f32x4.mul(weight, v128.load(entry, 16)));
+      weight = v128.load32_splat(influences, 8);
+      entry = palette + (<usize>load<u16>(influences, 20) << 5);
+      c0 = f32x4.add(c0, f32x4.mul(weight, v128.load(entry)));
+      c1 = f32x4.add(c1, f32x4.mul(weight, v128.load(entry, 16)));
+      weight = v128.load32_splat(influences, 12);
+      entry = palette + (<usize>load<u16>(influences, 22) << 5);
+      d0 = f32x4.add(d0, f32x4.mul(weight, v128.load(entry)));
+      d1 = f32x4.add(d1, f32x4.mul(weight, v128.load(entry, 16)));
+    }
+    // The results are written where the matrices will be.
+    storeTransposed(matrices, a0, b0, c0, d0);
+    storeTransposed(matrices + 64, a1, b1, c1, d1);
+    let x = v128.load(matrices);
+    let y = v128.load(matrices, 16);
+    let z = v128.load(matrices, 32);
+    let w = v128.load(matrices, 48);
+    const squared = f32x4.add(dot(x, y, z, x, y, z), f32x4.mul(w, w));
+    const found = f32x4.ge(squared, f32x4.splat(1e-12));
+    isLost = v128.or(isLost, v128.not(found));
+    const scale = v128.or(
+      f32x4.div(f32x4.splat(1), f32x4.sqrt(squared)),
+      v128.not(found), // all bits set are no number
+    );
+    x = f32x4.mul(x, scale);
+    y = f32x4.mul(y, scale);
+    z = f32x4.mul(z, scale);
+    w = f32x4.mul(w, scale);
+    const ex = f32x4.mul(v128.load(matrices, 64), scale);
+    const ey = f32x4.mul(v128.load(matrices, 80), scale);
+    const ez = f32x4.mul(v128.load(matrices, 96), scale);
+    const ew = f32x4.mul(v128.load(matrices, 112), scale);
+    storeRotation(matrices, x, y, z, w);
+    storeTwice(matrices + 48, f32x4.add(minor(w, ex, ew, x), minor(y, ez, z, ey)));
+    storeTwice(matrices + 112, f32x4.add(minor(w, ey, ew, y), minor(z, ex, x, ez)));
+    storeTwice(matrices + 176, f32x4.add(minor(w, ez, ew, z), minor(x, ey, y, ex)));
+    matrices += matrixBytes;
+  }
+  return v128.any_true(isLost);
 }
 
 /** Transforms points by their matrices. */
@@ -149,6 +250,38 @@ export function transformNormalsByCofactors(
     normals += groupBytes;
     targets += targetBytes;
   }
+}
+
+/** Stores the upper 3 × 3 of the matrices of unit quaternions. */
+@inline
+function storeRotation(at: usize, x: v128, y: v128, z: v128, w: v128): void {
+  const one = f32x4.splat(1);
+  const x2 = f32x4.add(x, x);
+  const y2 = f32x4.add(y, y);
+  const z2 = f32x4.add(z, z);
+  const xx = f32x4.mul(x, x2);
+  const yy = f32x4.mul(y, y2);
+  const zz = f32x4.mul(z, z2);
+  const xy = f32x4.mul(x, y2);
+  const xz = f32x4.mul(x, z2);
+  const yz = f32x4.mul(y, z2);
+  const wx = f32x4.mul(w, x2);
+  const wy = f32x4.mul(w, y2);
+  const wz = f32x4.mul(w, z2);
+  v128.store(at, f32x4.sub(one, f32x4.add(yy, zz)));
+  v128.store(at, f32x4.sub(xy, wz), 16);
+  v128.store(at, f32x4.add(xz, wy), 32);
+  v128.store(at, f32x4.add(xy, wz), 64);
+  v128.store(at, f32x4.sub(one, f32x4.add(xx, zz)), 80);
+  v128.store(at, f32x4.sub(yz, wx), 96);
+  v128.store(at, f32x4.sub(xz, wy), 128);
+  v128.store(at, f32x4.add(yz, wx), 144);
+  v128.store(at, f32x4.sub(one, f32x4.add(xx, yy)), 160);
+}
+
+@inline
+function storeTwice(at: usize, value: v128): void {
+  v128.store(at, f32x4.add(value, value));
 }
 
 /** Stores vectors with unit length, or +y where one has no direction left. */

@@ -1,6 +1,5 @@
 import type { Mesh } from '../../core/mesh.ts';
-import type { InfluenceRows } from '../../core/skin.ts';
-import type { PosedStreams, SkinningMethod } from '../method.ts';
+import type { PosedStreams, WasmPlan, WasmRows } from '../method.ts';
 import {
   groupVertices,
   type GroupedVertices,
@@ -19,6 +18,22 @@ interface KernelFunctions {
     stride: number,
     matrices: number,
   ): void;
+  signPalette(
+    count: number,
+    pairs: number,
+    palette: number,
+    stride: number,
+    rotation: number,
+    from: number,
+    out: number,
+  ): void;
+  blendDualQuaternions(
+    groups: number,
+    count: number,
+    influences: number,
+    palette: number,
+    matrices: number,
+  ): number;
   readonly transformPoints: Transform;
   readonly transformNormals: Transform;
   readonly transformNormalsByCofactors: Transform;
@@ -38,7 +53,11 @@ const vectorBytes = 48;
 const targetBytes = 16;
 const matrixBytes = 192;
 /** The longest palette entry of a method. */
-const floatsPerEntry = 24;
+const floatsPerEntry = 32;
+/** Where an entry has its rotation, if it has one. */
+const rotationAt = 48;
+/** The longest entry of a signed palette. */
+const signedBytes = 32;
 const pageBytes = 65536;
 /** A WebAssembly memory has at most 4 GiB. */
 const mostPages = 65536;
@@ -58,6 +77,9 @@ export class WasmSkin {
   private readonly influencesAt: number;
   private readonly targetsAt: number;
   private readonly matricesAt: number;
+  private readonly pairCount: number;
+  private readonly pairsAt: number;
+  private readonly signedAt: number;
   private readonly points: Float32Array;
   private readonly normals: Float32Array;
   private readonly palette: Float32Array;
@@ -65,7 +87,7 @@ export class WasmSkin {
   private readonly posedNormals: Float32Array;
 
   /** Throws a RangeError if there is not enough memory. */
-  constructor(module: WebAssembly.Module, mesh: Mesh, rows: InfluenceRows, entryCount: number) {
+  constructor(module: WebAssembly.Module, mesh: Mesh, rows: WasmRows, entryCount: number) {
     this.entryCount = entryCount;
     const { pointOf, vertexCount } = mesh;
     this.pointOf = pointOf;
@@ -83,6 +105,10 @@ export class WasmSkin {
     const points = reserve(groupCount * vectorBytes);
     const normals = reserve(groupCount * vectorBytes);
     const palette = reserve(entryCount * floatsPerEntry * 4);
+    const { pairs = new Uint16Array(0) } = rows;
+    this.pairCount = pairs.length / 2;
+    this.pairsAt = reserve(pairs.byteLength);
+    this.signedAt = reserve(this.pairCount * signedBytes);
     // One vertex more takes what the kernel computes for the missing ones of the last group.
     const posedPoints = reserve((vertexCount + 1) * 12);
     const posedNormals = reserve((vertexCount + 1) * 12);
@@ -98,6 +124,7 @@ export class WasmSkin {
     this.palette = new Float32Array(buffer, palette, entryCount * floatsPerEntry);
     this.posedPoints = new Float32Array(buffer, posedPoints, vertexCount * 3);
     this.posedNormals = new Float32Array(buffer, posedNormals, vertexCount * 3);
+    new Uint16Array(buffer, this.pairsAt, pairs.length).set(pairs);
     packInfluences(buffer, this.influencesAt, this.groups, pointOf, rows);
     const targets = new Uint32Array(buffer, this.targetsAt, groupCount * 4);
     this.groups.vertices.forEach((vertex, i) => (targets[i] = vertex * 12));
@@ -108,30 +135,33 @@ export class WasmSkin {
     return pointOf === this.pointOf;
   }
 
-  /** Computes what `method.deform` does, bit by bit. */
-  deform(
-    { wasm }: Pick<SkinningMethod, 'wasm'>,
-    mesh: Mesh,
-    palette: Float32Array,
-    out: PosedStreams,
-  ): void {
-    const { kernel, matricesAt } = this;
+  /**
+   * Computes what `method.deform` does, bit by bit. Vertices whose rotations cancel out are not
+   * computed; their positions are no numbers, and the result is true.
+   */
+  deform(plan: WasmPlan, mesh: Mesh, palette: Float32Array, out: PosedStreams): boolean {
+    const { kernel, matricesAt, signedAt } = this;
     this.useRest(mesh);
     this.palette.set(palette);
     const paletteAt = this.palette.byteOffset;
     const stride = palette.byteLength / this.entryCount;
+    const { pairCount, pairsAt } = this;
+    kernel.signPalette(pairCount, pairsAt, paletteAt, stride, rotationAt, rotationAt, signedAt);
     let influences = this.influencesAt;
     let points = this.points.byteOffset;
     let normals = this.normals.byteOffset;
     let targets = this.targetsAt;
+    let isLost = 0;
     for (const { groups, count } of this.groups.runs) {
       for (let first = 0; first < groups; first += blockSize) {
         const size = Math.min(blockSize, groups - first);
         const posedPoints = this.posedPoints.byteOffset;
         const posedNormals = this.posedNormals.byteOffset;
-        kernel.blendMatrices(size, count, influences, paletteAt, stride, matricesAt);
+        if (plan.blend === 'dual-quaternions') {
+          isLost |= kernel.blendDualQuaternions(size, count, influences, signedAt, matricesAt);
+        } else kernel.blendMatrices(size, count, influences, paletteAt, stride, matricesAt);
         kernel.transformPoints(size, matricesAt, points, targets, posedPoints);
-        if (out.normals && wasm?.normals === 'cofactors') {
+        if (out.normals && plan.normals === 'cofactors') {
           kernel.transformNormalsByCofactors(size, matricesAt, normals, targets, posedNormals);
         } else if (out.normals) {
           // The rows for normals follow those for points.
@@ -146,6 +176,7 @@ export class WasmSkin {
     }
     out.positions.set(this.posedPoints);
     out.normals?.set(this.posedNormals);
+    return isLost !== 0;
   }
 
   /** Copies the mesh at rest into the memory, if it is another than before. */

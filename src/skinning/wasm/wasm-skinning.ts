@@ -1,10 +1,11 @@
 import type { Mesh } from '../../core/mesh.ts';
-import type { InfluenceRows, Skin } from '../../core/skin.ts';
-import type { PosedStreams, SkinningMethod } from '../method.ts';
+import type { Skin } from '../../core/skin.ts';
+import type { MethodUse, PosedStreams, SkinningMethod, WasmPlan } from '../method.ts';
+import { mixVertices } from '../mix-vertices.ts';
 import { WasmSkin } from './wasm-skin.ts';
 
 /** Skins by the function that gave their rows; null if there was not enough memory. */
-type SkinCopies = Map<(skin: Skin) => InfluenceRows, WasmSkin | null>;
+type SkinCopies = Map<WasmPlan['rows'], WasmSkin | null>;
 
 /**
  * The WebAssembly kernel. It keeps a copy of every skin that it has deformed, which is released
@@ -25,21 +26,32 @@ export class WasmSkinning {
 
   /**
    * Computes what `method.deform` does, bit by bit. Returns false if it can't, because the method
-   * has no such kernel or there is not enough memory; then nothing is written.
+   * has no such kernel for the skin or there is not enough memory; then nothing is written.
    */
   deform(
-    method: SkinningMethod,
+    { wasm: plan }: Pick<SkinningMethod, 'wasm'>,
     mesh: Mesh,
     skin: Skin,
     palette: Float32Array,
     out: PosedStreams,
+    use: MethodUse,
   ): boolean {
-    const copy = method.wasm ? this.copyOf(skin, mesh, method.wasm.rows) : null;
-    copy?.deform(method, mesh, palette, out);
-    return copy !== null;
+    const share = plan?.mixture?.share(use.settings) ?? 1;
+    const own = plan && share > 0 ? this.copyOf(skin, mesh, plan) : null;
+    const other = plan?.mixture && share < 1 ? plan.mixture.other : null;
+    const added = other && this.copyOf(skin, mesh, other);
+    if ((share > 0 && !own) || (share < 1 && !added)) return false;
+    if (own?.deform(plan!, mesh, palette, out)) plan!.complete?.(mesh, skin, palette, out, use);
+    if (!own) added?.deform(other!, mesh, palette, out);
+    else if (added) {
+      const mixed = streamsLike(out);
+      added.deform(other!, mesh, palette, mixed);
+      mixVertices(mixed, share, out);
+    }
+    return true;
   }
 
-  private copyOf(skin: Skin, mesh: Mesh, rows: (skin: Skin) => InfluenceRows): WasmSkin | null {
+  private copyOf(skin: Skin, mesh: Mesh, { rows }: WasmPlan): WasmSkin | null {
     let copies = this.copies.get(skin);
     if (!copies) this.copies.set(skin, (copies = new Map() as SkinCopies));
     let copy = copies.get(rows);
@@ -49,12 +61,20 @@ export class WasmSkinning {
     return copy;
   }
 
-  private tryCopy(skin: Skin, mesh: Mesh, rows: (skin: Skin) => InfluenceRows): WasmSkin | null {
+  private tryCopy(skin: Skin, mesh: Mesh, rowsOf: WasmPlan['rows']): WasmSkin | null {
     try {
-      return new WasmSkin(this.module, mesh, rows(skin), skin.paletteJoint.length);
+      const rows = rowsOf(skin);
+      return rows && new WasmSkin(this.module, mesh, rows, skin.paletteJoint.length);
     } catch (error) {
       if (error instanceof RangeError) return null;
       throw error;
     }
   }
+}
+
+function streamsLike({ positions, normals }: PosedStreams): PosedStreams {
+  return {
+    positions: new Float32Array(positions.length),
+    normals: normals && new Float32Array(normals.length),
+  };
 }
