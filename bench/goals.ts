@@ -60,6 +60,11 @@ export const goals: readonly Goal[] = [
     ...{ against: 'native C++ `-O3 -march=native`, the same algorithm' },
     ...{ good: 'low', unit: '×', must: 2, aim: 1.3 },
   },
+  {
+    ...{ id: 'wasm-dual', group: 'skinning', contender: 'dual quaternions in WebAssembly' },
+    ...{ against: 'linear blend in WebAssembly, the same mesh', good: 'low', unit: '×' },
+    ...{ must: 1.5, aim: 1.2 },
+  },
   ...faster('skinning', [
     ['dense', 'a dense `.attach` row (17 columns)', 'gl-matrix loop', 10, 50],
   ]),

@@ -1,6 +1,7 @@
 import { characterFromJoints, type Joint, type Values } from '../../tests/reference/kinematics.ts';
 import { inverse } from '../../tests/reference/matrix.ts';
 import { methodOracles, type Transforms, type Vertex } from '../../tests/reference/skinning.ts';
+import type { MethodId } from '../../src/skinning/method.ts';
 import type { Mesh } from '../../src/core/mesh.ts';
 import { expectRight } from '../harness/group.ts';
 import type { Cylinder } from './cylinder.ts';
@@ -47,8 +48,9 @@ export function checkSkinned(
   body: Cylinder,
   mesh: Mesh,
   transforms: Transforms,
+  method: MethodId = 'linear-blend',
 ): void {
-  const oracle = methodOracles['linear-blend']!;
+  const oracle = methodOracles[method]!;
   for (let v = 0; v < body.vertexCount; v += stride) {
     const vertex = vertexOf(v, body, mesh);
     const wanted = oracle.position(vertex, transforms);

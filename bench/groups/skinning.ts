@@ -1,6 +1,8 @@
 import { mat4 } from 'gl-matrix';
 import { cylinder, type Cylinder, poseAngles } from '../data/cylinder.ts';
 import { checkSkinned, transformsOf } from '../data/oracle.ts';
+import { dualQuaternion } from '../../src/skinning/dual-quaternion.ts';
+import type { MethodId } from '../../src/skinning/method.ts';
 import { type BenchOptions, type GroupResult, timesFaster, timesSlower } from '../harness/group.ts';
 import { type Contender, contenderOf, measure } from '../harness/measure.ts';
 import { nativeSkinning } from '../native/native.ts';
@@ -24,14 +26,22 @@ export async function skinning({ rounds }: BenchOptions): Promise<GroupResult> {
   const transforms = transformsOf(body, angles);
   const varied = cylinder({ vertexCount, influences: 'varied' });
   const posedVaried = posedBody(varied, angles);
+  const posedDual = posedBody(body, angles, dualQuaternion);
   const contenders: Contender[] = [];
-  const add = (id: string, { positions, normals, run }: Skinning, of = body): void => {
+  const add = (
+    id: string,
+    { positions, normals, run }: Skinning,
+    of = body,
+    method: MethodId = 'linear-blend',
+  ): void => {
     run();
-    checkSkinned({ id, positions, ...(normals && { normals }) }, of, mesh, transforms);
+    checkSkinned({ id, positions, ...(normals && { normals }) }, of, mesh, transforms, method);
     contenders.push(contenderOf(id, run));
   };
   add('sinew strict', strictSkinning(posed));
   add('sinew wasm, normals', await wasmSkinning(posed, true));
+  const dual = await wasmSkinning(posedDual, true);
+  add('sinew wasm, dual quaternions', dual, body, 'dual-quaternion');
   add('sinew wasm', await wasmSkinning(posed, false));
   add('sinew wasm, varied', await wasmSkinning(posedVaried, false), varied);
   add('three', await threeSkinning(body));
@@ -51,6 +61,7 @@ export async function skinning({ rounds }: BenchOptions): Promise<GroupResult> {
       'wasm-normals': timesFaster(samples, 'sinew wasm, normals', 'three'),
       'wasm-positions': timesFaster(samples, 'sinew wasm', 'three'),
       'wasm-varied': timesFaster(samples, 'sinew wasm, varied', 'three'),
+      'wasm-dual': timesSlower(samples, 'sinew wasm, dual quaternions', 'sinew wasm, normals'),
       'wasm-babylon': timesFaster(samples, 'sinew wasm, normals', 'babylon'),
       dense: timesFaster(samples, 'sinew wasm', 'gl-matrix dense'),
       ...(native && { 'wasm-native': timesSlower(samples, 'sinew wasm, normals', 'native') }),

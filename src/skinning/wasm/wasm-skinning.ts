@@ -45,7 +45,7 @@ export class WasmSkinning {
     if (!own) added?.deform(other!, mesh, palette, out);
     else if (added) {
       const mixed = streamsLike(out);
-      added.deform(other!, mesh, palette, mixed);
+      added.deform(other, mesh, palette, mixed);
       mixVertices(mixed, share, out);
     }
     return true;
