@@ -24,12 +24,18 @@ test('this machine is checked, the report is saved, and the page stays as it was
   expect(report.programs.filter(({ problem }) => problem !== null)).toEqual([]);
   const names = report.programs.map(({ name }) => name);
   expect(names).toEqual(expect.arrayContaining(['mesh', 'floor', 'solid', 'line']));
-  for (const { id } of kernels) {
-    const layouts = names.filter((name) => name.startsWith(`${id},`));
-    expect(layouts, 'five ways to store influences, three to store a palette').toHaveLength(15);
+  // Delta mush is computed on the CPU alone.
+  const onGpu = kernels.filter(({ id }) => id !== 'delta-mush');
+  for (const { id } of onGpu) {
+    const layouts = names.filter((name) => name.startsWith(`${id} of `));
+    expect(
+      layouts.length,
+      'five ways to store influences, three to store a palette',
+    ).toBeGreaterThan(0);
+    expect(layouts.length % 15).toBe(0);
   }
   expect(report.parity).toEqual(
-    kernels.map(({ id }) => expect.objectContaining({ kernel: id, identical: true, position: 0 })),
+    onGpu.map(({ id }) => expect.objectContaining({ kernel: id, identical: true, position: 0 })),
   );
   const { posed, camera, triangles } = report.frames;
   expect(triangles).toBeGreaterThan(20_000);

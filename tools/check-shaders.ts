@@ -68,7 +68,8 @@ function listPrograms(loaded: readonly SkinningMethod[]): (() => Program)[] {
       fragment: resolveShader(files, `passes/${pass}.frag.glsl`, defines),
     })),
   );
-  const variants = loaded.flatMap((method) => method.strides.map((stride) => ({ method, stride })));
+  const onGpu = loaded.filter((method) => !('finish' in method));
+  const variants = onGpu.flatMap((method) => method.strides.map((stride) => ({ method, stride })));
   const stagePrograms = variants.flatMap(({ method, stride }) =>
     influencePairs.flatMap((pairs) =>
       paletteRows.map((rows) => () => {

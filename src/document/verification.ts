@@ -12,6 +12,8 @@ export interface Difference {
 
 /** The result of verifying a character's numbers. */
 export interface Verification extends Difference {
+  /** Whether the method is computed on the CPU alone; the GPU then draws what was uploaded. */
+  readonly isOnCpu: boolean;
   /** `position` divided by the diagonal of the character's bounds. */
   readonly relative: number;
   /**

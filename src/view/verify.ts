@@ -5,17 +5,24 @@ import { largestBindError } from '../skinning/bind-error.ts';
 import type { VertexStreams } from '../skinning/method.ts';
 import type { Viewer } from './viewer.ts';
 
-/** Compares the buffers that are drawn, which the GPU skinned, with the vertices from the CPU. */
+/** Compares the buffers that are drawn, which most methods fill on the GPU, with the CPU's vertices. */
 export function verifyShown(actor: Actor | undefined, viewer: Viewer): Verification | null {
   if (!actor || !viewer.available.value || viewer.refusalOf(actor) !== null) return null;
-  return verifySkin(actor, viewer.skin(actor, 'gpu'), viewer.skin(actor, 'cpu'));
+  const [gpu, cpu] = [viewer.skin(actor, 'gpu'), viewer.skin(actor, 'cpu')];
+  return verifySkin(actor, gpu, cpu, 'finish' in viewer.evaluations.of(actor).method);
 }
 
-export function verifySkin(state: Actor, gpu: VertexStreams, cpu: VertexStreams): Verification {
+export function verifySkin(
+  state: Actor,
+  gpu: VertexStreams,
+  cpu: VertexStreams,
+  isOnCpu = false,
+): Verification {
   const { character } = state;
   const difference = compareVertices(gpu, cpu, character.mesh.pointOf);
   return {
     ...difference,
+    isOnCpu,
     relative: difference.position / (diagonal(character.bounds) || 1),
     bindError: character.skin.bindFromJoint
       ? null

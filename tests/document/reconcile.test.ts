@@ -12,7 +12,7 @@ const [first, second] = Object.values(allRigs).map((rig) => characterOfRig(rig()
 
 const found = {
   ...{ position: 0, vertex: 0, normal: 0, identical: true },
-  ...{ relative: 0, bindError: null },
+  ...{ relative: 0, bindError: null, isOnCpu: false },
 };
 
 function start() {

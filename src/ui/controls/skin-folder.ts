@@ -6,7 +6,14 @@ import { selectedActor } from '../../document/selected-actor.ts';
 import type { Session, SkinDevice } from '../../document/session.ts';
 import type { NormalsId } from '../../core/skin.ts';
 import type { KernelId, MethodId } from '../../skinning/method.ts';
-import { type KernelRow, kernels, menuName, methods, normalWays } from '../../skinning/registry.ts';
+import {
+  kernelById,
+  type KernelRow,
+  kernels,
+  menuName,
+  methods,
+  normalWays,
+} from '../../skinning/registry.ts';
 import type { Editor } from '../editor.ts';
 import { leaveComparison } from '../deform-lab/open-comparison.ts';
 import { watch } from '../watch.ts';
@@ -16,6 +23,11 @@ import { addCommandRow } from './command-row.ts';
 export function addSkinFolder(gui: GUI, editor: Editor): void {
   const { store, session } = editor;
   const selected = () => selectedActor(store, session);
+  /** The method in use, if it can't be computed on the GPU. */
+  const onCpuAlone = (): KernelRow | null => {
+    const method = editor.evaluations.selected()?.method;
+    return method?.finish ? kernelById(method.id) : null;
+  };
   const folder = gui.addFolder('Skin');
   const bound = {
     get method(): MethodId {
@@ -47,7 +59,7 @@ export function addSkinFolder(gui: GUI, editor: Editor): void {
       else session.comparison.value = { ...comparisonOf(['own', kernel]), layout: 'side by side' };
     },
     get device(): SkinDevice {
-      return session.skinDevice.value;
+      return onCpuAlone() ? 'cpu' : session.skinDevice.value;
     },
     set device(device: SkinDevice) {
       session.skinDevice.value = device;
@@ -57,15 +69,16 @@ export function addSkinFolder(gui: GUI, editor: Editor): void {
     Object.fromEntries(rows.map((row) => [menuName(row), row.id]));
   const choicesOf = <T>(rows: readonly { readonly label: string; readonly id: T }[]) =>
     Object.fromEntries(rows.map(({ label, id }) => [label, id]));
-  const rows = [
+  const chosen = [
     folder.add(bound, 'method', kernelChoices(methods)).name('Method'),
     folder.add(bound, 'normals', choicesOf(normalWays)).name('Normals'),
     folder
       .add(bound, 'compared', { Nothing: 'none', ...kernelChoices(kernels) })
       .name('Compare with'),
-    folder.add(bound, 'device', { GPU: 'gpu', CPU: 'cpu' }).name('Computed on'),
-    folder.add(bound, 'normalize').name('Normalize weights'),
   ];
+  const device = folder.add(bound, 'device', { GPU: 'gpu', CPU: 'cpu' }).name('Computed on');
+  const normalize = folder.add(bound, 'normalize').name('Normalize weights');
+  const rows = [...chosen, device, normalize];
   addCommandRow(folder, editor, 'verify');
   addCommandRow(folder, editor, 'check-machine');
   const result = document.createElement('output');
@@ -77,7 +90,10 @@ export function addSkinFolder(gui: GUI, editor: Editor): void {
     for (const row of rows) row.updateDisplay();
   });
   effect(() => {
-    result.replaceChildren(...verificationLines(session).map(textLine));
+    const alone = onCpuAlone();
+    device.enable(!alone).updateDisplay();
+    const remark = alone ? [`${alone.label} is computed on the CPU alone`] : [];
+    result.replaceChildren(...[...remark, ...verificationLines(session)].map(textLine));
   });
 }
 
@@ -85,7 +101,9 @@ function verificationLines({ verification }: Session): string[] {
   const found = verification.value;
   if (!found) return [];
   const difference = found.identical
-    ? 'GPU = CPU, bit for bit'
+    ? found.isOnCpu
+      ? 'The GPU draws what the CPU computed, bit for bit'
+      : 'GPU = CPU, bit for bit'
     : `|GPU − CPU| ≤ ${found.position.toExponential(2)} at vertex ${found.vertex}` +
       ` (${found.relative.toExponential(1)} of its size)`;
   if (found.bindError === null) return [difference];

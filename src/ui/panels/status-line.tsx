@@ -61,7 +61,10 @@ function Figures({ editor }: { readonly editor: Editor }) {
       <span>{methodText(editor, state)}</span>
       <span>pose {viewer.poseMilliseconds.value.toFixed(1)} ms</span>
       {found && (
-        <span>|GPU − CPU| {found.position === 0 ? '0' : found.position.toExponential(1)}</span>
+        <span>
+          {found.isOnCpu ? 'computed on the CPU, drawn with' : '|GPU − CPU|'}{' '}
+          {found.position === 0 ? '0' : found.position.toExponential(1)}
+        </span>
       )}
     </span>
   );

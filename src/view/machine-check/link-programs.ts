@@ -27,9 +27,8 @@ export function programLinks(
     (file) => /^passes\/(.+)\.vert\.glsl$/.exec(file)?.[1] ?? [],
   );
   const pairs = Array.from({ length: maximumPairs + 1 }, (_, count) => count);
-  const variants = kernels.flatMap((method) =>
-    method.strides.map((stride) => ({ method, stride })),
-  );
+  const onGpu = kernels.filter((method) => !('finish' in method));
+  const variants = onGpu.flatMap((method) => method.strides.map((stride) => ({ method, stride })));
   const stages = variants.flatMap((variant) =>
     pairs.flatMap((influencePairs) =>
       [0, ...blockSizes(gpu)].map((paletteRows) => ({ ...variant, influencePairs, paletteRows })),
