@@ -224,6 +224,12 @@ export function createEditor(
       notice.value = 'Posed mesh saved as OBJ';
     },
 
+    async saveComparison() {
+      await evaluations.settled();
+      const { saveComparison } = await loadPart(import('./save-comparison.ts'));
+      saveComparison(editor);
+    },
+
     async saveScene(asNew) {
       const { saveScene } = await loadPart(import('./scenes/save-scene.ts'));
       await saveScene(opening.parts, asNew);

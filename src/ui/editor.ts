@@ -270,6 +270,8 @@ export interface Actions {
   /** Saves the character in a course's format, converted as far as that format allows. */
   saveAs(format: ConvertTarget): Promise<void>;
   exportMesh(): Promise<void>;
+  /** Saves the numbers of the comparison that is shown, as CSV. */
+  saveComparison(): Promise<void>;
   /**
    * Saves the scene with its files.
    *

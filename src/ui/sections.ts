@@ -120,6 +120,12 @@ export const sections: readonly Section[] = [
     load: async () => (await loadPart(import('./panels/rotation-lab.tsx'))).RotationLabPanel,
   },
   {
+    id: 'deform-lab',
+    place: 'right',
+    tabs: ['deform'],
+    load: async () => (await loadPart(import('./panels/deform-lab-panel.tsx'))).DeformLabPanel,
+  },
+  {
     id: 'method',
     place: 'right',
     tabs: ['deform'],

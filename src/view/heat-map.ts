@@ -2,8 +2,8 @@ import { diagonal } from '../core/bounds.ts';
 import { differenceOf } from '../evaluation/comparison/difference.ts';
 import { verticesBy } from '../evaluation/comparison/vertices-by.ts';
 import type { Evaluation } from '../evaluation/evaluation.ts';
-import type { Overrides } from '../evaluation/evaluations.ts';
 import type { Kernels } from '../evaluation/kernels.ts';
+import type { Deformation } from '../skinning/registry.ts';
 import { colorAt, errorRamp, zeroColor } from '../skinning/weights/ramps.ts';
 
 /** A smaller difference, as a part of the character's size, is rounding. */
@@ -18,11 +18,11 @@ interface Painted {
  * Returns what gives the vertices of a character colors for how far they are from where another method
  * puts them: gray where they are at the same place, and the last color at `scale`.
  *
- * @param base how that method differs from what the scene has
+ * @param base how that method deforms the character
  * @param scale in the character's units
  */
 export function heatPaint(
-  base: Overrides,
+  base: Partial<Deformation>,
   kernels: Kernels,
   scale: number,
 ): (evaluation: Evaluation) => Uint8Array {

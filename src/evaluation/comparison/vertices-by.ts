@@ -1,7 +1,7 @@
 import { linearBlend } from '../../skinning/linear-blend.ts';
 import { poseVertices } from '../../skinning/pose-vertices.ts';
+import type { Deformation } from '../../skinning/registry.ts';
 import type { Evaluation } from '../evaluation.ts';
-import type { Overrides } from '../evaluations.ts';
 import type { Kernels } from '../kernels.ts';
 
 /**
@@ -12,7 +12,7 @@ import type { Kernels } from '../kernels.ts';
  */
 export function verticesBy(
   { state, rest, skin, characterFromJoint }: Evaluation,
-  { deformation }: Overrides,
+  deformation: Partial<Deformation>,
   kernels: Kernels,
   positions = new Float32Array(rest.vertexCount * 3),
 ): Float32Array {

@@ -4,6 +4,7 @@ import { cameraCommands } from './camera-commands.ts';
 import { clipCommands } from './clip-commands.ts';
 import type { Command } from './command.ts';
 import { curveCommands } from './curve-commands.ts';
+import { deformLabCommands } from './deform-lab-commands.ts';
 import { editCommands } from './edit-commands.ts';
 import { fileCommands } from './file-commands.ts';
 import { ikCommands } from './ik-commands.ts';
@@ -42,6 +43,7 @@ const groups = [
   { label: 'Motion in the view', commands: motionViewCommands },
   { label: 'Rotations', commands: rotationLabCommands },
   { label: 'Weights', commands: weightCommands },
+  { label: 'Deformation', commands: deformLabCommands },
   { label: 'Camera', commands: [...cameraCommands, ...axisCommands] },
   { label: 'Shots', commands: shotCommands },
 ] as const;

@@ -1,4 +1,3 @@
-import { loadPart } from '../../core/failure.ts';
 import type { Editor } from '../editor.ts';
 import { type Command, toggle, toggleDialog } from './command.ts';
 
@@ -46,17 +45,6 @@ export const viewCommands = [
     short: 'Normals as lines',
     isOn: ({ session }) => session.showNormals.value,
     run: ({ session }) => toggle(session.showNormals),
-  },
-  {
-    id: 'compare',
-    label: 'Compare skinning methods where they differ most, or stop',
-    short: 'Compare methods',
-    keys: [{ key: 'x' }],
-    isOn: ({ session }) => session.comparison.value !== null,
-    run: async (editor) => {
-      const { toggleComparison } = await loadPart(import('../deform-lab/open-comparison.ts'));
-      await toggleComparison(editor);
-    },
   },
   {
     id: 'bone-mode',

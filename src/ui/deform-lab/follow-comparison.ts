@@ -1,5 +1,7 @@
 import { effect } from '@preact/signals-core';
 import type { Comparison } from '../../document/comparison.ts';
+import type { Evaluation } from '../../evaluation/evaluation.ts';
+import type { Deformation } from '../../skinning/registry.ts';
 import { overridesOf } from '../../evaluation/comparison/overrides.ts';
 import { heatPaint } from '../../view/heat-map.ts';
 import type { ViewContent } from '../../view/render-view.ts';
@@ -23,12 +25,12 @@ export function followComparison(editor: Looking): void {
 function partsOf(editor: Looking, comparison: Comparison): readonly Part[] {
   const { methods, layout, wipes, base, heatMap } = comparison;
   const { unlitWeights } = editor.session;
-  const scale = heatMap ? heatScale(comparedOf(editor)) : 0;
+  const compared = heatMap ? comparedOf(editor) : null;
+  const scale = heatScale(compared);
   const { kernels } = editor.evaluations.pool;
-  const baseOverrides = overridesOf(methods[base]!, comparison);
   const weights = {
     ...{ view: 'error' as const, unlit: unlitWeights.value, marked: null },
-    paint: heatPaint(baseOverrides, kernels, scale),
+    ...(compared && { paint: heatPaint(deformationBy(compared.base.evaluation), kernels, scale) }),
   };
   return methods.map((method, index): Part => {
     return {
@@ -37,4 +39,9 @@ function partsOf(editor: Looking, comparison: Comparison): readonly Part[] {
       ...(layout === 'wipe' && { span: [wipes[index - 1] ?? 0, wipes[index] ?? 1] }),
     };
   });
+}
+
+/** How an evaluation deforms its character. */
+function deformationBy({ state: { method, normals, methodSettings } }: Evaluation): Deformation {
+  return { method, normals, methodSettings };
 }

@@ -8,7 +8,7 @@ import type { Gesture } from '../../document/store.ts';
 import { type TellingPose, tellingPoses } from '../../posing/telling-poses.ts';
 import type { KernelId } from '../../skinning/method.ts';
 import { kernelOf, kernels } from '../../skinning/registry.ts';
-import type { Looking, Telling } from '../editor.ts';
+import type { Editor, Looking, Telling } from '../editor.ts';
 import { moveCamera } from '../move-camera.ts';
 import { comparedOf } from './compared.ts';
 import { differenceText } from './difference-text.ts';
@@ -54,6 +54,13 @@ async function openComparison(editor: Looking & Telling): Promise<void> {
   await evaluations.prepare([other]);
   session.comparison.value = comparisonOf(['own', other]);
   showWorst(editor);
+}
+
+/** Shows the lab with its numbers, and compares methods in it. */
+export async function openLab(editor: Editor): Promise<void> {
+  if (!editor.session.comparison.value) await openComparison(editor);
+  editor.tab.value = 'deform';
+  editor.drawer.value = 'right';
 }
 
 /** Ends the comparison. Camera and pose are again as they were, unless the user went on with them. */

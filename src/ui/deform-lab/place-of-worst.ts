@@ -28,7 +28,7 @@ export function viewPlace(camera: Camera, aspect: number, point: vec3): readonly
 }
 
 /** How near the camera goes, in heights of the character. */
-const nearness = 0.75;
+const nearness = 0.6;
 /** Up to this cosine, a surface that points away from the viewer still counts as seen. */
 const seen = -0.15;
 

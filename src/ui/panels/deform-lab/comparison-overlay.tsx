@@ -1,7 +1,9 @@
 import '../../styles/deform-lab.css';
+import { canAddMethod } from '../../deform-lab/change-comparison.ts';
 import { comparedOf } from '../../deform-lab/compared.ts';
 import { telling } from '../../deform-lab/open-comparison.ts';
 import type { Editor } from '../../editor.ts';
+import { CommandButton } from '../command-button.tsx';
 import { HeatLegend } from './heat-legend.tsx';
 import { OfferedPoses } from './offered-poses.tsx';
 import { WipeHandle } from './wipe-handle.tsx';
@@ -24,16 +26,24 @@ export function ComparisonOverlay({ editor }: { readonly editor: Editor }) {
   return (
     <>
       <div class={`compared ${isWipe ? '' : 'apart'}`}>
-        {rows.map(({ method, kernel }, index) => {
+        {rows.map(({ method, kernel, evaluation }, index) => {
           const [from, to] = [edges[index]!, edges[index + 1]!];
           const place = { left: `${from * 100}%`, width: `${(to - from) * 100}%` };
           return (
             <span key={method} style={place}>
-              <span>{kernel.label}</span>
+              <span>
+                {kernel.label}
+                {evaluation.pending.length > 0 && ' (preparing; linear blend meanwhile)'}
+              </span>
             </span>
           );
         })}
       </div>
+      {canAddMethod(editor) && (
+        <div class="add-method">
+          <CommandButton editor={editor} command="compare-one-more" sign="+" />
+        </div>
+      )}
       <WorstMark editor={editor} compared={compared} columns={isWipe ? 1 : rows.length} />
       {isWipe &&
         comparison.wipes.map((_, index) => (
