@@ -4,7 +4,7 @@ import { comparisonRows } from '../evaluation/comparison/comparison-rows.ts';
 import { writeCsv } from '../formats/csv/write-csv.ts';
 import { comparedOf } from '../ui/deform-lab/compared.ts';
 import type { Editor } from '../ui/editor.ts';
-import { download } from './download.ts';
+import { download } from '../ui/download.ts';
 
 /** Saves the numbers of the comparison that is shown, with the difference of every point. */
 export function saveComparison(editor: Editor): void {

@@ -28,6 +28,7 @@ const longestChain = 4;
 export function ViewOverlay({ editor }: { readonly editor: Editor }) {
   return (
     <>
+      {editor.session.comparison.value && <Loaded editor={editor} load={loadComparison} />}
       <ShotOverlay editor={editor} />
       <ViewControls editor={editor} />
       <ProgressBox editor={editor} />
@@ -45,7 +46,6 @@ export function ViewOverlay({ editor }: { readonly editor: Editor }) {
           <span>Auto-key</span>
         </div>
       )}
-      {editor.session.comparison.value && <Loaded editor={editor} load={loadComparison} />}
       {editor.session.showWeights.value && <Loaded editor={editor} load={loadWeights} />}
     </>
   );

@@ -41,19 +41,21 @@ export function WipeHandle({ editor, index }: WipeHandleProperties) {
   return (
     <div
       class="wipe"
-      role="slider"
-      tabIndex={0}
-      aria-label={`Wipe between ${left} and ${right}`}
-      aria-orientation="horizontal"
-      aria-valuemin={0}
-      aria-valuemax={100}
-      aria-valuenow={Math.round(place * 100)}
-      aria-valuetext={`${Math.round(place * 100)} % from the left`}
       style={{ left: `${place * 100}%` }}
-      onKeyDown={onKeyDown}
       onPointerDown={(event) => dragWipe(event, moveTo)}
     >
-      <span class="grip" aria-hidden="true" />
+      <div
+        class="grip"
+        role="slider"
+        tabIndex={0}
+        aria-label={`Wipe between ${left} and ${right}`}
+        aria-orientation="horizontal"
+        aria-valuemin={0}
+        aria-valuemax={100}
+        aria-valuenow={Math.round(place * 100)}
+        aria-valuetext={`${Math.round(place * 100)} % from the left`}
+        onKeyDown={onKeyDown}
+      />
     </div>
   );
 }
@@ -66,7 +68,7 @@ function dragWipe(event: PointerEvent, moveTo: (place: number) => void): void {
   const box = handle.getBoundingClientRect();
   const held = event.clientX - (box.left + box.width / 2);
   handle.setPointerCapture(event.pointerId);
-  handle.focus({ preventScroll: true });
+  handle.querySelector<HTMLElement>('.grip')?.focus({ preventScroll: true });
   event.preventDefault();
   const move = ({ clientX }: PointerEvent): void =>
     moveTo((clientX - held - view.left) / view.width);
