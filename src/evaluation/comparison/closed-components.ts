@@ -35,7 +35,7 @@ function findComponents({ positions, indices }: Surface): Uint32Array[] {
 }
 
 /** The corners of the triangles that have three places, of vertices at one place the first. */
-function weldedCorners(positions: Float32Array, indices: Uint32Array): Uint32Array {
+export function weldedCorners(positions: Float32Array, indices: Uint32Array): Uint32Array {
   const first = firstEqualFloats(positions, 3);
   const corners = new Uint32Array(indices.length);
   let count = 0;

@@ -1,18 +1,12 @@
-import { firstEqualFloats } from '../../core/equal-tuples.ts';
 import type { Mesh } from '../../core/mesh.ts';
+import { weldedCorners } from './closed-components.ts';
+import { type CutLine, cutLines } from './cut-lines.ts';
 
 type Triple = readonly [number, number, number];
 type Surface = Pick<Mesh, 'positions' | 'indices'>;
 
-/**
- * A closed line around a surface, which moves with it: corner i lies on the edge from vertex
- * `from[i]` to `to[i]`, at the part `parts[i]` of its way.
- */
-export interface Outline {
-  readonly from: readonly number[];
-  readonly to: readonly number[];
-  readonly parts: readonly number[];
-}
+/** A closed line around a surface, which moves with it. */
+export type Outline = Omit<CutLine, 'isClosed'>;
 
 /**
  * Cuts a surface by a plane. Vertices at one place count as one; lines that end at a hole are left
@@ -26,52 +20,8 @@ export function cutOutlines(
   origin: Triple,
   normal: Triple,
 ): Outline[] {
-  const first = firstEqualFloats(positions, 3);
-  const heights = Float64Array.from(first, (vertex) => heightOf(positions, vertex, origin, normal));
-  const count = first.length;
-  const next = new Map<number, number>();
-  for (let at = 0; at < indices.length; at += 3) {
-    let [up, down] = [-1, -1];
-    for (let corner = 0; corner < 3; corner++) {
-      const a = first[indices[at + corner]!]!;
-      const b = first[indices[at + ((corner + 1) % 3)]!]!;
-      const [isAbove, goesAbove] = [heights[a]! >= 0, heights[b]! >= 0];
-      if (isAbove === goesAbove) continue;
-      // An edge is named from its end below the plane to the one above.
-      if (goesAbove) up = a * count + b;
-      else down = b * count + a;
-    }
-    // The neighbor across the edge that leads down passes it upwards, so that the line goes on there.
-    if (up >= 0) next.set(up, down);
-  }
-  return closedLines(next).map((edges) => {
-    const from = edges.map((edge) => Math.floor(edge / count));
-    const to = edges.map((edge) => edge % count);
-    const parts = from.map((a, i) => heights[a]! / (heights[a]! - heights[to[i]!]!));
-    return { from, to, parts };
-  });
-}
-
-/** Follows each edge to the next, and returns those that come back to where they began. */
-function closedLines(next: Map<number, number>): number[][] {
-  const lines: number[][] = [];
-  const passed = new Set<number>();
-  for (const start of next.keys()) {
-    const line: number[] = [];
-    let edge: number | undefined = start;
-    while (edge !== undefined && !passed.has(edge)) {
-      passed.add(edge);
-      line.push(edge);
-      edge = next.get(edge);
-    }
-    if (edge === start) lines.push(line);
-  }
-  return lines;
-}
-
-function heightOf(p: Float32Array, vertex: number, [x, y, z]: Triple, [a, b, c]: Triple): number {
-  const at = vertex * 3;
-  return (p[at]! - x) * a + (p[at + 1]! - y) * b + (p[at + 2]! - z) * c;
+  const corners = weldedCorners(positions, indices);
+  return cutLines(positions, corners, origin, normal).filter(({ isClosed }) => isClosed);
 }
 
 /**
@@ -101,7 +51,8 @@ function doubledArea(outline: Outline, positions: Float32Array): Triple {
   return [x, y, z];
 }
 
-function cornerOf({ from, to, parts }: Outline, i: number, p: Float32Array): Triple {
+/** The place of a corner of a line on a surface that has these positions. */
+export function cornerOf({ from, to, parts }: Outline, i: number, p: Float32Array): Triple {
   const [a, b, part] = [from[i]! * 3, to[i]! * 3, parts[i]!];
   const along = (axis: number): number => p[a + axis]! + part * (p[b + axis]! - p[a + axis]!);
   return [along(0), along(1), along(2)];
