@@ -41,7 +41,7 @@ export const centersOfRotation: SkinningMethod<'centers-of-rotation', Float32Arr
 };
 
 /** Where the rotation is in an entry of the palette, and the rows of the stretch if there is any. */
-const rotationAt = 12;
+export const rotationAt = 12;
 const stretchAt = 16;
 
 /**

@@ -4,12 +4,13 @@ import type { Skin } from '../core/skin.ts';
 import { linearBlend } from './linear-blend.ts';
 import {
   type MethodParameter,
+  type MethodSettings,
   type MethodUse,
   type PosedStreams,
   settingOf,
   type SkinningMethod,
 } from './method.ts';
-import { type MushedSurface, restOf, surfaceOf } from './mushed-surface.ts';
+import { type MushedRest, type MushedSurface, restOf, surfaceOf } from './mushed-surface.ts';
 import { smoothPlaces } from './smooth-places.ts';
 import { writeTurn } from './surface-turns.ts';
 
@@ -56,27 +57,68 @@ function finish(
   posed: PosedStreams,
   { settings }: MethodUse,
 ): void {
-  const surface = surfaceOf(mesh, skin);
-  const { rings, skinned, vertexStart, vertices } = surface;
-  const stepCount = Math.round(settingOf(settings, steps));
-  const part = settingOf(settings, lambda);
-  const { smoothed, isCollapsed } = restOf(surface, stepCount, part);
-  gatherPlaces(surface, posed.positions);
-  const mushed = smoothPlaces(rings, skinned, stepCount, part, surface.work);
+  const mushed = mushSurface(surfaceOf(mesh, skin), posed.positions, settings);
+  const { rings, vertexStart, vertices } = mushed.surface;
   for (let place = 0; place < rings.placeCount; place++) {
-    const isPlain = isCollapsed[place] === 1;
-    const from = isPlain ? surface.plain.places : smoothed.places;
-    const to = isPlain ? skinned : mushed;
-    const isTurned =
-      (!isPlain && writeTurn(rings, smoothed, mushed, place, turn)) ||
-      writeTurn(rings, surface.plain, skinned, place, turn);
-    if (!isTurned) turn.set(noTurn);
+    const isTurned = turnPlace(mushed, place, turn);
+    const { from, to } = endsOf(mushed, place);
     for (let i = vertexStart[place]!; i < vertexStart[place + 1]!; i++) {
       const at = vertices[i]! * 3;
       moveVertex(rest.positions, at, from, to, place * 3, posed.positions);
       if (posed.normals && isTurned) turnNormal(rest.normals, at, posed.normals);
     }
   }
+}
+
+/** A posed surface and its smoothed forms. */
+export interface Mushed extends MushedRest {
+  readonly surface: MushedSurface;
+  /** (placeCount × 3) smoothed in the pose. */
+  readonly posed: Float64Array;
+}
+
+/**
+ * Smooths a surface in a pose; the result is overwritten for the next one.
+ *
+ * @param positions (vertexCount × 3) what linear blend makes of the mesh
+ */
+export function mushSurface(
+  surface: MushedSurface,
+  positions: Float32Array,
+  settings: MethodSettings,
+): Mushed {
+  const stepCount = Math.round(settingOf(settings, steps));
+  const part = settingOf(settings, lambda);
+  const rest = restOf(surface, stepCount, part);
+  gatherPlaces(surface, positions);
+  const posed = smoothPlaces(surface.rings, surface.skinned, stepCount, part, surface.work);
+  return { ...rest, surface, posed };
+}
+
+/** The places (placeCount × 3) from which and to which a place takes the surface around it. */
+export function endsOf({ surface, isCollapsed, smoothed, posed }: Mushed, place: number) {
+  return isCollapsed[place] === 1
+    ? { from: surface.plain.places, to: surface.skinned }
+    : { from: smoothed.places, to: posed };
+}
+
+/**
+ * Finds how the surface turns at a place.
+ *
+ * @param turn (9) written, row by row; the identity if it does not turn
+ * @returns whether there is a rotation
+ */
+export function turnPlace(
+  { surface, isCollapsed, smoothed, posed }: Mushed,
+  place: number,
+  turn: Float64Array,
+): boolean {
+  const { rings, plain, skinned } = surface;
+  const isTurned =
+    (isCollapsed[place] !== 1 && writeTurn(rings, smoothed, posed, place, turn)) ||
+    writeTurn(rings, plain, skinned, place, turn);
+  if (!isTurned) turn.set(noTurn);
+  return isTurned;
 }
 
 /** (9) the rotation of the present place, row by row. */

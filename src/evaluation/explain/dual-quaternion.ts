@@ -4,49 +4,36 @@ import { rotationAt } from '../../skinning/blend-motions.ts';
 import { dualQuaternion } from '../../skinning/dual-quaternion.ts';
 import { settingOf } from '../../skinning/method.ts';
 import { writeRigidMotion } from '../../skinning/rotation-quaternion.ts';
-import { bindFactors } from '../../skinning/stretch.ts';
 import type { Evaluation } from '../evaluation.ts';
 import { axes, ghostsOf, scaled, sumOfVectors } from './entry-motions.ts';
-import type { ExplainedRow, ExplainedStep, Explain } from './explanation.ts';
+import type { ExplainedRow, Explain } from './explanation.ts';
 import { explainLinearBlend } from './linear-blend.ts';
+import { stretchedPlace } from './mean-stretch.ts';
 import {
   axisAndAngle,
-  quaternionColumns,
   scaledQuaternion,
+  shortest,
   signedInfluences,
-  type SignedInfluence,
+  sumStep,
   sumOfQuaternions,
   turned,
 } from './quaternions.ts';
-
-/** Below this length a sum has no direction, and linear blend moves the vertex. */
-const shortest = 1e-6;
 
 /** Dual quaternions: their signed weighted sum, the motion it gives, and the point so moved. */
 export const explainDualQuaternion: Explain = (evaluation, point) => {
   const linear = explainLinearBlend(evaluation, point);
   const share = settingOf(evaluation.use.settings, dualQuaternion.parameters![0]!);
-  const signed = signedInfluences(evaluation, point, rotationAt);
-  const motions = signed.map(({ entry, weight }) => {
-    const { rotation, dual } = dualQuaternionOf(evaluation, entry);
-    return { rotation: scaledQuaternion(rotation, weight), dual: scaledQuaternion(dual, weight) };
-  });
-  const rotation = sumOfQuaternions(motions.map((each) => each.rotation));
-  const dual = sumOfQuaternions(motions.map((each) => each.dual));
+  const signed = signedInfluences(evaluation, evaluation.skin, point, rotationAt);
+  const motions = signed.map(({ entry }) => dualQuaternionOf(evaluation, entry));
+  const weighted = (quaternion: Quaternion, i: number): Quaternion =>
+    scaledQuaternion(quaternion, signed[i]!.weight);
+  const rotations = motions.map((motion, i) => weighted(motion.rotation, i));
+  const duals = motions.map((motion, i) => weighted(motion.dual, i));
+  const [rotation, dual] = [sumOfQuaternions(rotations), sumOfQuaternions(duals)];
   const length = Math.hypot(...rotation);
   const sums = [
-    sumStep(
-      's·w·q, the rotations',
-      signed,
-      motions.map((each) => each.rotation),
-      rotation,
-    ),
-    sumStep(
-      's·w·q′, their dual parts',
-      signed,
-      motions.map((each) => each.dual),
-      dual,
-    ),
+    sumStep('s·w·q, the rotations', signed, rotations),
+    sumStep('s·w·q′, their dual parts', signed, duals),
   ];
   if (length < shortest || share === 0) {
     const note =
@@ -57,7 +44,7 @@ export const explainDualQuaternion: Explain = (evaluation, point) => {
   }
   const turn = scaledQuaternion(rotation, 1 / length);
   const shift = translationOf(turn, scaledQuaternion(dual, 1 / length));
-  const stretched = stretchedPoint(evaluation, signed, linear.rest);
+  const stretched = stretchedPlace(evaluation.skin, signed, linear.rest);
   const [axis, angle] = axisAndAngle(turn);
   const rows: ExplainedRow[] = [
     { of: 'turned R·p', values: scaled(turned(turn, stretched ?? linear.rest), share) },
@@ -94,16 +81,6 @@ export const explainDualQuaternion: Explain = (evaluation, point) => {
   };
 };
 
-function sumStep(
-  title: string,
-  signed: readonly SignedInfluence[],
-  terms: readonly Quaternion[],
-  total: Quaternion,
-): ExplainedStep {
-  const rows = signed.map(({ entry }, i) => ({ of: entry, values: terms[i]! }));
-  return { title, columns: quaternionColumns, rows, total };
-}
-
 /** The rotation of an entry, and the dual part `½ (t, 0) q`. */
 function dualQuaternionOf({ skin, characterFromJoint }: Evaluation, entry: number) {
   const motion = new Float64Array(16);
@@ -129,22 +106,4 @@ function translationOf([x, y, z, w]: Quaternion, [ex, ey, ez, ew]: Quaternion): 
     2 * (w * ey - ew * y + z * ex - x * ez),
     2 * (w * ez - ew * z + x * ey - y * ex),
   ];
-}
-
-/** The point by the mean stretch of its influences, or null if the skin has none. */
-function stretchedPoint(
-  { skin }: Evaluation,
-  signed: readonly SignedInfluence[],
-  [x, y, z]: Vector3,
-): Vector3 | null {
-  const { stretch } = bindFactors(skin);
-  if (!stretch) return null;
-  const total = signed.reduce((sum, { weight }) => sum + Math.abs(weight), 0);
-  const row = (at: number): number =>
-    signed.reduce((sum, { entry, weight }) => {
-      const from = entry * 9 + at;
-      const own = stretch[from]! * x + stretch[from + 1]! * y + stretch[from + 2]! * z;
-      return sum + (Math.abs(weight) / total) * own;
-    }, 0);
-  return [row(0), row(3), row(6)];
 }

@@ -1,4 +1,4 @@
-import { influencesOf, type Influence } from '../../core/skin.ts';
+import { influencesOf, type Skin } from '../../core/skin.ts';
 import type { Vector3 } from '../../posing/ik/problem.ts';
 import { writeAffineRows } from '../../skinning/affine-palette.ts';
 import type { Evaluation } from '../evaluation.ts';
@@ -26,26 +26,26 @@ export function applyRows(rows: ArrayLike<number>, [x, y, z]: Vector3): Vector3 
   return [at(0), at(4), at(8)];
 }
 
-/** Where each joint that influences a point would take it alone, in the skin's order. */
-export function ghostsOf(evaluation: Evaluation, point: number): readonly Ghost[] {
-  const rest = pointOf(evaluation.rest.positions, point);
-  return influencesOf(evaluation.skin, point).map(({ entry, weight }) => ({
+/**
+ * Where each joint that influences a point would take a place at rest alone, in the skin's order.
+ *
+ * @param skin has the weights as the method uses them
+ */
+export function ghostsOf(
+  evaluation: Evaluation,
+  point: number,
+  skin: Skin = evaluation.skin,
+  place: Vector3 = pointOf(evaluation.rest.positions, point),
+): readonly Ghost[] {
+  return influencesOf(skin, point).map(({ entry, weight }) => ({
     ...{ entry, weight },
-    place: applyRows(motionOf(evaluation, entry), rest),
+    place: applyRows(motionOf(evaluation, entry), place),
   }));
 }
 
-/** `Σ w T B⁻¹ p` of a place at rest, by the influences of a point. */
-export function blendedPlace(
-  evaluation: Evaluation,
-  influences: readonly Influence[],
-  place: Vector3,
-): Vector3 {
-  return sumOfVectors(
-    influences.map(({ entry, weight }) =>
-      scaled(applyRows(motionOf(evaluation, entry), place), weight),
-    ),
-  );
+/** `Σ w T B⁻¹ p` */
+export function blendOf(ghosts: readonly Ghost[]): Vector3 {
+  return sumOfVectors(ghosts.map(({ weight, place }) => scaled(place, weight)));
 }
 
 export function scaled([x, y, z]: Vector3, by: number): Vector3 {

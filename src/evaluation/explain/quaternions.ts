@@ -1,11 +1,15 @@
-import { influencesOf } from '../../core/skin.ts';
+import { influencesOf, type Skin } from '../../core/skin.ts';
 import type { Quaternion, Vector3 } from '../../posing/ik/problem.ts';
 import { dotFour } from '../../skinning/blend-quaternions.ts';
 import { heaviestEntry } from '../../skinning/heaviest-entry.ts';
 import type { Evaluation } from '../evaluation.ts';
+import type { ExplainedStep } from './explanation.ts';
 
 /** The names of the columns of a quaternion. */
-export const quaternionColumns: readonly string[] = ['x', 'y', 'z', 'w'];
+const quaternionColumns: readonly string[] = ['x', 'y', 'z', 'w'];
+
+/** Below this length a sum has no direction, and linear blend moves the vertex. */
+export const shortest = 1e-6;
 
 /** An influence as methods that blend rotations use it. */
 export interface SignedInfluence {
@@ -19,14 +23,16 @@ export interface SignedInfluence {
  * palette in its own precision, because a rotation at right angles to the other one decides by its
  * last bit.
  *
+ * @param skin has the weights as the method uses them
  * @param rotationAt where the rotation stands in an entry of the palette, in numbers
  */
 export function signedInfluences(
-  { skin, palette }: Evaluation,
+  { palette, skin: { paletteJoint } }: Evaluation,
+  skin: Skin,
   point: number,
   rotationAt: number,
 ): readonly SignedInfluence[] {
-  const stride = palette.length / skin.paletteJoint.length;
+  const stride = palette.length / paletteJoint.length;
   const rotationOf = (entry: number): Float32Array =>
     palette.subarray(entry * stride + rotationAt, entry * stride + rotationAt + 4);
   const [px, py, pz, pw] = rotationOf(heaviestEntry(skin, point));
@@ -35,6 +41,16 @@ export function signedInfluences(
     const sign = dotFour(px!, py!, pz!, pw!, x!, y!, z!, w!) < 0 ? -1 : 1;
     return { entry, weight: sign * Math.max(0, weight) };
   });
+}
+
+/** The table of what influences add to a sum of quaternions. */
+export function sumStep(
+  title: string,
+  signed: readonly SignedInfluence[],
+  terms: readonly Quaternion[],
+): ExplainedStep {
+  const rows = signed.map(({ entry }, i) => ({ of: entry, values: terms[i]! }));
+  return { title, columns: quaternionColumns, rows, total: sumOfQuaternions(terms) };
 }
 
 export function sumOfQuaternions(quaternions: readonly Quaternion[]): Quaternion {

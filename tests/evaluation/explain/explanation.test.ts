@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { createActor } from '../../../src/document/scene.ts';
-import type { MethodSettings } from '../../../src/skinning/method.ts';
+import type { MethodId, MethodSettings } from '../../../src/skinning/method.ts';
 import { Evaluator } from '../../../src/evaluation/evaluator.ts';
 import type { Explanation } from '../../../src/evaluation/explain/explanation.ts';
 import { explainers } from '../../../src/evaluation/explain/registry.ts';
@@ -12,12 +12,10 @@ import { boundingDiagonal, largestDifference, numbersAt } from '../../support/co
 import { allThere, fullPool } from '../../support/kernels.ts';
 import { tolerances } from '../../tolerances.ts';
 
-type ExplainedMethod = keyof typeof explainers;
-
 /** A rig in a random pose, by a method. */
-async function evaluationOf(rig: Rig, method: ExplainedMethod, settings: MethodSettings = {}) {
+async function evaluationOf(rig: Rig, method: MethodId, settings: MethodSettings = {}) {
   const character = characterOfRig(rig);
-  const actor = createActor(1, character, method as 'rigid', {
+  const actor = createActor(1, character, method, {
     q: qOfValues(character.skeleton, randomValues(rig, 71)),
     methodSettings: settings,
   });
@@ -36,13 +34,12 @@ function stepOf({ steps }: Explanation, title: RegExp) {
 describe.each(methods.map(({ id }) => id))('what is shown of %s', (id) => {
   it.each(Object.entries(soundRigs))('sums to every vertex of "%s"', async (_, makeRig) => {
     const rig = makeRig();
-    const method = id as ExplainedMethod;
-    const evaluation = await evaluationOf(rig, method);
-    expect(evaluation.method.id).toBe(method);
+    const evaluation = await evaluationOf(rig, id);
+    expect(evaluation.method.id).toBe(id);
     const { positions } = evaluation.vertices();
     const bound = tolerances.skinning * boundingDiagonal(rig.points);
     for (let point = 0; point < rig.points.length; point++) {
-      const explained = explainers[method](evaluation, point);
+      const explained = explainers[id](evaluation, point);
       const last = explained.steps.at(-1)!;
       const vertex = numbersAt(positions, point, 3);
       expect(largestDifference(sumOfRows(last.rows), vertex)).toBeLessThan(bound);
