@@ -59,8 +59,14 @@ const unwantedFeatures = [
   ...['ThirdPartyStoragePartitioning', 'AvoidCorsURLLoaderRestartOnRedirect', 'OptimizationHints'],
   ...['TcpPortRandomizationWin', 'NetworkTimeServiceQuerying', 'AimEnabled', 'PreconnectToSearch'],
 ];
-/** The address bar of every new window loads pages of its own, which nobody sees in tests. */
-const addressBarFeatures = ['WebUIOmniboxPopup', 'WebUIOmniboxAimPopup', 'WebUIOmniboxFullPopup'];
+/**
+ * The address bar of every new window loads pages of its own, which nobody sees in tests, and a
+ * process waits for one more page.
+ */
+const preparedPages = [
+  ...['WebUIOmniboxPopup', 'WebUIOmniboxAimPopup', 'WebUIOmniboxFullPopup'],
+  'SpareRendererForSitePerProcess',
+];
 
 /**
  * In tests, SwiftShader draws only the view: it neither paints the panels nor puts the page
@@ -70,7 +76,7 @@ export const testFlags = [
   ...browserFlags,
   '--disable-gpu-rasterization',
   '--disable-gpu-compositing',
-  `--disable-features=${[...unwantedFeatures, ...addressBarFeatures].join(',')}`,
+  `--disable-features=${[...unwantedFeatures, ...preparedPages].join(',')}`,
 ];
 
 const ways = {
