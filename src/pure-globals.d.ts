@@ -23,3 +23,10 @@ declare namespace WebAssembly {
     readonly exports: Record<string, unknown>;
   }
 }
+interface AbortSignal {
+  readonly aborted: boolean;
+}
+declare class AbortController {
+  readonly signal: AbortSignal;
+  abort(): void;
+}

@@ -40,9 +40,11 @@ export async function start(root: HTMLElement): Promise<void> {
   const layout = createLayout(root);
   const session = new Session();
   const store = new Store((before, after) => reconcile(session, before, after));
+  const onFailed = (error: unknown): void => void (opening.notice.value = failureText(error));
   const kernels = new Kernels({
-    complete: () => loadPart(import('../view/skinning-shaders.ts')),
-    onFailed: (error) => (opening.notice.value = failureText(error)),
+    complete: async () =>
+      (await loadPart(import('./kernel-parts.ts'))).preparationsInWorkers(onFailed),
+    onFailed,
   });
   const evaluations = new Evaluations(store, session, kernels);
   const catalogue = signal<readonly CatalogueEntry[]>([]);

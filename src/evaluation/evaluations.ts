@@ -3,7 +3,7 @@ import { selectedActor } from '../document/selected-actor.ts';
 import type { Session } from '../document/session.ts';
 import type { Store } from '../document/store.ts';
 import type { KernelId } from '../skinning/method.ts';
-import { type Deformation, kernelOf } from '../skinning/registry.ts';
+import { type Deformation, deformationOf, kernelOf } from '../skinning/registry.ts';
 import { timeInClip } from '../posing/playhead.ts';
 import type { Evaluation } from './evaluation.ts';
 import { EvaluationPool } from './evaluation-pool.ts';
@@ -32,13 +32,21 @@ export class Evaluations {
   }
 
   /**
-   * Resolves when nothing is pending for the actors and for these kernels. It rejects if one of
-   * these kernels, or of those that the actors need, can't be loaded.
+   * Resolves when nothing is pending for the actors, under their own kernels and under these. It
+   * rejects if one of the kernels can't be loaded.
    */
   async settled(beside: readonly KernelId[] = []): Promise<void> {
     const { kernels } = this.pool;
-    const shown = this.store.scene.peek().actors.map((actor) => kernels.loadFor(actor));
-    await Promise.all([...shown, ...beside.map((id) => kernels.load(id))]);
+    const shown = this.store.scene
+      .peek()
+      .actors.flatMap((actor) => [
+        actor,
+        ...beside.map((id) => ({ ...actor, ...deformationOf(id) })),
+      ]);
+    await Promise.all([
+      ...shown.map((actor) => kernels.loadFor(actor)),
+      ...beside.map((id) => kernels.load(id)),
+    ]);
     await kernels.settled();
   }
 

@@ -1,6 +1,5 @@
+import { signal } from '@preact/signals-core';
 import { loadPart } from '../core/failure.ts';
-import type { Mesh } from '../core/mesh.ts';
-import type { Skin } from '../core/skin.ts';
 import { type Actor, skinInUse } from '../document/scene.ts';
 import { poseLayers } from '../posing/layers.ts';
 import type { LayerFunction, PoseLayer } from '../posing/pose-layer.ts';
@@ -11,15 +10,15 @@ import type { WasmSkinning } from '../skinning/wasm/wasm-skinning.ts';
 import type { recomputeNormals } from '../skinning/welded-normals.ts';
 import type { followedJoints } from './followed-joints.ts';
 import { LazyPart } from './lazy-part.ts';
+import type { Preparation } from './preparation.ts';
+import type { Preparations } from './preparations.ts';
 
 export interface KernelsOptions {
   /**
    * Loads what else a kernel needs before it is used, for example the shader that computes the
-   * same.
+   * same, and returns how kernels prepare for skins; in place, if there is nothing.
    */
-  readonly complete?: (kernel: SkinningMethod) => Promise<unknown>;
-  /** Computes what a kernel prepares for a skin; in place, if absent. */
-  readonly prepare?: typeof prepareInPlace;
+  readonly complete?: (kernel: SkinningMethod) => Promise<Preparations | undefined>;
   /** This is called once for each part that can't be loaded. */
   readonly onFailed?: (error: unknown) => void;
 }
@@ -35,7 +34,8 @@ export class Kernels {
   readonly recompute: LazyPart<typeof recomputeNormals>;
   /** By a name, the kernel's id or the layer. */
   private readonly parts = new Map<unknown, LazyPart<unknown>>();
-  private readonly preparations = new WeakMap<Skin, Map<SkinningMethod, LazyPart<unknown>>>();
+  /** What kernels prepare for skins, from the moment that a kernel is loaded which does. */
+  readonly preparations = signal<Preparations | null>(null);
   private readonly options: KernelsOptions;
 
   constructor(options: KernelsOptions = {}) {
@@ -114,22 +114,17 @@ export class Kernels {
   private kernel(id: KernelId): LazyPart<SkinningMethod> {
     return this.part(id, async () => {
       const kernel = await kernelById(id).load();
-      await this.options.complete?.(kernel);
+      const given = await this.options.complete?.(kernel);
+      if (kernel.prepare) {
+        this.preparations.value ??=
+          given ?? new (await loadPart(import('./preparations.ts'))).Preparations();
+      }
       return kernel;
     });
   }
 
-  private preparation(kernel: SkinningMethod, actor: Actor): LazyPart<unknown> {
-    const skin = skinInUse(actor);
-    const known = this.preparations.get(skin) ?? new Map<SkinningMethod, LazyPart<unknown>>();
-    this.preparations.set(skin, known);
-    let part = known.get(kernel);
-    if (!part) {
-      const { prepare = prepareInPlace, onFailed } = this.options;
-      part = new LazyPart(() => prepare(kernel, actor.character.mesh, skin), onFailed);
-      known.set(kernel, part);
-    }
-    return part;
+  private preparation(kernel: SkinningMethod, actor: Actor): Preparation {
+    return this.preparations.value!.of(kernel, actor.character.mesh, skinInUse(actor));
   }
 
   private part<T>(key: unknown, fetch: () => Promise<T>): LazyPart<T> {
@@ -137,8 +132,4 @@ export class Kernels {
     if (!part) this.parts.set(key, (part = new LazyPart(fetch, this.options.onFailed)));
     return part as LazyPart<T>;
   }
-}
-
-function prepareInPlace(kernel: SkinningMethod, mesh: Mesh, skin: Skin): Promise<unknown> {
-  return Promise.resolve(kernel.prepare?.(mesh, skin, () => undefined));
 }

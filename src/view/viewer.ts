@@ -292,7 +292,10 @@ export class Viewer {
     return {
       selected: selectedActor(this.store, session),
       shownPasses: this.shownPasses.value,
-      evaluations: this.evaluations.all(),
+      // A method that is not ready has a stand-in, and tells when it is.
+      methods: this.contents.map(({ overrides }) =>
+        this.evaluations.visible(overrides).map(({ method }) => method),
+      ),
       device: session.skinDevice.value,
       options: viewOptionsOf(session, this.store.scene.value),
       theme: this.theme.value,

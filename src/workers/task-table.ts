@@ -4,4 +4,5 @@ import type { TaskModule, TaskName } from './tasks.ts';
 /** Every task. To add one, write a file, add a line here, and add its types to tasks.ts. */
 export const taskTable: { readonly [Name in TaskName]: () => Promise<TaskModule<Name>> } = {
   'read-characters': () => loadPart(import('./read-characters-task.ts')),
+  'prepare-method': () => loadPart(import('./prepare-method-task.ts')),
 };

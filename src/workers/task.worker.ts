@@ -1,12 +1,12 @@
 import { buffersOf } from '../core/buffers-of.ts';
 import { Failure } from '../core/failure.ts';
 import { taskTable } from './task-table.ts';
-import type { TaskReply, TaskRequest } from './tasks.ts';
+import type { TaskName, TaskReply, TaskRequest } from './tasks.ts';
 
 /** The worker of every task: runs the requested task and transfers its result. */
 addEventListener('message', ({ data }: MessageEvent<TaskRequest>) => void answer(data));
 
-async function answer({ name, input }: TaskRequest): Promise<void> {
+async function answer<Name extends TaskName>({ name, input }: TaskRequest<Name>): Promise<void> {
   try {
     const task = await taskTable[name]();
     const output = await task.run(input, (label, fraction) =>

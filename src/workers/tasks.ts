@@ -1,3 +1,4 @@
+import type { PrepareInput } from './prepare-method-task.ts';
 import type { LooseFile, LooseOutcome } from './read-characters-task.ts';
 
 /**
@@ -6,6 +7,7 @@ import type { LooseFile, LooseOutcome } from './read-characters-task.ts';
  */
 export interface TaskTypes {
   'read-characters': { readonly input: readonly LooseFile[]; readonly output: LooseOutcome };
+  'prepare-method': { readonly input: PrepareInput; readonly output: unknown };
 }
 
 export type TaskName = keyof TaskTypes;

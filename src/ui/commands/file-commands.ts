@@ -3,6 +3,7 @@ import { pictureExtensions } from '../../formats/extensions.ts';
 import { poseFormats } from '../../formats/pose-formats.ts';
 import { chooseFiles } from '../choose-files.ts';
 import type { Editor } from '../editor.ts';
+import { preparing, stopPreparing } from '../preparing.ts';
 import { type Command, toggleDialog } from './command.ts';
 
 const hasCharacter = ({ store }: Editor): boolean => store.scene.value.actors.length > 0;
@@ -79,8 +80,11 @@ export const fileCommands = [
     id: 'cancel-work',
     label: 'Cancel the work in progress',
     short: 'Cancel',
-    isEnabled: ({ progress }) => progress.value !== null,
-    run: (editor) => editor.cancelWork(),
+    isEnabled: (editor) => editor.progress.value !== null || preparing(editor).length > 0,
+    run: (editor) => {
+      if (editor.progress.peek()) editor.cancelWork();
+      else stopPreparing(editor);
+    },
   },
   {
     id: 'open-pose',

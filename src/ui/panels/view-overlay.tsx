@@ -16,6 +16,7 @@ import type { SectionComponent } from '../sections.ts';
 import { CommandButton } from './command-button.tsx';
 import { ShotOverlay } from './shot-overlay.tsx';
 import { Loaded } from './loaded.tsx';
+import { PreparingBox } from './preparing-box.tsx';
 import { ViewControls } from './view-controls.tsx';
 
 /** The number of ancestors that are named, the nearest ones. */
@@ -32,6 +33,7 @@ export function ViewOverlay({ editor }: { readonly editor: Editor }) {
       <ShotOverlay editor={editor} />
       <ViewControls editor={editor} />
       <ProgressBox editor={editor} />
+      <PreparingBox editor={editor} />
       <ViewMessage editor={editor} />
       <CameraText editor={editor} />
       <ViewHint editor={editor} />

@@ -1,0 +1,21 @@
+import type { Prepare } from '../evaluation/preparation.ts';
+import { Preparations } from '../evaluation/preparations.ts';
+import '../view/skinning-shaders.ts';
+import { runTask } from './run-task.ts';
+
+/** What methods prepare for skins, computed in workers. This module also brings their shaders. */
+export function preparationsInWorkers(onFailed: (error: unknown) => void): Preparations {
+  return new Preparations({ prepare: prepareInWorker, onFailed });
+}
+
+/** The worker gets copies of the mesh and the skin. */
+const prepareInWorker: Prepare = (method, mesh, skin, { signal, onProgress }) =>
+  runTask(
+    'prepare-method',
+    { method: method.id, mesh, skin },
+    {
+      signal: signal as globalThis.AbortSignal,
+      onProgress: (_, part) => onProgress(part),
+      transfer: [],
+    },
+  );
