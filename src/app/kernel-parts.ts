@@ -14,7 +14,7 @@ const prepareInWorker: Prepare = (method, mesh, skin, { signal, onProgress }) =>
     'prepare-method',
     { method: method.id, mesh, skin },
     {
-      signal: signal as globalThis.AbortSignal,
+      signal,
       onProgress: (_, part) => onProgress(part),
       transfer: [],
     },

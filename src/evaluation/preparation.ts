@@ -87,23 +87,23 @@ export class Preparation {
   private async run(control: AbortController): Promise<void> {
     // The caller may be an effect, which must not write signals that it reads.
     await Promise.resolve();
-    const { signal } = control;
-    if (signal.aborted) return;
+    const isWanted = (): boolean => !control.signal.aborted;
+    if (!isWanted()) return;
     this.part.value = 0;
     this.listeners.onStarted(this);
     try {
       const onProgress = (part: number): void => {
-        if (!signal.aborted) this.part.value = part;
+        if (isWanted()) this.part.value = part;
       };
-      const value = await this.compute({ signal, onProgress });
-      if (!signal.aborted) this.arrived.value = value;
+      const value = await this.compute({ signal: control.signal, onProgress });
+      if (isWanted()) this.arrived.value = value;
     } catch (error) {
-      if (signal.aborted) return;
+      if (!isWanted()) return;
       this.isGivenUp.value = true;
       this.listeners.onFailed?.(error);
       throw error;
     } finally {
-      if (!signal.aborted) this.listeners.onEnded(this);
+      if (isWanted()) this.listeners.onEnded(this);
     }
   }
 

@@ -16,6 +16,6 @@ export async function run(
   { method, mesh, skin }: PrepareInput,
   onProgress: TaskProgress,
 ): Promise<unknown> {
-  const { prepare } = await kernelById(method).load();
-  return prepare?.(mesh, skin, (part) => onProgress('', part));
+  const kernel = await kernelById(method).load();
+  return kernel.prepare?.(mesh, skin, (part) => onProgress('', part));
 }
