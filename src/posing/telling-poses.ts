@@ -2,10 +2,10 @@ import { mat3, quat, vec3 } from 'gl-matrix';
 import { bonesOf } from '../core/bones.ts';
 import type { Character } from '../core/character.ts';
 import { noParent } from '../core/skeleton.ts';
-import { noJoint } from '../core/skin.ts';
 import { bodyOf } from './natural/body.ts';
 import { naturesOf } from './natural/natures.ts';
 import { rollJoint } from './roll-joint.ts';
+import { sharingJoint } from './sharing-joint.ts';
 import { turnAbout, turnJoint, type TurnStart, turnStart } from './turn-joint.ts';
 
 /** A pose in which skinning methods differ, with what makes it as a label. */
@@ -17,8 +17,6 @@ export interface TellingPose {
 
 const degree = Math.PI / 180;
 const [twist, bend] = [150 * degree, 120 * degree];
-/** Both of two joints move a point by at least this weight. */
-const sharedWeight = 0.05;
 
 /**
  * Returns the pose with one joint twisted along its limb, and with it bent, as far as it can do each:
@@ -36,22 +34,6 @@ export function tellingPoses(character: Character, q: Float64Array): readonly Te
     { label: elbow < 0 ? `Bend ${name}` : 'Bend the elbow', q: bent(character, q, joint) },
   ];
   return poses.filter((pose) => pose.q.some((value, i) => value !== q[i]));
-}
-
-/** The joint that moves the most points together with its parent, or null if none shares any. */
-function sharingJoint({ skeleton, skin }: Character): number | null {
-  const { start, entries, weights, paletteJoint } = skin;
-  const counts = new Uint32Array(skeleton.jointCount);
-  for (let point = 0; point + 1 < start.length; point++) {
-    const joints = new Set<number>();
-    for (let i = start[point]!; i < start[point + 1]!; i++) {
-      const joint = paletteJoint[entries[i]!]!;
-      if (weights[i]! >= sharedWeight && joint !== noJoint) joints.add(joint);
-    }
-    for (const joint of joints) if (joints.has(skeleton.parents[joint]!)) counts[joint]!++;
-  }
-  const most = Math.max(0, ...counts);
-  return most === 0 ? null : counts.indexOf(most);
 }
 
 function twisted(character: Character, q: Float64Array, joint: number): Float64Array {

@@ -140,6 +140,13 @@ export const sections: readonly Section[] = [
       guiSection((await loadPart(import('./controls/weights-folder.ts'))).addWeightsFolder),
   },
   {
+    id: 'measures',
+    place: 'right',
+    tabs: ['deform'],
+    when: (editor) => jointCount(editor) > 0,
+    load: async () => (await loadPart(import('./panels/deform-lab/measures.tsx'))).Measures,
+  },
+  {
     id: 'drag',
     place: 'right',
     tabs: ['pose'],

@@ -13,6 +13,7 @@ import { jointCommands } from './joint-commands.ts';
 import { keyCommands } from './key-commands.ts';
 import { movieCommands } from './movie-commands.ts';
 import { motionViewCommands } from './motion-view-commands.ts';
+import { measureCommands } from './measure-commands.ts';
 import { pinCommands } from './pin-commands.ts';
 import { poseCommands } from './pose-commands.ts';
 import { rotationLabCommands } from './rotation-lab-commands.ts';
@@ -43,7 +44,7 @@ const groups = [
   { label: 'Motion in the view', commands: motionViewCommands },
   { label: 'Rotations', commands: rotationLabCommands },
   { label: 'Weights', commands: weightCommands },
-  { label: 'Deformation', commands: deformLabCommands },
+  { label: 'Deformation', commands: [...deformLabCommands, ...measureCommands] },
   { label: 'Camera', commands: [...cameraCommands, ...axisCommands] },
   { label: 'Shots', commands: shotCommands },
 ] as const;

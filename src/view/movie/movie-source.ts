@@ -7,6 +7,7 @@ import type { Picture } from '../picture/encode-picture.ts';
 import { makePicture, type PictureWork } from '../picture/make-picture.ts';
 import { checkPictureSize } from '../picture/picture-tiles.ts';
 import type { ViewContent } from '../render-view.ts';
+import { turnOfPage } from '../turn-of-page.ts';
 import type { Viewer } from '../viewer.ts';
 import { checkPlan, frameTime, frameTurn, type MoviePlan } from './movie-plan.ts';
 import { MovieScene } from './movie-scene.ts';
@@ -92,19 +93,4 @@ export async function movieSource(
 function turnedBy(content: ViewContent, angle: number): ViewContent {
   const { camera } = content;
   return { ...content, camera: { ...camera, azimuth: camera.azimuth + angle } };
-}
-
-/**
- * Lets the page draw and answer the user. A timer would do the same, but browsers slow timers down
- * to one a second in a tab that is out of sight.
- */
-function turnOfPage(): Promise<void> {
-  return new Promise((resolve) => {
-    const { port1, port2 } = new MessageChannel();
-    port1.onmessage = () => {
-      port1.close();
-      resolve();
-    };
-    port2.postMessage(null);
-  });
 }

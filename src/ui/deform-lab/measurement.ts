@@ -1,0 +1,97 @@
+import { type ReadonlySignal, signal } from '@preact/signals-core';
+import type { Actor } from '../../document/scene.ts';
+import { createActor } from '../../document/scene.ts';
+import { EvaluationPool } from '../../evaluation/evaluation-pool.ts';
+import type { MethodId } from '../../skinning/method.ts';
+import { methods } from '../../skinning/registry.ts';
+import { failureText } from '../attempt.ts';
+import type { Looking, Telling } from '../editor.ts';
+import { inSlices } from './in-slices.ts';
+
+type MeasuringEditor = Looking & Telling;
+
+/** No actor of a scene has it. */
+const measuredId = -2;
+
+/** How far a measurement is, and with what it waits. */
+export interface Progress {
+  readonly text: string;
+  /** From 0 to 1, or null while it can't be told. */
+  readonly part: number | null;
+}
+
+/**
+ * Measures what methods do to the selected character, in its present pose or from it, while the page
+ * goes on. Only the last measurement counts.
+ */
+export class Measurement<T> {
+  private readonly editor: MeasuringEditor;
+  private readonly state = signal<Progress | null>(null);
+  private readonly found = signal<T | null>(null);
+  private stop = new AbortController();
+
+  constructor(editor: MeasuringEditor) {
+    this.editor = editor;
+  }
+
+  /** Null while nothing is measured. */
+  get progress(): ReadonlySignal<Progress | null> {
+    return this.state;
+  }
+
+  /** The last result. */
+  get result(): ReadonlySignal<T | null> {
+    return this.found;
+  }
+
+  cancel(): void {
+    this.stop.abort();
+    this.state.value = null;
+  }
+
+  /** Starts in place of what is being measured. */
+  async start(
+    actor: Actor,
+    ids: readonly MethodId[],
+    work: (pool: EvaluationPool, plain: Actor) => Generator<number, T>,
+  ): Promise<void> {
+    this.cancel();
+    const { signal: stopped } = (this.stop = new AbortController());
+    const { evaluations, notice } = this.editor;
+    const { kernels } = evaluations.pool;
+    const plain = plainActor(actor, evaluations.of(actor).snapshot());
+    try {
+      for (const method of ids) {
+        const { label } = methods.find(({ id }) => id === method)!;
+        this.state.value = { text: `Preparing ${label}`, part: null };
+        await Promise.race([kernels.loadFor({ ...plain, method }), aborted(stopped)]);
+        if (stopped.aborted) return;
+      }
+      const onProgress = (part: number): void => {
+        this.state.value = { text: 'Measuring', part };
+      };
+      onProgress(0);
+      const result = await inSlices(work(new EvaluationPool(kernels), plain), stopped, onProgress);
+      if (result === undefined) return;
+      this.found.value = result;
+      this.state.value = null;
+    } catch (error) {
+      if (stopped.aborted) return;
+      this.state.value = null;
+      notice.value = failureText(error);
+    }
+  }
+}
+
+/** The character in a pose without what would change that: clips and pins. */
+function plainActor(
+  { character, method, methodSettings, normalizeWeights, influences, look }: Actor,
+  pose: Pick<Actor, 'q' | 'morphWeights'>,
+): Actor {
+  const kept = { ...pose, methodSettings, normalizeWeights, influences, look };
+  return createActor(measuredId, character, method, kept);
+}
+
+function aborted(stopped: AbortSignal): Promise<void> {
+  return new Promise((resolve) => stopped.addEventListener('abort', () => resolve()));
+}
