@@ -1,4 +1,5 @@
 import type { PoseJson } from '../src/formats/pose-json.ts';
+import type { KernelId } from '../src/skinning/method.ts';
 import { kernelById, menuName } from '../src/skinning/registry.ts';
 import { capture, choose, openView, type PictureSize, setPose, startOver } from './support/app.ts';
 import { expectPicture } from './support/pictures.ts';
@@ -27,6 +28,8 @@ interface Scene {
   readonly joint?: string;
   /** The size of the picture, if it is not that of the view, in pixels. */
   readonly size?: PictureSize;
+  /** Methods whose pictures stand side by side, from the left. */
+  readonly compared?: readonly KernelId[];
   /** The keys to press, in order. */
   readonly keys?: readonly string[];
 }
@@ -34,6 +37,12 @@ interface Scene {
 /** The weights of a limb show at half the size. */
 const half = { width: 240, height: 320 };
 const weights = { pose: hardPose, size: half, keys: ['Home'] };
+
+const fourMethods = {
+  model: 'tube',
+  compared: ['linear-blend', 'dual-quaternion', 'centers-of-rotation', 'delta-mush'],
+  size: { width: 880, height: 320 },
+} as const;
 
 const scenes: Readonly<Record<string, Scene>> = {
   'human-smooth': {},
@@ -58,6 +67,14 @@ const scenes: Readonly<Record<string, Scene>> = {
   'dog-low-sun': { model: 'dog', menus: { Preset: 'Low sun' } },
   'dog-mirrored': { model: 'dog', menus: { Preset: 'Back light' }, keys: ['s', 's'] },
   'tube-twisted': { model: 'tube' },
+  'four-methods-twist': {
+    ...fourMethods,
+    pose: { joints: { '#2': [0, (150 * Math.PI) / 180, 0] } },
+  },
+  'four-methods-bend': {
+    ...fourMethods,
+    pose: { joints: { '#2': [(120 * Math.PI) / 180, 0, 0] } },
+  },
   'insect-boxes': { model: 'insect', workspace: 'cse169' },
   'insect-boxes-skin': { model: 'insect', workspace: 'cse169', keys: ['s'] },
   'insect-textured': { model: 'insect' },
@@ -81,7 +98,7 @@ let loaded = '';
 
 for (const [name, scene] of Object.entries(scenes)) {
   const { model = 'human', workspace = 'studio', dark = false, added = [], keys = [] } = scene;
-  const { pose, method, morphs, time, menus = {}, joint, size } = scene;
+  const { pose, method, morphs, time, menus = {}, joint, size, compared } = scene;
   test(name, async () => {
     await page().emulateMedia({ colorScheme: dark ? 'dark' : 'light' });
     if (loaded !== model) await openView(page(), `model=${model}`);
@@ -102,6 +119,7 @@ for (const [name, scene] of Object.entries(scenes)) {
       await page().locator('[role=treeitem]', { hasText: joint }).dispatchEvent('click');
     }
     for (const key of keys) await page().keyboard.press(key);
-    expectPicture(name, await capture(page(), 'png', size));
+    const views = compared?.map((each) => ({ method: each }));
+    expectPicture(name, await capture(page(), 'png', size, views));
   });
 }

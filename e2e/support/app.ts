@@ -1,4 +1,5 @@
 import { expect, type JSHandle, type Locator, type Page } from '@playwright/test';
+import type { CaptureView } from '../../src/app/scripting.ts';
 import type { SkinDevice } from '../../src/document/session.ts';
 import type { PoseJson } from '../../src/formats/pose-json.ts';
 import type { KernelId } from '../../src/skinning/method.ts';
@@ -180,8 +181,9 @@ export async function capture(
   page: Page,
   format: PictureFormat = 'png',
   size?: PictureSize,
+  views?: readonly CaptureView[],
 ): Promise<Buffer> {
-  const options = { format, ...size };
+  const options = { format, ...size, ...(views && { views }) };
   return bytesOf(await page.evaluateHandle((options) => window.sinew.capture(options), options));
 }
 
