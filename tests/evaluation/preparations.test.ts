@@ -61,7 +61,9 @@ describe('what a method prepares', () => {
     const { preparations, jobs, of } = prepared();
     const preparation = of(characterOfRig(rotatedTree()));
     const seen: unknown[] = [];
-    const stop = effect(() => void seen.push(preparation.value));
+    const stop = effect(() => {
+      seen.push(preparation.value);
+    });
     await soon();
     expect(preparations.running.value).toEqual([preparation]);
     jobs[0]!.onProgress(0.4);
@@ -78,7 +80,9 @@ describe('what a method prepares', () => {
     const { preparations, jobs, of } = prepared();
     const preparation = of(characterOfRig(rotatedTree()));
     const isChosen = signal(true);
-    const stop = effect(() => void (isChosen.value && preparation.value));
+    const stop = effect(() => {
+      if (isChosen.value) expect(preparation.value).not.toBe('late');
+    });
     const settled = preparation.load();
     await soon();
     isChosen.value = false;
@@ -104,7 +108,7 @@ describe('what a method prepares', () => {
     let asked = 0;
     const stop = effect(() => {
       asked++;
-      if (isChosen.value) void preparation.isPending;
+      if (isChosen.value) expect(preparation.value).toBeUndefined();
     });
     await soon();
     preparations.cancel();
