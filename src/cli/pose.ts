@@ -14,12 +14,14 @@ import { readCharacters } from '../formats/read-characters.ts';
 import {
   defaultDeformation,
   deformationOf,
+  kernelById,
   kernelNamed,
   methods,
   normalWays,
 } from '../skinning/registry.ts';
 import type { Command } from './command.ts';
 import { printDiagnostics, readFiles, unwritable, userPath } from './files.ts';
+import { givenSettings } from './method-settings.ts';
 import { joinValue, parseWords } from './parse-words.ts';
 import { motionOf } from './motion-of.ts';
 import { givenPose } from './read-pose-file.ts';
@@ -38,12 +40,16 @@ const normalsIds = normalWays.map(({ id }) => id).join('|');
 export const pose: Command = {
   name: 'pose',
   usage:
-    `pose FILES [--pose POSE.json|POSE.vpd] [--motion MOTION.json|CLIP.anim --time T] [--method ${methodIds}] [--normals ${normalsIds}] [--influences K] [--normalize] [--keep-file-space]` +
+    `pose FILES [--pose POSE.json|POSE.vpd] [--motion MOTION.json|CLIP.anim --time T] [--method ${methodIds}] [--set NAME=VALUE] [--normals ${normalsIds}] [--influences K] [--normalize] [--keep-file-space]` +
     ' --out OUT.obj|OUT.f32',
   summary:
-    'Writes the posed vertices of one character, in the order and the units of its file, as an OBJ mesh or as raw floats. The pose is that of --pose, or of the file, with what --motion moves as it is at --time, in seconds. An OBJ has normals if --normals says which. With --influences only the K strongest weights of each vertex are kept, and the error that this makes is printed.',
+    'Writes the posed vertices of one character, in the order and the units of its file, as an OBJ mesh or as raw floats. The pose is that of --pose, or of the file, with what --motion moves as it is at --time, in seconds. --method takes short and long names, and --set gives a parameter of the method a value, as blend=0.5. An OBJ has normals if --normals says which. With --influences only the K strongest weights of each vertex are kept, and the error that this makes is printed.',
   async run(words) {
     const options = parseOptions(words);
+    const methodSettings = await givenSettings(
+      kernelById(options.method ?? 'linear-blend'),
+      options.set,
+    );
     const { files, diagnostics: missing } = readFiles(options.files);
     const { characters, diagnostics } = await readCharacters(files);
     const found = [...missing, ...diagnostics];
@@ -60,7 +66,11 @@ export const pose: Command = {
       if (character?.mesh.pointCount === 0) console.error('error: there is no mesh to pose');
       return 1;
     }
-    const evaluation = await evaluate(character, { ...posed, ...motion.value }, options);
+    const evaluation = await evaluate(
+      character,
+      { ...posed, ...motion.value, methodSettings },
+      options,
+    );
     if (!writeOut(options.out, bytesOf(evaluation, options))) return 1;
     const truncation = truncationOf(evaluation);
     if (truncation) console.log(truncationLines(truncation).join('\n'));
@@ -79,6 +89,7 @@ function parseOptions(words: readonly string[]) {
         motion: { type: 'string' },
         time: { type: 'string' },
         method: { type: 'string' },
+        set: { type: 'string', multiple: true, default: [] },
         normals: { type: 'string' },
         influences: { type: 'string' },
         normalize: { type: 'boolean', default: false },
@@ -88,7 +99,7 @@ function parseOptions(words: readonly string[]) {
       allowPositionals: true,
     }),
   );
-  const { pose: posePath, motion, method, normals, out, normalize } = values;
+  const { pose: posePath, motion, method, set, normals, out, normalize } = values;
   if (files.length === 0) throw new UsageError('expected files, found none');
   if (posePath === undefined && motion === undefined) {
     throw new UsageError('expected --pose POSE.json or POSE.vpd, or --motion with --time');
@@ -116,7 +127,7 @@ function parseOptions(words: readonly string[]) {
     throw new UsageError('expected --out with a name that ends in .obj or .f32');
   }
   const keepFileSpace = values['keep-file-space'];
-  const deformation = { method: kernel?.id, normals: way, normalize, influences };
+  const deformation = { method: kernel?.id, set, normals: way, normalize, influences };
   return { files, pose: posePath, motion, time, ...deformation, keepFileSpace, out };
 }
 

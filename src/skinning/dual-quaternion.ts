@@ -22,8 +22,8 @@ import { signedInfluences } from './wasm/signed-influences.ts';
 
 const blend: MethodParameter = {
   name: 'blend',
-  label: 'Blend with linear blend',
-  help: 'How much of dual quaternions there is: 0 is linear blend, 1 is dual quaternions alone.',
+  label: 'Blend',
+  help: '0 is linear blend, 1 is dual quaternions, and values between mix the two.',
   least: 0,
   most: 1,
   step: 0.01,

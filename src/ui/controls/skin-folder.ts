@@ -18,6 +18,7 @@ import type { Editor } from '../editor.ts';
 import { leaveComparison } from '../deform-lab/open-comparison.ts';
 import { watch } from '../watch.ts';
 import { addCommandRow } from './command-row.ts';
+import { addMethodRows } from './method-rows.ts';
 
 /** Adds controls for deformation and shading of the skin, and for verification. */
 export function addSkinFolder(gui: GUI, editor: Editor): void {
@@ -79,6 +80,7 @@ export function addSkinFolder(gui: GUI, editor: Editor): void {
   const device = folder.add(bound, 'device', { GPU: 'gpu', CPU: 'cpu' }).name('Computed on');
   const normalize = folder.add(bound, 'normalize').name('Normalize weights');
   const rows = [...chosen, device, normalize];
+  addMethodRows(folder, rows[0]!.domElement, editor);
   addCommandRow(folder, editor, 'verify');
   addCommandRow(folder, editor, 'check-machine');
   const result = document.createElement('output');
