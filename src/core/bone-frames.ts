@@ -64,7 +64,7 @@ export function boneFrames(skeleton: Skeleton): BoneFrame[] {
       destination,
       parent,
       length,
-      translation: mat4.translate(identity(), identity(), above ? [above.length, 0, 0] : from),
+      translation: translated(above ? [above.length, 0, 0] : from),
       rotation: above ? between(above.axes, axes) : axes,
       axes,
       sourceAxes: between(turnOf(world, source), axes),
@@ -145,7 +145,7 @@ export function placeBones(
     for (const at of pending.reverse()) {
       const { parent, translation } = frames[at]!;
       const matrix = identity();
-      if (parent !== -1) mat4.copy(matrix, placed[parent]!);
+      if (parent !== -1) matrix.set(placed[parent]!);
       mat4.multiply(matrix, matrix, translation);
       placed[at] = mat4.multiply(matrix, matrix, rotations[at]!);
     }
@@ -168,6 +168,12 @@ function turnOf(matrices: ArrayLike<number>, index: number): mat4 {
   const turn = identity();
   for (let i = 0; i < 12; i++) turn[i] = matrices[index * 16 + i]!;
   return turn;
+}
+
+function translated(offset: vec3): Float64Array {
+  const matrix = identity();
+  matrix.set(offset, 12);
+  return matrix;
 }
 
 function identity(): Float64Array {

@@ -1,4 +1,4 @@
-import { mat4 } from 'gl-matrix';
+import { mat4, vec3 } from 'gl-matrix';
 import { extents, isEmpty } from '../core/bounds.ts';
 import type { Character } from '../core/character.ts';
 import { type Actor, unmoved } from '../document/scene.ts';
@@ -31,11 +31,12 @@ export function displayTransform(
   mat4.scale(sceneFromCharacter, sceneFromCharacter, [scale, scale, scale]);
   if (!fitted || isEmpty(bounds)) return { sceneFromCharacter, scale };
   const [width, , depth] = extents(bounds);
-  mat4.translate(sceneFromCharacter, sceneFromCharacter, [
+  const moved: vec3 = [
     -(bounds.min[0]! + width / 2),
     -bounds.min[1]!,
     -(bounds.min[2]! + depth / 2),
-  ]);
+  ];
+  sceneFromCharacter.set(vec3.transformMat4(moved, moved, sceneFromCharacter), 12);
   return { sceneFromCharacter, scale };
 }
 

@@ -42,13 +42,13 @@ export function jointFrames(
   applyRest(skeleton, joint, world);
   const dofs: DofFrame[] = [];
   for (let dof = skeleton.dofStart[joint]!; dof < skeleton.dofStart[joint + 1]!; dof++) {
-    const worldFromDof = mat4.copy(new Float64Array(16), world);
+    const worldFromDof = world.slice();
     dofs.push({
       kind: skeleton.dofKind[dof] as DofKind,
       index: skeleton.dofQ[dof]!,
       worldFromDof,
       axis: rotateVector(worldFromDof, skeleton.dofAxis.subarray(dof * 3, dof * 3 + 3)),
-      origin: mat4.getTranslation(new Float64Array(3), worldFromDof),
+      origin: worldFromDof.slice(12, 15),
     });
     applyDof(skeleton, dof, q, world);
   }

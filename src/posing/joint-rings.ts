@@ -1,4 +1,5 @@
-import { mat4, type ReadonlyMat4, type ReadonlyVec3, vec3 } from 'gl-matrix';
+import type { mat4} from 'gl-matrix';
+import { type ReadonlyMat4, type ReadonlyVec3, vec3 } from 'gl-matrix';
 import { DofKind, type Skeleton } from '../core/skeleton.ts';
 import { type DofFrame, jointFrames } from './joint-frames.ts';
 
@@ -88,5 +89,5 @@ function unitVector(axis: number): vec3 {
 
 function rotated(matrix: mat4, vector: ReadonlyVec3): vec3 {
   const tip = vec3.transformMat4(new Float64Array(3), vector, matrix);
-  return vec3.subtract(tip, tip, mat4.getTranslation(new Float64Array(3), matrix));
+  return vec3.subtract(tip, tip, [matrix[12], matrix[13], matrix[14]]);
 }

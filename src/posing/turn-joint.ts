@@ -1,4 +1,5 @@
-import { mat3, mat4, quat, type ReadonlyVec3, vec3 } from 'gl-matrix';
+import type { mat4} from 'gl-matrix';
+import { mat3, quat, type ReadonlyVec3, vec3 } from 'gl-matrix';
 import { DofKind, type Skeleton } from '../core/skeleton.ts';
 import { type HingeTriple, hingeTriple, tripleAngles } from './hinge-triple.ts';
 import {
@@ -37,7 +38,8 @@ export function turnStart(
   const frames = jointFrames(skeleton, joint, q, worldFromParent);
   const ball = frames.dofs.find(({ kind }) => kind === DofKind.ball) ?? null;
   const first = ball ?? frames.dofs.find(({ kind }) => kind === DofKind.hinge);
-  const origin = mat4.getTranslation(new Float64Array(3), frames.characterFromJoint);
+  const [x, y, z] = Array.from(frames.characterFromJoint).slice(12);
+  const origin: vec3 = [x!, y!, z!];
   return {
     ...{ skeleton, joint, q, worldFromParent, frames, ball },
     pivot: first?.origin ?? origin,

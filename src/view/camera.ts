@@ -53,14 +53,7 @@ export function halfHeightOf({ distance, fieldOfView }: Camera): number {
 
 /** Transforms scene space to clip space, in float64. */
 export function clipFromScene(camera: Camera, aspect: number): mat4 {
-  const { right, up, look } = axesOf(camera);
-  const eye = eyeOf(camera);
-  const viewFromScene = Float64Array.of(
-    ...[right[0], up[0], -look[0], 0],
-    ...[right[1], up[1], -look[1], 0],
-    ...[right[2], up[2], -look[2], 0],
-    ...[-vec3.dot(right, eye), -vec3.dot(up, eye), vec3.dot(look, eye), 1],
-  );
+  const view = viewFromScene(axesOf(camera), eyeOf(camera));
   const clip: mat4 = new Float64Array(16);
   const [near, far] = [nearOf(camera), reachOf(camera) + depthBehind(camera.distance)];
   if (camera.projection === 'perspective') {
@@ -69,7 +62,17 @@ export function clipFromScene(camera: Camera, aspect: number): mat4 {
     const height = halfHeightOf(camera);
     mat4.ortho(clip, -height * aspect, height * aspect, -height, height, near, far);
   }
-  return mat4.multiply(clip, clip, viewFromScene);
+  return mat4.multiply(clip, clip, view);
+}
+
+/** Transforms scene space to the space of an eye that looks along its -z, with x to its right. */
+export function viewFromScene({ right, up, look }: ViewAxes, eye: vec3): mat4 {
+  return Float64Array.of(
+    ...[right[0], up[0], -look[0], 0],
+    ...[right[1], up[1], -look[1], 0],
+    ...[right[2], up[2], -look[2], 0],
+    ...[-vec3.dot(right, eye), -vec3.dot(up, eye), vec3.dot(look, eye), 1],
+  );
 }
 
 /** Moves the camera nearer (factor below 1) or farther. */

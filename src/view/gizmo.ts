@@ -105,7 +105,7 @@ export function gizmoRings(
   const rings = [...outer, ...(inner.length > 0 ? inner : own)];
 
   const inScene = (vector: ReadonlyVec3, length: number): vec3 => {
-    const origin = mat4.getTranslation(new Float64Array(3), sceneFromCharacter);
+    const origin = sceneFromCharacter.slice(12, 15);
     const tip = vec3.transformMat4(new Float64Array(3), vector, sceneFromCharacter);
     return vec3.scale(tip, vec3.subtract(tip, tip, origin), length / scale);
   };

@@ -6,6 +6,7 @@ import type { UniformValue } from '../gl/program.ts';
 import type { CharacterView } from './character-view.ts';
 import { ContactShadow } from './contact-shadow.ts';
 import type { Frame } from './frame.ts';
+import { viewFromScene } from './camera.ts';
 import { lightDirection } from './light-direction.ts';
 import type { Programs } from './programs.ts';
 import { type Subject, subjectOf } from './subject.ts';
@@ -48,7 +49,7 @@ export class Lighting {
     if (shadows !== this.shown) {
       this.shown = shadows;
       const subject = subjectOf(evaluations);
-      mat4.copy(this.clipFromScene, keyClipFromScene(subject, key.direction));
+      this.clipFromScene.set(keyClipFromScene(subject, key.direction));
       this.keyShadowStep = (3.5 * 2 * subject.radius) / keyShadowSize;
       this.drawKeyShadow(casters);
     }
@@ -99,7 +100,11 @@ export class Lighting {
 /** Returns a projection without perspective that looks along the key light at the subject. */
 function keyClipFromScene({ center, radius }: Subject, keyDirection: vec3): mat4 {
   const eye = vec3.scaleAndAdd(new Float64Array(3), center, keyDirection, 4 * radius);
-  const view = mat4.lookAt(new Float64Array(16), eye, center, [0, 1, 0]);
+  const look = vec3.scale(new Float64Array(3), keyDirection, -1);
+  const right = vec3.cross(new Float64Array(3), [0, 1, 0], keyDirection);
+  vec3.normalize(right, right);
+  const up = vec3.cross(new Float64Array(3), keyDirection, right);
+  const view = viewFromScene({ right, up, look }, eye);
   const bounds = [-radius, radius, -radius, radius, radius, 9 * radius] as const;
   return mat4.multiply(new Float64Array(16), mat4.ortho(new Float64Array(16), ...bounds), view);
 }

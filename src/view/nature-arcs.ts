@@ -63,7 +63,7 @@ export function natureArcs(
   else atRest.set(characterFromJoint.subarray(parent * 16, parent * 16 + 16));
   applyRest(skeleton, joint, atRest);
   const present = characterFromJoint.slice(joint * 16, joint * 16 + 16);
-  const center = mat4.getTranslation(new Float64Array(3), present);
+  const center = present.slice(12, 15);
   vec3.transformMat4(center, center, display.sceneFromCharacter);
   const length = radius * pixelSizeAt(view, center);
   if (length <= 0) return [];

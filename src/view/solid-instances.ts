@@ -197,7 +197,7 @@ function writeInstance(
   instances: Float32Array,
   index: number,
 ): void {
-  mat4.copy(sceneFromSolid, view.display.sceneFromCharacter);
+  sceneFromSolid.set(view.display.sceneFromCharacter);
   if (joint >= 0) {
     const characterFromJoint = view.characterFromJoint.subarray(joint * 16, joint * 16 + 16);
     mat4.multiply(sceneFromSolid, sceneFromSolid, characterFromJoint);
@@ -211,7 +211,7 @@ function writeInstance(
   instances.set(color, index * instanceSize + 12);
 }
 
-const sceneFromSolid: mat4 = new Float64Array(16);
+const sceneFromSolid = new Float64Array(16);
 
 /** Returns the matrix that moves the unit solid to a place and gives it half its size on each axis. */
 function placedSolid(middle: ReadonlyVec3, half: ReadonlyVec3): mat4 {

@@ -16,8 +16,8 @@ export function jointSection(character: Character, joint: number): Outline | nul
   const bone = bones[lengths.indexOf(Math.max(...lengths))];
   if (!bone || mesh.pointCount === 0) return null;
   const characterFromJoint = bindOf(character, joint);
-  const origin: [number, number, number] = [0, 0, 0];
-  mat4.getTranslation(origin, characterFromJoint);
+  const [x, y, z] = Array.from(characterFromJoint).slice(12);
+  const origin: [number, number, number] = [x!, y!, z!];
   const end: [number, number, number] = [...bone.vector];
   vec3.transformMat4(end, end, characterFromJoint);
   vec3.subtract(end, end, origin);
