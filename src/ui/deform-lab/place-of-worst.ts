@@ -60,8 +60,7 @@ function scenePoint(evaluation: Evaluation, point: number): vec3 {
 /** The unit normal of a point. */
 function sceneNormal(evaluation: Evaluation, point: number): vec3 {
   const { positions, normals } = evaluation.vertices();
-  const end = [0, 1, 2].map((i) => positions[point * 3 + i]! + normals[point * 3 + i]!);
-  const tip = vec3.fromValues(end[0]!, end[1]!, end[2]!);
+  const tip: vec3 = [0, 1, 2].map((i) => positions[point * 3 + i]! + normals[point * 3 + i]!);
   const turned = vec3.transformMat4(
     new Float64Array(3),
     tip,
