@@ -7,6 +7,7 @@ import type { Evaluation } from '../evaluation/evaluation.ts';
 import { writeCsv } from '../formats/csv/write-csv.ts';
 import type { Command } from './command.ts';
 import { comparisonLines } from './comparison-lines.ts';
+import { givenSettings } from './method-settings.ts';
 import { methodNamed, methodNames, methodsNamed } from './named-methods.ts';
 import { parseWords } from './parse-words.ts';
 import { createPool, plainCharacter, posedEvaluation } from './posed-evaluation.ts';
@@ -22,16 +23,17 @@ const list = methodNames.join(',');
  */
 export const compare: Command = {
   name: 'compare',
-  usage: `compare FILES [--pose POSE.json|POSE.vpd] [--methods ${list}] [--base ${methodNames.join('|')}] [--normalize] [--csv OUT.csv]`,
+  usage: `compare FILES [--pose POSE.json|POSE.vpd] [--methods ${list}] [--base ${methodNames.join('|')}] [--set NAME=VALUE] [--normalize] [--csv OUT.csv]`,
   summary:
-    'Compares skinning methods in one pose of one character: how far each puts the points from where the base does, at most and in the mean, and its volume against that at rest. The base is the first method, if --base names none. A volume is that of the closed parts of the mesh of at least 1 % of its area; without any it is "–". Where rows of weights don\'t sum to 1, the part that is due to this is printed too, and --normalize divides them by their sums. The CSV has the same numbers and the distance of every point.',
+    'Compares skinning methods in one pose of one character: how far each puts the points from where the base does, at most and in the mean, and its volume against that at rest. The base is the first method, if --base names none. A volume is that of the closed parts of the mesh of at least 1 % of its area; without any it is "–". Where rows of weights don\'t sum to 1, the part that is due to this is printed too, and --normalize divides them by their sums. --set, which may be repeated, sets a parameter of a method, such as blend=0.5. The CSV has the same numbers and the distance of every point.',
   async run(words) {
-    const { files, pose, methods, base, normalize, csv } = parseOptions(words);
+    const { files, pose, methods, base, set, normalize, csv } = parseOptions(words);
+    const methodSettings = await givenSettings(methods, set);
     const posed = await readPosed(files, pose);
     if (!posed) return 1;
     const pool = await createPool();
     const character = plainCharacter(posed.character);
-    const kept = { ...posed.pose, normalizeWeights: normalize };
+    const kept = { ...posed.pose, normalizeWeights: normalize, methodSettings };
     const evaluations: Evaluation[] = [];
     for (const { id } of methods) {
       evaluations.push(await posedEvaluation(pool, character, id, kept));
@@ -54,16 +56,17 @@ function parseOptions(words: readonly string[]) {
         pose: { type: 'string' },
         methods: { type: 'string' },
         base: { type: 'string' },
+        set: { type: 'string', multiple: true, default: [] },
         normalize: { type: 'boolean', default: false },
         csv: { type: 'string' },
       },
       allowPositionals: true,
     }),
   );
-  const { pose, normalize, csv } = values;
+  const { pose, set, normalize, csv } = values;
   if (files.length === 0) throw new UsageError('expected files, found none');
   const listed = methodsNamed('--methods', values.methods);
   const base = values.base === undefined ? listed[0]! : methodNamed('--base', values.base);
   const methods = listed.includes(base) ? listed : [base, ...listed];
-  return { files, pose, methods, base, normalize, csv };
+  return { files, pose, methods, base, set, normalize, csv };
 }

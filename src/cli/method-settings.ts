@@ -3,16 +3,17 @@ import type { KernelRow } from '../skinning/registry.ts';
 import { UsageError } from './usage-error.ts';
 
 /**
- * The values that `--set NAME=VALUE` gives to the parameters of a method.
+ * The values that `--set NAME=VALUE` gives to the parameters of methods.
  *
- * @throws UsageError if the method has no such parameter or it can't have the value
+ * @throws UsageError if none of the methods has such a parameter or it can't have the value
  */
 export async function givenSettings(
-  kernel: KernelRow,
+  kernels: readonly KernelRow[],
   words: readonly string[],
 ): Promise<MethodSettings> {
   if (words.length === 0) return {};
-  const { parameters = [] } = await kernel.load();
+  const loaded = await Promise.all(kernels.map(({ load }) => load()));
+  const parameters = loaded.flatMap((kernel) => kernel.parameters ?? []);
   const names = parameters.map(({ name }) => name).join('|');
   return Object.fromEntries(
     words.map((word) => {
@@ -20,7 +21,9 @@ export async function givenSettings(
       const parameter = parameters.find((each) => each.name === name);
       if (!parameter) {
         const known = names === '' ? 'there is nothing to set' : `there is ${names}`;
-        throw new UsageError(`${kernel.id} has no "${name}"; ${known}`);
+        throw new UsageError(
+          `${kernels.map(({ id }) => id).join(', ')} has no "${name}"; ${known}`,
+        );
       }
       const { least, most, step } = parameter;
       const value = text.trim() === '' ? NaN : Number(text);

@@ -47,7 +47,7 @@ export const pose: Command = {
   async run(words) {
     const options = parseOptions(words);
     const methodSettings = await givenSettings(
-      kernelById(options.method ?? 'linear-blend'),
+      [kernelById(options.method ?? 'linear-blend')],
       options.set,
     );
     const { files, diagnostics: missing } = readFiles(options.files);

@@ -72,6 +72,15 @@ describe('compare', () => {
     expect(all.head!.slice(2)).toEqual(methods.map(({ short }) => short));
   });
 
+  it('sets parameters of methods', async () => {
+    const words = [...posed, '--methods', 'lbs,dqs', '--set'];
+    const plain = await tableOf(files, ...words, 'blend=1');
+    expect(Number(plain.find('largest')![1])).toBeGreaterThan(0.1);
+    // At 0 the method is linear blend.
+    const blended = await tableOf(files, ...words, 'blend=0');
+    expect(Number(blended.find('largest')![1])).toBeLessThan(1e-6);
+  });
+
   it('says which part is due to sums of rows, and divides them with --normalize', async () => {
     const odd = { ...files, 'a.attach': '1 0\n0 1\n0.4 0.5\n' };
     const { find } = await tableOf(odd, ...posed, '--methods', 'lbs');
@@ -85,6 +94,8 @@ describe('compare', () => {
     ['there are no files', [], 'expected files'],
     ['a method is unknown', [...posed, '--methods', 'lbs,xyz'], 'found "xyz"'],
     ['the base is unknown', [...posed, '--base', 'xyz'], 'found "xyz"'],
+    ['a parameter is unknown', [...posed, '--set', 'xyz=1'], 'has no "xyz"'],
+    ['a parameter is out of its range', [...posed, '--set', 'blend=7'], 'found "7"'],
     ['an option is unknown', [...posed, '--bases', 'lbs'], '--bases'],
   ])('is used incorrectly where %s', async (_, words, message) => {
     const run = runCommand('compare', files, ...words).code;

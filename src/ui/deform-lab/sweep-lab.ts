@@ -12,6 +12,7 @@ import { type TurnRange, turnRanges } from '../../evaluation/comparison/turn-ran
 import { writeCsv } from '../../formats/csv/write-csv.ts';
 import type { MethodId } from '../../skinning/method.ts';
 import { methods } from '../../skinning/registry.ts';
+import { attempt } from '../attempt.ts';
 import { download } from '../download.ts';
 import type { Editor } from '../editor.ts';
 import { axisNames } from '../joint-values.ts';
@@ -107,9 +108,10 @@ export class SweepLab {
       joint: nameOf(skeleton, range.joint),
       axis: axisNames[range.axis],
     };
-    void this.measurement.start(actor, ids, function* (pool, plain) {
+    const work = this.measurement.start(actor, ids, function* (pool, plain) {
       return { ...names, ...(yield* sweepOf(pool, plain, ids, range, steps)) };
     });
+    attempt(this.editor, work);
   }
 
   saveCsv(): void {
