@@ -3,6 +3,7 @@ import type { Bone } from '../core/bones.ts';
 import type { Diagnostic } from '../core/diagnostics.ts';
 import type { KeySelection } from '../core/motion/key-selection.ts';
 import type { Comparison } from './comparison.ts';
+import type { CutSketch } from './cutting.ts';
 import type { ActorId } from './scene.ts';
 import type { ChainLength } from '../posing/ik/chain.ts';
 import type { IkMethodId, Vector3 } from '../posing/ik/problem.ts';
@@ -195,6 +196,8 @@ export class Session {
   /** Whether the IK lab is open, and what it draws. */
   readonly showIkLab = signal(false);
   readonly ikSketch = signal<IkSketch | null>(null);
+  /** What the cutting figure draws, while it is open. */
+  readonly cutSketch = signal<CutSketch | null>(null);
   /** What the rotation lab draws, while it is open. */
   readonly rotationPaths = signal<RotationPaths | null>(null);
   /** The result of verifying the selected actor. */

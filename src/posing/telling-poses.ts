@@ -26,7 +26,7 @@ const [twist, bend] = [150 * degree, 120 * degree];
  */
 export function tellingPoses(character: Character, q: Float64Array): readonly TellingPose[] {
   const elbow = bodyOf(character).roles.indexOf('elbow');
-  const joint = elbow < 0 ? sharingJoint(character) : elbow;
+  const joint = tellingJoint(character);
   if (joint === null) return [];
   const name = character.skeleton.names[joint]!;
   const poses = [
@@ -34,6 +34,12 @@ export function tellingPoses(character: Character, q: Float64Array): readonly Te
     { label: elbow < 0 ? `Bend ${name}` : 'Bend the elbow', q: bent(character, q, joint) },
   ];
   return poses.filter((pose) => pose.q.some((value, i) => value !== q[i]));
+}
+
+/** An elbow, or else the joint that shares the most points with its parent; null if there is none. */
+export function tellingJoint(character: Character): number | null {
+  const elbow = bodyOf(character).roles.indexOf('elbow');
+  return elbow < 0 ? sharingJoint(character) : elbow;
 }
 
 function twisted(character: Character, q: Float64Array, joint: number): Float64Array {
@@ -53,7 +59,7 @@ function bent(character: Character, q: Float64Array, joint: number): Float64Arra
 }
 
 /** The axis of bending by nature, or one at a right angle to the limb; character space. */
-function bendAxis(character: Character, joint: number, start: TurnStart): vec3 {
+export function bendAxis(character: Character, joint: number, start: TurnStart): vec3 {
   const characterFromJoint = start.frames.characterFromJoint;
   const rotation = mat3.fromMat4(new Float64Array(9), characterFromJoint);
   const nature = naturesOf(character).find((each) => each.joint === joint);
@@ -74,7 +80,7 @@ function bendAxis(character: Character, joint: number, start: TurnStart): vec3 {
 }
 
 /** The far end of a joint's longest bone, in the joint's frame. */
-function limbEnd(character: Character, joint: number): readonly [number, number, number] {
+export function limbEnd(character: Character, joint: number): readonly [number, number, number] {
   const own = bonesOf(character).filter((bone) => bone.joint === joint);
   const [longest] = own.sort((a, b) => Math.hypot(...b.vector) - Math.hypot(...a.vector));
   return longest?.vector ?? [0, 0, 0];

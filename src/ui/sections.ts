@@ -147,6 +147,14 @@ export const sections: readonly Section[] = [
     load: async () => (await loadPart(import('./panels/deform-lab/measures.tsx'))).Measures,
   },
   {
+    id: 'cutting-figure',
+    place: 'right',
+    tabs: ['deform'],
+    when: (editor) => jointCount(editor) > 0,
+    load: async () =>
+      (await loadPart(import('./panels/deform-lab/cutting-figure.tsx'))).CuttingFigurePanel,
+  },
+  {
     id: 'drag',
     place: 'right',
     tabs: ['pose'],

@@ -45,6 +45,7 @@ const plainOptions = [
   'showTargets',
   'byTouch',
   'ikSketch',
+  'cutSketch',
   'rotationPaths',
 ] as const;
 

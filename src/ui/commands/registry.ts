@@ -5,6 +5,7 @@ import { clipCommands } from './clip-commands.ts';
 import type { Command } from './command.ts';
 import { curveCommands } from './curve-commands.ts';
 import { deformLabCommands } from './deform-lab-commands.ts';
+import { cuttingCommands } from './cutting-commands.ts';
 import { editCommands } from './edit-commands.ts';
 import { fileCommands } from './file-commands.ts';
 import { ikCommands } from './ik-commands.ts';
@@ -45,6 +46,7 @@ const groups = [
   { label: 'Rotations', commands: rotationLabCommands },
   { label: 'Weights', commands: weightCommands },
   { label: 'Deformation', commands: [...deformLabCommands, ...measureCommands] },
+  { label: 'Cutting figure', commands: cuttingCommands },
   { label: 'Camera', commands: [...cameraCommands, ...axisCommands] },
   { label: 'Shots', commands: shotCommands },
 ] as const;

@@ -1,11 +1,9 @@
 import { computed, signal } from '@preact/signals-core';
-import type { Character } from '../../core/character.ts';
 import { printable } from '../../core/diagnostics.ts';
 import type { Skeleton } from '../../core/skeleton.ts';
 import type { Actor } from '../../document/scene.ts';
 import { selectedActor } from '../../document/selected-actor.ts';
-import { bodyOf } from '../../posing/natural/body.ts';
-import { sharingJoint } from '../../posing/sharing-joint.ts';
+import { tellingJoint } from '../../posing/telling-poses.ts';
 import { type Sweep, sweepOf } from '../../evaluation/comparison/sweep.ts';
 import { sweepRows } from '../../evaluation/comparison/sweep-rows.ts';
 import { type TurnRange, turnRanges } from '../../evaluation/comparison/turn-range.ts';
@@ -128,12 +126,6 @@ export class SweepLab {
     download(`${fileName(sweep)}.svg`, text, 'image/svg+xml');
     this.editor.notice.value = 'Picture of the sweep saved';
   }
-}
-
-/** An elbow or, in what has none, the joint that shares the most points with its parent. */
-function tellingJoint(character: Character): number | null {
-  const elbow = bodyOf(character).roles.indexOf('elbow');
-  return elbow < 0 ? sharingJoint(character) : elbow;
 }
 
 /** The name of a joint, for text. */

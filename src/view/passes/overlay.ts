@@ -7,6 +7,7 @@ import type { Frame } from '../frame.ts';
 import { chainOf, chainShapes } from '../chain-shapes.ts';
 import { type Gizmo, gizmoOf, gizmoRings } from '../gizmo.ts';
 import { showsSketch, sketchShapes } from '../ik-sketch-shapes.ts';
+import { cutShapes, showsCut } from '../cut-shapes.ts';
 import { hasTargets, ikTargets, targetShapes } from '../ik-targets.ts';
 import { lightLines, showsLights } from '../light-handles.ts';
 import { moveGizmoOf, moveHandles } from '../move-gizmo.ts';
@@ -47,7 +48,8 @@ export const overlayPass: Pass = {
     showsPins(options) ||
     hasTargets(options) ||
     showsSketch(options) ||
-    showsPaths(options),
+    showsPaths(options) ||
+    showsCut(options),
   create: overlayDrawer(overlayOf),
 };
 
@@ -113,11 +115,14 @@ function overlayOf(frame: Frame, cssScale: number): Overlay {
     traced && showsPaths(options)
       ? pathShapes(options.rotationPaths!, traced.evaluation.display, view)
       : [];
+  const cut = characters.find(({ state }) => state.id === options.cutSketch?.actorId);
+  const figure =
+    cut && showsCut(options) ? cutShapes(options.cutSketch!, cut.evaluation.display) : [];
   const handles = showsPins(options)
     ? characters.flatMap(({ evaluation }) => pinHandles(evaluation))
     : [];
   const pins = pinShapes(handles, view, options.hoveredHandle);
-  if (!character) return [...lights, ...pins, ...sketch, ...paths];
+  if (!character) return [...lights, ...pins, ...sketch, ...paths, ...figure];
   const { evaluation } = character;
   const [joint, place] = [gizmoOf(options), placeGizmoOf(options)];
   const move = moveGizmoOf(options);
@@ -127,6 +132,7 @@ function overlayOf(frame: Frame, cssScale: number): Overlay {
     ...pins,
     ...sketch,
     ...paths,
+    ...figure,
     ...(chain?.actorId === character.state.id ? chainShapes(evaluation, view, chain) : []),
     ...(nature ? natureShapes(natureArcs(evaluation, view, nature)) : []),
     ...(move ? placeShapes(moveHandles(evaluation, view, move), move) : []),
