@@ -3,6 +3,7 @@ import type { Character } from '../core/character.ts';
 import { loadPart } from '../core/failure.ts';
 import type { NormalsId } from '../core/skin.ts';
 import type { FaceWeighting } from '../core/vertex-normals.ts';
+import type { LaterKernelId } from './later-kernels.ts';
 import { linearBlend } from './linear-blend.ts';
 import type { KernelId, MethodId, MethodSettings, SkinningMethod } from './method.ts';
 
@@ -25,59 +26,27 @@ const linearBlendRow: KernelRow<'linear-blend'> = {
   load: () => Promise.resolve(linearBlend),
 };
 
-const jointNormalsRow: KernelRow<'joint-normals'> = {
-  id: 'joint-normals',
-  label: 'Linear blend, CSE169 normals',
-  short: 'lbs169',
-  load: async () => (await loadPart(import('./joint-normals.ts'))).jointNormals,
-};
+function row<Id extends LaterKernelId>(id: Id, label: string, short: string): KernelRow<Id> {
+  const load = async () => (await loadPart(import('./later-kernels.ts'))).laterKernels[id]();
+  return { id, label, short, load };
+}
 
-const rigidRow: KernelRow<'rigid'> = {
-  id: 'rigid',
-  label: 'Rigid parts',
-  short: 'rigid',
-  load: async () => (await loadPart(import('./rigid.ts'))).rigid,
-};
-
-const dualQuaternionRow: KernelRow<'dual-quaternion'> = {
-  id: 'dual-quaternion',
-  label: 'Dual quaternions',
-  short: 'dqs',
-  load: async () => (await loadPart(import('./dual-quaternion.ts'))).dualQuaternion,
-};
-
-const centersOfRotationRow: KernelRow<'centers-of-rotation'> = {
-  id: 'centers-of-rotation',
-  label: 'Centers of rotation',
-  short: 'cor',
-  load: async () => (await loadPart(import('./centers-of-rotation.ts'))).centersOfRotation,
-};
-
-const deltaMushRow: KernelRow<'delta-mush'> = {
-  id: 'delta-mush',
-  label: 'Delta mush',
-  short: 'mush',
-  load: async () => (await loadPart(import('./delta-mush.ts'))).deltaMush,
-};
+const otherMethods = [
+  row('rigid', 'Rigid parts', 'rigid'),
+  row('dual-quaternion', 'Dual quaternions', 'dqs'),
+  row('centers-of-rotation', 'Centers of rotation', 'cor'),
+  row('delta-mush', 'Delta mush', 'mush'),
+];
 
 /** Every kernel. */
 export const kernels: readonly KernelRow[] = [
   linearBlendRow,
-  jointNormalsRow,
-  rigidRow,
-  dualQuaternionRow,
-  centersOfRotationRow,
-  deltaMushRow,
+  row('joint-normals', 'Linear blend, CSE169 normals', 'lbs169'),
+  ...otherMethods,
 ];
 
 /** Every skinning method, as shown in the interface. */
-export const methods: readonly KernelRow<MethodId>[] = [
-  linearBlendRow,
-  rigidRow,
-  dualQuaternionRow,
-  centersOfRotationRow,
-  deltaMushRow,
-];
+export const methods: readonly KernelRow<MethodId>[] = [linearBlendRow, ...otherMethods];
 
 /** Every way in which normals follow, as shown in the interface. */
 export const normalWays: readonly { readonly id: NormalsId; readonly label: string }[] = [
@@ -109,7 +78,7 @@ export function defaultDeformation({ skin }: Pick<Character, 'skin'>): Deformati
 
 /** Under rigid parts a vertex has one matrix, so both ways give the same normals. */
 export function kernelOf({ method, normals }: Deformation): KernelRow {
-  if (method === 'linear-blend' && normals === 'joints') return jointNormalsRow;
+  if (method === 'linear-blend' && normals === 'joints') return kernelById('joint-normals');
   return kernelById(method);
 }
 
