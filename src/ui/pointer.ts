@@ -52,7 +52,7 @@ export function listenToPointer(canvas: HTMLCanvasElement, editor: Looking & Tel
 
   canvas.addEventListener('pointerdown', (event) => {
     if (event.pointerType === 'mouse' && places.size > 0) return;
-    const place = placeOf(event, canvas, editor.viewer.columns);
+    const place = placeOf(event, canvas, editor.viewer);
     places.set(event.pointerId, place);
     canvas.setPointerCapture(event.pointerId);
     canvas.focus(withoutRing);
@@ -64,7 +64,7 @@ export function listenToPointer(canvas: HTMLCanvasElement, editor: Looking & Tel
     pressed = isFirst && event.button === 0 ? place : null;
   });
   canvas.addEventListener('pointermove', (event) => {
-    const place = placeOf(event, canvas, editor.viewer.columns);
+    const place = placeOf(event, canvas, editor.viewer);
     if (!places.has(event.pointerId)) {
       hover(place);
       return;
@@ -82,7 +82,7 @@ export function listenToPointer(canvas: HTMLCanvasElement, editor: Looking & Tel
     if (!places.delete(event.pointerId)) return;
     drag?.end();
     drag = null;
-    const place = placeOf(event, canvas, editor.viewer.columns);
+    const place = placeOf(event, canvas, editor.viewer);
     if (pressed) click(place);
     pressed = null;
     hover(session.byTouch.value ? null : place);
@@ -109,7 +109,7 @@ export function listenToPointer(canvas: HTMLCanvasElement, editor: Looking & Tel
         return;
       }
       camera.value = zoom(camera.value, Math.exp(pixels * zoomPerWheelPixel));
-      hover(placeOf(event, canvas, editor.viewer.columns));
+      hover(placeOf(event, canvas, editor.viewer));
     },
     { passive: false },
   );
@@ -149,14 +149,19 @@ export function listenToPointer(canvas: HTMLCanvasElement, editor: Looking & Tel
 function placeOf(
   event: PointerEvent | WheelEvent,
   canvas: HTMLCanvasElement,
-  viewCount: number,
+  viewer: Looking['viewer'],
 ): ToolPlace {
   const { left, top, width, height } = canvas.getBoundingClientRect();
   const [pixelX, pixelY] = [event.clientX - left, event.clientY - top];
+  const { columns } = viewer;
+  const parts = viewer.parts.peek();
   // Views side by side each have their own left and right edge.
-  const each = width / viewCount;
+  const each = width / columns;
   const isTouch = event instanceof PointerEvent && event.pointerType === 'touch';
-  const within = pixelX - each * Math.min(viewCount - 1, Math.max(0, Math.floor(pixelX / each)));
+  const column = Math.min(columns - 1, Math.max(0, Math.floor(pixelX / each)));
+  const within = pixelX - each * column;
+  const wiped = parts.find(({ span }) => span && pixelX < span[1] * width);
+  const { overrides } = wiped ?? parts[column] ?? {};
   return {
     x: (within / each) * 2 - 1,
     y: 1 - (pixelY / height) * 2,
@@ -164,6 +169,7 @@ function placeOf(
     pixelY,
     tolerance: isTouch ? touchTolerance : mouseTolerance,
     viewHeight: height,
+    ...(overrides && { overrides }),
     alt: event.altKey,
     shift: event.shiftKey,
     control: event.ctrlKey || event.metaKey,

@@ -1,3 +1,4 @@
+import { selectedActor } from '../document/selected-actor.ts';
 import { pickSkin } from '../posing/pick-skin.ts';
 import { characterRayAt, type Looking, type PickPlace } from './pick.ts';
 import { posedTriangles } from './posed-triangles.ts';
@@ -7,7 +8,8 @@ import { posedTriangles } from './posed-triangles.ts';
  * of the triangle there, the corner with the largest barycentric weight. Null if there is no skin.
  */
 export function pointAt(look: Looking, place: PickPlace): number | null {
-  const shown = look.evaluations.selected();
+  const actor = selectedActor(look.store, look.session);
+  const shown = actor && look.evaluations.of(actor, place.overrides);
   if (!shown?.state.look.visible || !look.session.showSkin.value) return null;
   const { mesh } = shown.state.character;
   const hit = pickSkin(mesh, shown.skin, posedTriangles(shown), characterRayAt(look, place));

@@ -5,7 +5,7 @@ import type { ActorId } from '../document/scene.ts';
 import type { Session } from '../document/session.ts';
 import type { Store } from '../document/store.ts';
 import type { Evaluation } from '../evaluation/evaluation.ts';
-import type { Evaluations } from '../evaluation/evaluations.ts';
+import type { Evaluations, Overrides } from '../evaluation/evaluations.ts';
 import { pickSkin } from '../posing/pick-skin.ts';
 import { pickBox } from './pick-box.ts';
 import { characterRay, pickJoint, rayThrough, sizeOfPixel } from './picking.ts';
@@ -21,6 +21,8 @@ export interface PickPlace {
   /** The tolerance in CSS pixels of a view that is `viewHeight` tall. */
   readonly tolerance: number;
   readonly viewHeight: number;
+  /** What differs from the scene in the view that has the place, as a method does. */
+  readonly overrides?: Overrides;
 }
 
 /** What lies at a place of the view. */
@@ -60,7 +62,7 @@ export function characterRayAt({ evaluations, viewer }: Looking, { x, y }: PickP
  */
 export function boneAt(look: Looking, place: PickPlace): BoneTarget | null {
   let nearest: Hit | null = null;
-  for (const evaluation of look.evaluations.visible()) {
+  for (const evaluation of look.evaluations.visible(place.overrides)) {
     const hit = hitOf(evaluation, look, place);
     if (hit && hit.sceneDistance < (nearest?.sceneDistance ?? Infinity)) nearest = hit;
   }
