@@ -1,7 +1,7 @@
 import { useEffect, useState } from 'preact/hooks';
 import type { KernelId } from '../../../skinning/method.ts';
 import type { Compared } from '../../deform-lab/compared.ts';
-import { measureTimes, type MethodTimes } from '../../deform-lab/measure-times.ts';
+import { measureTimes, type MethodTimes } from '../../../view/measure-times.ts';
 import { attempt } from '../../attempt.ts';
 import type { Looking, Telling } from '../../editor.ts';
 

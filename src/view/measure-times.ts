@@ -1,10 +1,10 @@
-import type { Evaluation } from '../../evaluation/evaluation.ts';
-import { gpuDone, nextTask } from '../../gl/fence.ts';
-import type { KernelId } from '../../skinning/method.ts';
-import { poseVertices } from '../../skinning/pose-vertices.ts';
-import type { KernelRow } from '../../skinning/registry.ts';
-import type { WasmSkinning } from '../../skinning/wasm/wasm-skinning.ts';
-import type { Viewer } from '../../view/viewer.ts';
+import type { Evaluation } from '../evaluation/evaluation.ts';
+import { gpuDone, nextTask } from '../gl/fence.ts';
+import type { KernelId } from '../skinning/method.ts';
+import { poseVertices } from '../skinning/pose-vertices.ts';
+import type { KernelRow } from '../skinning/registry.ts';
+import type { WasmSkinning } from '../skinning/wasm/wasm-skinning.ts';
+import type { Viewer } from './viewer.ts';
 
 /** The milliseconds that a method takes for all vertices of a character. */
 export interface MethodTimes {
