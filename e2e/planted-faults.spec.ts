@@ -1,8 +1,9 @@
 import { expect } from '@playwright/test';
 import { kernelById, menuName } from '../src/skinning/registry.ts';
 import type { Verification } from '../src/document/verification.ts';
-import { capture, choose, openSmallView, verify } from './support/app.ts';
+import { capture, choose, openSmallView, setPose, verify } from './support/app.ts';
 import { allowFaults, plantFault, plantedTexts, type Replacement } from './support/plant-fault.ts';
+import { wildPose } from './support/poses.ts';
 import { sharedPage, test } from './support/test.ts';
 
 // The agreement of GPU and CPU means something only if the check can fail. Each fault is a mistake
@@ -87,6 +88,28 @@ test('finds a fault in the rigid method: the last joint instead of the heaviest'
   const found = await verifyWith([['weight > heaviestWeight', 'weight > 0.0']]);
   expect(found.identical).toBe(false);
   expect(found.position).toBeGreaterThan(clearly);
+  await choose(page(), 'Method', menuName(kernelById('linear-blend')));
+});
+
+const dualFaults: Readonly<Record<string, Replacement>> = {
+  'rotations that point away from the pivot': [
+    'dotInOrder(pivot, rotation) < 0.0 ? -clamped : clamped',
+    'clamped',
+  ],
+  'the first joint as the pivot': ['weight > pivotWeight', 'pivotWeight == 0.0'],
+  'a blend that is not normalized': ['blendedDual * scale', 'blendedDual'],
+  'a rotation turned back': ['xy - turned.z', 'xy + turned.z'],
+};
+
+test('finds faults in dual quaternions', async () => {
+  await choose(page(), 'Method', menuName(kernelById('dual-quaternion')));
+  const jointCount = await page().evaluate(() => window.sinew.characters[0]!.joints.length);
+  await setPose(page(), wildPose(jointCount, 1));
+  for (const [name, replacement] of Object.entries(dualFaults)) {
+    const found = await verifyWith([replacement]);
+    expect(found.identical, name).toBe(false);
+    expect(found.position, name).toBeGreaterThan(clearly);
+  }
   await choose(page(), 'Method', menuName(kernelById('linear-blend')));
 });
 
