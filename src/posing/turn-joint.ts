@@ -1,4 +1,4 @@
-import type { mat4} from 'gl-matrix';
+import type { mat4 } from 'gl-matrix';
 import { mat3, quat, type ReadonlyVec3, vec3 } from 'gl-matrix';
 import { DofKind, type Skeleton } from '../core/skeleton.ts';
 import { type HingeTriple, hingeTriple, tripleAngles } from './hinge-triple.ts';
