@@ -11,6 +11,7 @@ import { Session } from '../../src/document/session.ts';
 import { addSavedPose } from '../../src/document/saved-poses.ts';
 import { addShot } from '../../src/document/shots.ts';
 import { Store } from '../../src/document/store.ts';
+import { Evaluations } from '../../src/evaluation/evaluations.ts';
 import { Transport } from '../../src/document/transport.ts';
 import { workspaces } from '../../src/app/workspaces.ts';
 import { commands } from '../../src/ui/commands/registry.ts';
@@ -47,6 +48,7 @@ async function createEditor(): Promise<Editor> {
     showsRotationLab: signal(false),
     progress,
     viewer: { camera: signal(startCamera) },
+    evaluations: new Evaluations(store, session),
   };
   return parts as unknown as Editor;
 }
