@@ -11,6 +11,9 @@ import { Session } from '../../src/document/session.ts';
 import { addSavedPose } from '../../src/document/saved-poses.ts';
 import { addShot } from '../../src/document/shots.ts';
 import { Store } from '../../src/document/store.ts';
+import { comparisonOf } from '../../src/document/comparison.ts';
+import { cuttingSettings } from '../../src/ui/deform-lab/cutting-settings.ts';
+import type { Figure } from '../../src/ui/deform-lab/figure-paths.ts';
 import { Evaluations } from '../../src/evaluation/evaluations.ts';
 import { Transport } from '../../src/document/transport.ts';
 import { workspaces } from '../../src/app/workspaces.ts';
@@ -162,6 +165,10 @@ describe('the palette', () => {
     const keys = new Map([[channelKey(clips[clip ?? 0]!.channels[0]!.target!), [0]]]);
     session.selectedKeys.value = keys;
     copiedKeys.value = copyKeys(clips[clip ?? 0]!, keys);
+    for (const id of listed()) seen.add(id);
+    // Two methods are compared, and a plane cuts the character.
+    session.comparison.value = comparisonOf(['linear-blend', 'rigid']);
+    cuttingSettings(session).figure.value = {} as Figure;
     for (const id of listed()) seen.add(id);
     const never = fitting.filter((id) => !seen.has(id));
     expect(never).toEqual(['palette']);
