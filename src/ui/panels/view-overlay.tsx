@@ -12,6 +12,7 @@ import { formatDegrees } from '../angle-text.ts';
 import type { Editor, Looking, Posing } from '../editor.ts';
 import { gimbalText } from '../gimbal-text.ts';
 import { hintAt } from '../hints.ts';
+import { preparing } from '../preparing.ts';
 import type { SectionComponent } from '../sections.ts';
 import { CommandButton } from './command-button.tsx';
 import { ShotOverlay } from './shot-overlay.tsx';
@@ -67,7 +68,9 @@ function ViewHint({ editor }: { readonly editor: Editor }) {
   const hint = hintAt(hints.value, 'view');
   const { activeDof, shownShot, showWeights } = session;
   const isBusy = activeDof.value !== null || shownShot.value !== null || showWeights.value;
-  const isQuiet = !isBusy && gimbalText(editor) === '' && store.scene.value.actors.length > 0;
+  const isWaiting = preparing(editor).length > 0;
+  const isQuiet =
+    !isBusy && !isWaiting && gimbalText(editor) === '' && store.scene.value.actors.length > 0;
   return hint && isQuiet ? <p class="view-hint">{hint.text}</p> : null;
 }
 
