@@ -4,6 +4,7 @@ import { selectJoint, toggleJoint } from '../document/select-joints.ts';
 import { boneAt } from '../view/pick.ts';
 import { pinAt } from '../view/pick-pin.ts';
 import { handleAt } from '../view/pick-gizmo.ts';
+import { pointAt } from '../view/pick-point.ts';
 import type { Looking, Telling } from './editor.ts';
 import { hoverAt, showHover, weightPointAt } from './hover.ts';
 import { onceAFrame } from './once-a-frame.ts';
@@ -143,6 +144,10 @@ export function listenToPointer(canvas: HTMLCanvasElement, editor: Looking & Tel
     if (isOneMore && joint !== null) toggleJoint(session, joint);
     else selectJoint(session, joint);
     session.markedPoint.value = weightPointAt(editor, place, target);
+    // A click beside the skin keeps the inspected vertex.
+    const { inspectedPoint } = session;
+    if (inspectedPoint.value !== null)
+      inspectedPoint.value = pointAt(editor, place) ?? inspectedPoint.value;
   }
 }
 

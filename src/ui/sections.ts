@@ -126,6 +126,12 @@ export const sections: readonly Section[] = [
     load: async () => (await loadPart(import('./panels/deform-lab-panel.tsx'))).DeformLabPanel,
   },
   {
+    id: 'vertex-inspector',
+    place: 'right',
+    tabs: ['deform'],
+    load: async () => (await loadPart(import('./panels/vertex-inspector.tsx'))).VertexInspector,
+  },
+  {
     id: 'method',
     place: 'right',
     tabs: ['deform'],

@@ -11,13 +11,21 @@ const mostFrames = 300;
  * @param name the class of its section
  */
 export async function toggleLab(
-  { tab, drawer }: Editor,
+  editor: Editor,
   isOpen: Signal<boolean>,
   home: TabId,
   name: string,
 ): Promise<void> {
-  isOpen.value = !isOpen.value || tab.value !== home;
-  if (!isOpen.value) return;
+  isOpen.value = !isOpen.value || editor.tab.value !== home;
+  if (isOpen.value) await goToSection(editor, home, name);
+}
+
+/** Goes to the tab of an open section, scrolls to it, and moves the keyboard focus there. */
+export async function goToSection(
+  { tab, drawer }: Pick<Editor, 'tab' | 'drawer'>,
+  home: TabId,
+  name: string,
+): Promise<void> {
   tab.value = home;
   drawer.value = 'right';
   const find = () => document.querySelector<HTMLElement>(`.${name}[open] > :nth-child(2)`);

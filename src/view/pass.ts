@@ -18,6 +18,7 @@ export type PassId =
   | 'bone-lines'
   | 'ghosts'
   | 'trails'
+  | 'inspection'
   | 'overlay'
   | 'axes';
 

@@ -23,6 +23,7 @@ import { placeCommands } from './place-commands.ts';
 import { turnCommands } from './turn-commands.ts';
 import { targetCommands } from './target-commands.ts';
 import { timelineCommands } from './timeline-commands.ts';
+import { vertexCommands } from './vertex-commands.ts';
 import { viewCommands } from './view-commands.ts';
 import { weightCommands } from './weight-commands.ts';
 
@@ -44,7 +45,7 @@ const groups = [
   { label: 'Movie', commands: movieCommands },
   { label: 'Motion in the view', commands: motionViewCommands },
   { label: 'Rotations', commands: rotationLabCommands },
-  { label: 'Weights', commands: weightCommands },
+  { label: 'Weights', commands: [...weightCommands, ...vertexCommands] },
   { label: 'Deformation', commands: [...deformLabCommands, ...measureCommands] },
   { label: 'Cutting figure', commands: cuttingCommands },
   { label: 'Camera', commands: [...cameraCommands, ...axisCommands] },

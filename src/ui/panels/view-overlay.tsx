@@ -49,6 +49,9 @@ export function ViewOverlay({ editor }: { readonly editor: Editor }) {
           <span>Auto-key</span>
         </div>
       )}
+      {editor.session.inspectedPoint.value !== null && (
+        <Loaded editor={editor} load={loadInspection} />
+      )}
       {editor.session.showWeights.value && <Loaded editor={editor} load={loadWeights} />}
     </>
   );
@@ -56,6 +59,10 @@ export function ViewOverlay({ editor }: { readonly editor: Editor }) {
 
 async function loadWeights(): Promise<SectionComponent> {
   return (await loadPart(import('./weights-overlay.tsx'))).WeightsOverlay;
+}
+
+async function loadInspection(): Promise<SectionComponent> {
+  return (await loadPart(import('./vertex-inspector/inspection-overlay.tsx'))).InspectionOverlay;
 }
 
 async function loadComparison(): Promise<SectionComponent> {

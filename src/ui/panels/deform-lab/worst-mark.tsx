@@ -1,10 +1,11 @@
 import type { Compared } from '../../deform-lab/compared.ts';
 import { differenceText } from '../../deform-lab/difference-text.ts';
 import { placeOfWorst, viewPlace } from '../../deform-lab/place-of-worst.ts';
-import type { Looking } from '../../editor.ts';
+import type { Editor } from '../../editor.ts';
+import { inspectPoint } from '../../vertex-inspector/open-inspector.ts';
 
 interface WorstMarkProperties {
-  readonly editor: Looking;
+  readonly editor: Editor;
   readonly compared: Compared;
   /** The number of views that are side by side. */
   readonly columns: number;
@@ -14,7 +15,8 @@ interface WorstMarkProperties {
  * Marks where a method differs most from the base, in each view, with a line between the two places
  * and the figure. A click inspects the vertex.
  */
-export function WorstMark({ editor: { session, viewer }, compared, columns }: WorstMarkProperties) {
+export function WorstMark({ editor, compared, columns }: WorstMarkProperties) {
+  const { session, viewer } = editor;
   const place = placeOfWorst(compared);
   if (!place) return null;
   const camera = viewer.viewCamera.value;
@@ -45,7 +47,10 @@ export function WorstMark({ editor: { session, viewer }, compared, columns }: Wo
               aria-pressed={isOpen}
               aria-label={`Largest difference of ${worst!.kernel.label} from ${base.kernel.label}: ${text}, vertex ${place.point}. Inspect it`}
               title={`Vertex #${place.point}: inspect it`}
-              onClick={() => (inspectedPoint.value = isOpen ? null : place.point)}
+              onClick={() => {
+                if (isOpen) inspectedPoint.value = null;
+                else inspectPoint(editor, place.point);
+              }}
             >
               {text}
             </button>
