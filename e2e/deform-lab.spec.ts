@@ -13,7 +13,8 @@ test.use({ viewport: { width: 900, height: 560 } });
 const page = sharedPage((page) => openApp(page, 'model=human'));
 
 const canvas = () => page().locator('canvas.scene');
-const button = (name: string | RegExp) => page().getByRole('button', { name, exact: true });
+/** A pose that is offered over the view; the Deform tab offers them as well. */
+const offered = (name: string) => page().locator('.comparison-foot').getByRole('button', { name });
 const mark = () => page().getByRole('button', { name: /^Largest difference of/ });
 const wipe = () => page().getByRole('slider', { name: /^Wipe between/ });
 const settled = () => page().evaluate(() => window.sinew.settled());
@@ -39,6 +40,11 @@ async function seen(): Promise<PNG> {
   return PNG.sync.read(bytes);
 }
 
+/** The view as the page shows it, with what is drawn over the scene. */
+async function shown(): Promise<Buffer> {
+  return PNG.sync.write(await seen());
+}
+
 /** Columns of pixels, which are parts of the width, in one list. */
 function columns({ data, width, height }: PNG, from: number, to: number): Buffer {
   const [left, right] = [Math.ceil(from * width) + 3, Math.floor(to * width) - 3];
@@ -56,7 +62,7 @@ test('x shows where two methods differ most, in a pose that tells it, and gives 
   await expect(page().locator('.offered')).toContainText('hardly differ');
   await settled();
   expectPicture('lab-at-rest', await capture(page(), 'png', small));
-  await button('Twist the forearm').click();
+  await offered('Twist the forearm').click();
   await settled();
   await expect(mark()).toHaveText(/^0\.\d+ \([1-9](\.\d+)? %\)$/);
   await expect(page().locator('.offered')).toHaveCount(0);
@@ -70,10 +76,53 @@ test('x shows where two methods differ most, in a pose that tells it, and gives 
   expect((await capture(page(), 'png', small)).equals(plain), 'the camera is back').toBe(true);
 });
 
+test('a click on the mark explains the vertex by both methods, and its weights are edited there', async () => {
+  test.setTimeout(60_000);
+  await setPose(page(), {});
+  await press('x');
+  await offered('Twist the forearm').click();
+  await mark().click();
+  const inspector = page().locator('.vertex-inspector');
+  const number = inspector.getByRole('spinbutton', { name: /^Vertex/ });
+  const last = (name: string) =>
+    inspector.getByRole('region', { name }).getByRole('row', { name: /^Σ/ });
+  const place = last('w·T·B⁻¹·p, and their sum: the vertex');
+  await expect(place).toHaveText(/^Σ(-?\d\.\d{4}){3}$/);
+  await expect(last('That motion of p: the vertex')).toBeVisible();
+  expect(await violations(page())).toEqual([]);
+  await settled();
+  expectPicture('lab-inspector', await shown());
+  const [vertex, before] = [await number.inputValue(), await place.textContent()];
+  const slider = inspector.getByRole('slider').first();
+  await slider.fill('0.9');
+  await expect(place).not.toHaveText(before!);
+  await inspector.getByRole('button', { name: 'Reset vertex' }).click();
+  await expect(place).toHaveText(before!);
+  const undo = page().locator('.top [data-command="undo"]');
+  await undo.click();
+  await expect(place).not.toHaveText(before!);
+  await undo.click();
+  await expect(place).toHaveText(before!);
+  await inspector.getByRole('combobox').selectOption({ index: 1 });
+  const joints = inspector.getByRole('button', { name: /^Remove/ });
+  const count = await joints.count();
+  await joints.last().click();
+  await expect(joints).toHaveCount(count - 1);
+  const { x, y, width, height } = (await canvas().boundingBox())!;
+  await page().mouse.click(x + 0.45 * width, y + 0.45 * height);
+  await expect(number).not.toHaveValue(vertex);
+  await number.fill('12');
+  await expect(number).toHaveValue('12');
+  await page().locator('.vertex-inspector > summary').click();
+  await expect(number).toHaveCount(0);
+  await press('x');
+  await startOver(page());
+});
+
 test('each part is the picture of its method there, pixel for pixel', async () => {
   await setPose(page(), {});
   await press('x');
-  await button('Bend the elbow').click();
+  await offered('Bend the elbow').click();
   const bent = await getPose(page());
   // A camera that the user has moved stays where it is at the end; the offered pose does not.
   await press('ArrowRight');
@@ -99,7 +148,7 @@ test('each part is the picture of its method there, pixel for pixel', async () =
 test('in each part the pointer lights limbs, and undo and the camera work', async () => {
   await setPose(page(), {});
   await press('x');
-  await button('Twist the forearm').click();
+  await offered('Twist the forearm').click();
   const twisted = await getPose(page());
   await openTab(page(), 'deform');
   await page().locator('.deform-lab').getByRole('button', { name: 'Side by side' }).click();
@@ -153,7 +202,7 @@ test('an engineer compares methods on own file and pose, and saves numbers and p
   const pose = JSON.stringify(await getPose(page()));
   await user.drop([{ name: 'POSE.json', content: pose }], { x: x + 200, y: y + 200 });
   await settled();
-  await user.click(button(/^Compare skinning methods/));
+  await user.click(page().getByRole('button', { name: /^Compare skinning methods/ }));
   await expect(page().locator('.compared')).toContainText('Dual quaternions');
   await user.click(page().locator('.top [data-tab="deform"]'));
   for (const [name, file] of [
