@@ -11,6 +11,8 @@ import { sharedPage, test } from './support/test.ts';
 
 const page = sharedPage((page) => openView(page, 'model=human'));
 const [width, height] = [320, 240];
+test.describe.configure({ timeout: 90_000 });
+
 const undo = () => page().locator('[data-command="undo"]');
 const undoAll = async (): Promise<void> => {
   while (await undo().isEnabled()) await undo().dispatchEvent('click');

@@ -7,6 +7,9 @@ import { coarse, sharedPage, test } from './support/test.ts';
 
 test.use(coarse);
 
+// Every method links every variant and poses a character.
+test.describe.configure({ timeout: 120_000 });
+
 const page = sharedPage(openApp);
 const check = () => chooseFromMenu(page(), 'Check this machine');
 const notice = () => page().locator('.notice');

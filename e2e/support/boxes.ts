@@ -40,6 +40,8 @@ function findFaults(smallest: number): Findings {
     /** The part that its panels do not scroll away. */
     readonly seen: Box;
     readonly scrolls: boolean;
+    /** Whether a panel around it scrolls sideways, where it may be out of sight. */
+    readonly scrollsAcross: boolean;
   }
   const intersection = (a: Box, b: Box): Box => ({
     left: Math.max(a.left, b.left),
@@ -59,15 +61,16 @@ function findFaults(smallest: number): Findings {
       const target = element.closest('label') ?? element;
       const box = target.getBoundingClientRect();
       let seen = intersection(box, window);
-      let scrolls = false;
+      let [scrolls, scrollsAcross] = [false, false];
       for (let around = target.parentElement; around; around = around.parentElement) {
         const { overflowX, overflowY } = getComputedStyle(around);
         if (overflowX === 'visible' && overflowY === 'visible') continue;
         seen = intersection(seen, around.getBoundingClientRect());
         scrolls ||= around.scrollHeight > around.clientHeight && overflowY !== 'hidden';
+        scrollsAcross ||= around.scrollWidth > around.clientWidth && overflowX !== 'hidden';
       }
       const text = `${element.getAttribute('aria-label') ?? ''} ${element.textContent}`.trim();
-      return { element, name: `“${text.slice(0, 40)}”`, box, seen, scrolls };
+      return { element, name: `“${text.slice(0, 40)}”`, box, seen, scrolls, scrollsAcross };
     });
   const inSight = controls.filter(
     ({ seen }) => seen.right - seen.left > 1 && seen.bottom - seen.top > 1,
@@ -83,9 +86,10 @@ function findFaults(smallest: number): Findings {
       return other === element || Math.hypot(right, down) >= smallest / 2;
     });
   };
-  for (const { element, name, box, scrolls } of controls) {
+  for (const { element, name, box, scrolls, scrollsAcross } of controls) {
     const [width, height] = [box.right - box.left, box.bottom - box.top];
-    if (box.left < -0.5 || box.right > innerWidth + 0.5) faults.push(`${name} is cut at a side`);
+    const isCut = box.left < -0.5 || box.right > innerWidth + 0.5;
+    if (isCut && !scrollsAcross) faults.push(`${name} is cut at a side`);
     if (!scrolls && (box.top < -0.5 || box.bottom > innerHeight + 0.5)) {
       faults.push(`${name} is out of the window`);
     }

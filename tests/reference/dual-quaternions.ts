@@ -6,7 +6,7 @@ type Quaternion = readonly [number, number, number, number];
 /** A rotation, and half the translation times the rotation. */
 export type DualQuaternion = readonly [rotation: Quaternion, dual: Quaternion];
 
-export function product(a: Quaternion, b: Quaternion): Quaternion {
+function product(a: Quaternion, b: Quaternion): Quaternion {
   const [aw, ax, ay, az] = a;
   const [bw, bx, by, bz] = b;
   return [
@@ -17,7 +17,7 @@ export function product(a: Quaternion, b: Quaternion): Quaternion {
   ];
 }
 
-export function conjugate([w, x, y, z]: Quaternion): Quaternion {
+function conjugate([w, x, y, z]: Quaternion): Quaternion {
   return [w, -x, -y, -z];
 }
 
