@@ -16,6 +16,7 @@ import { positiveSkin } from './positive-skin.ts';
 import { hasCenter, restCenters } from './rest-centers/rest-centers.ts';
 import { writeEntryRotation } from './rotation-quaternion.ts';
 import { bindFactors } from './stretch.ts';
+import { signedInfluences } from './wasm/signed-influences.ts';
 
 const { fround } = Math;
 
@@ -36,7 +37,11 @@ export const centersOfRotation: SkinningMethod<'centers-of-rotation', Float32Arr
   prepare: restCenters,
   deform,
   attributes: ({ pointOf }, centers) => ({ restCenter: spread(centers, pointOf) }),
-  wasm: null,
+  wasm: {
+    rows: (skin) => signedInfluences(positiveSkin(skin)),
+    normals: 'cofactors',
+    centers: (extra) => extra as Float32Array,
+  },
   chunk: 'centers-of-rotation',
 };
 

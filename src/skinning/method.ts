@@ -32,6 +32,11 @@ export interface WasmPlan {
   /** The influences that are blended, with pairs for dual quaternions; null if it can't. */
   readonly rows: (skin: Skin) => WasmRows | null;
   readonly blend?: 'dual-quaternions';
+  /**
+   * The centers (pointCount × 3) about which points turn, of what the method prepared. Entries of the
+   * palette have a rotation after the rows of the matrix.
+   */
+  readonly centers?: (extra: unknown) => Float32Array;
   /** Normals are transformed by the cofactors of the matrix, or by one of the next three vec4s. */
   readonly normals: 'cofactors' | 'next-rows';
   /** Moves vertices whose position is not a number; the kernel leaves those that it can't move. */

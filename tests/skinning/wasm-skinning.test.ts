@@ -101,6 +101,10 @@ describe('the comparison finds a fault in the kernel', () => {
       'f32x4.add(f32x4.mul(ax, bx), f32x4.add(f32x4.mul(ay, by), f32x4.mul(az, bz)))',
     ],
     'rotations that point away from the pivot': ['away ? -0.0 : 0.0', '0.0'],
+    'a point that is not relative to its center': [
+      'v128.bitselect(f32x4.sub(point, center), point, turns)',
+      'point',
+    ],
     'a term of the translation': ['minor(y, ez, z, ey)', 'minor(y, ez, z, ex)'],
   };
 
@@ -159,7 +163,10 @@ interface Skinned {
 function skinned(vec4sPerEntry: number): fc.Arbitrary<Skinned> {
   const small = fc.constantFrom(0, -0, 1, 1e-45, -1e-40, 1.1e-38, 1.3e-38, 1e-30);
   const number = fc.oneof(fc.float({ noNaN: true, min: -1000, max: 1000 }), small);
-  const weight = fc.oneof(fc.float({ noNaN: true, min: -2, max: 2 }), small);
+  // Smaller weights are dropped when a character is built; the inverse of their sum may be no number.
+  const weight = fc
+    .oneof(fc.float({ noNaN: true, min: -2, max: 2 }), small)
+    .map((value) => (Math.abs(value) < 1e-6 ? 0 : value));
   const numbers = (length: number): fc.Arbitrary<Float32Array> =>
     fc.array(number, { minLength: length, maxLength: length }).map((all) => Float32Array.from(all));
   return fc.integer({ min: 1, max: 5 }).chain((entryCount) => {

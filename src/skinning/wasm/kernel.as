@@ -1,7 +1,7 @@
 // The skinning kernels for WebAssembly, in AssemblyScript. They compute what blend-matrices.ts,
-// affine-kernel.ts, joint-normals.ts, blend-quaternions.ts and blend-motions.ts of src/skinning
-// define, with the same operations in the same order, for four vertices at a time: a vector has one
-// number of each. Change one with the other.
+// affine-kernel.ts, joint-normals.ts, blend-quaternions.ts, blend-motions.ts and
+// centers-of-rotation.ts of src/skinning define, with the same operations in the same order, for
+// four vertices at a time: a vector has one number of each. Change one with the other.
 //
 // The host lays out the memory (wasm-skin.ts). A group is four vertices with as many influences:
 // - influences: for each influence of the group, 4 weights (float32) and 4 palette entries (uint16)
@@ -162,6 +162,82 @@ export function blendDualQuaternions(
     matrices += matrixBytes;
   }
   return v128.any_true(isLost);
+}
+
+/**
+ * Changes the blended matrices of groups so that their vertices turn about their centers, by the
+ * blend of rotations. Entries are those of the signed palette, a matrix and a rotation each. A
+ * vertex without a center, or whose rotations cancel out, keeps its matrix.
+ *
+ * @param places 4 x, 4 y and 4 z of what the matrices are then applied to, written
+ */
+export function turnAboutCenters(
+  groups: i32,
+  count: i32,
+  influences: usize,
+  palette: usize,
+  centers: usize,
+  points: usize,
+  matrices: usize,
+  places: usize,
+): void {
+  // The group after the block's matrices is room for the rotations.
+  const turned = matrices + <usize>groups * matrixBytes;
+  for (; groups > 0; groups--) {
+    let a = zero(), b = zero(), c = zero(), d = zero();
+    for (let i = 0; i < count; i++, influences += influenceBytes) {
+      const entryA = palette + (<usize>load<u16>(influences, 16) << 6);
+      const entryB = palette + (<usize>load<u16>(influences, 18) << 6);
+      const entryC = palette + (<usize>load<u16>(influences, 20) << 6);
+      const entryD = palette + (<usize>load<u16>(influences, 22) << 6);
+      a = f32x4.add(a, f32x4.mul(v128.load32_splat(influences), v128.load(entryA, 48)));
+      b = f32x4.add(b, f32x4.mul(v128.load32_splat(influences, 4), v128.load(entryB, 48)));
+      c = f32x4.add(c, f32x4.mul(v128.load32_splat(influences, 8), v128.load(entryC, 48)));
+      d = f32x4.add(d, f32x4.mul(v128.load32_splat(influences, 12), v128.load(entryD, 48)));
+    }
+    storeTransposed(turned, a, b, c, d);
+    const x = v128.load(turned);
+    const y = v128.load(turned, 16);
+    const z = v128.load(turned, 32);
+    const w = v128.load(turned, 48);
+    const squared = f32x4.add(dot(x, y, z, x, y, z), f32x4.mul(w, w));
+    const scale = f32x4.div(f32x4.splat(1), f32x4.sqrt(squared));
+    storeRotation(
+      turned,
+      f32x4.mul(x, scale),
+      f32x4.mul(y, scale),
+      f32x4.mul(z, scale),
+      f32x4.mul(w, scale),
+    );
+    const cx = v128.load(centers);
+    const cy = v128.load(centers, 16);
+    const cz = v128.load(centers, 32);
+    const turns = v128.and(
+      f32x4.gt(squared, f32x4.splat(1e-12)),
+      f32x4.lt(cx, f32x4.splat(1e38)),
+    );
+    for (let row: usize = 0; row < matrixBytes; row += 64) {
+      const at = matrices + row;
+      const moved = applyRow(at, cx, cy, cz);
+      v128.store(at, v128.bitselect(v128.load(turned + row), v128.load(at), turns));
+      v128.store(at, v128.bitselect(v128.load(turned + row, 16), v128.load(at, 16), turns), 16);
+      v128.store(at, v128.bitselect(v128.load(turned + row, 32), v128.load(at, 32), turns), 32);
+      v128.store(at, v128.bitselect(moved, v128.load(at, 48), turns), 48);
+    }
+    storePlace(places, v128.load(points), cx, turns);
+    storePlace(places + 16, v128.load(points, 16), cy, turns);
+    storePlace(places + 32, v128.load(points, 32), cz, turns);
+    matrices += matrixBytes;
+    centers += groupBytes;
+    points += groupBytes;
+    places += groupBytes;
+  }
+}
+
+/** Stores a number of each point, relative to its center if it turns about it. */
+@inline
+function storePlace(at: usize, point: v128, center: v128, turns: v128): void {
+  v128.store(at, v128.bitselect(f32x4.sub(point, center), point, turns));
 }
 
 /** Transforms points by their matrices. */

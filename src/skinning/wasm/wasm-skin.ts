@@ -34,6 +34,16 @@ interface KernelFunctions {
     palette: number,
     matrices: number,
   ): number;
+  turnAboutCenters(
+    groups: number,
+    count: number,
+    influences: number,
+    palette: number,
+    centers: number,
+    points: number,
+    matrices: number,
+    places: number,
+  ): void;
   readonly transformPoints: Transform;
   readonly transformNormals: Transform;
   readonly transformNormalsByCofactors: Transform;
@@ -56,8 +66,9 @@ const matrixBytes = 192;
 const floatsPerEntry = 32;
 /** Where an entry has its rotation, if it has one. */
 const rotationAt = 48;
-/** The longest entry of a signed palette. */
-const signedBytes = 32;
+/** The bytes of an entry of a signed palette: a dual quaternion, or a matrix and a rotation. */
+const dualBytes = 32;
+const turningBytes = 64;
 const pageBytes = 65536;
 /** A WebAssembly memory has at most 4 GiB. */
 const mostPages = 65536;
@@ -80,6 +91,11 @@ export class WasmSkin {
   private readonly pairCount: number;
   private readonly pairsAt: number;
   private readonly signedAt: number;
+  private readonly placesAt: number;
+  /** The centers of the groups, if the plan has any. */
+  private readonly centers: Float32Array;
+  /** The centers that are in the memory. */
+  private centersInUse: Float32Array | undefined;
   private readonly points: Float32Array;
   private readonly normals: Float32Array;
   private readonly palette: Float32Array;
@@ -87,7 +103,13 @@ export class WasmSkin {
   private readonly posedNormals: Float32Array;
 
   /** Throws a RangeError if there is not enough memory. */
-  constructor(module: WebAssembly.Module, mesh: Mesh, rows: WasmRows, entryCount: number) {
+  constructor(
+    module: WebAssembly.Module,
+    mesh: Mesh,
+    rows: WasmRows,
+    entryCount: number,
+    hasCenters: boolean,
+  ) {
     this.entryCount = entryCount;
     const { pointOf, vertexCount } = mesh;
     this.pointOf = pointOf;
@@ -101,14 +123,17 @@ export class WasmSkin {
     };
     this.influencesAt = reserve(influencesSize(this.groups));
     this.targetsAt = reserve(groupCount * targetBytes);
-    this.matricesAt = reserve(blockSize * matrixBytes);
+    this.matricesAt = reserve((blockSize + 1) * matrixBytes);
     const points = reserve(groupCount * vectorBytes);
     const normals = reserve(groupCount * vectorBytes);
     const palette = reserve(entryCount * floatsPerEntry * 4);
     const { pairs = new Uint16Array(0) } = rows;
     this.pairCount = pairs.length / 2;
     this.pairsAt = reserve(pairs.byteLength);
-    this.signedAt = reserve(this.pairCount * signedBytes);
+    this.signedAt = reserve(this.pairCount * (hasCenters ? turningBytes : dualBytes));
+    this.placesAt = reserve(hasCenters ? blockSize * vectorBytes : 0);
+    const centersCount = hasCenters ? groupCount * 12 : 0;
+    const centers = reserve(centersCount * 4);
     // One vertex more takes what the kernel computes for the missing ones of the last group.
     const posedPoints = reserve((vertexCount + 1) * 12);
     const posedNormals = reserve((vertexCount + 1) * 12);
@@ -120,6 +145,7 @@ export class WasmSkin {
     this.kernel = instance.exports as unknown as KernelFunctions;
     const { buffer } = memory;
     this.points = new Float32Array(buffer, points, groupCount * 12);
+    this.centers = new Float32Array(buffer, centers, centersCount);
     this.normals = new Float32Array(buffer, normals, groupCount * 12);
     this.palette = new Float32Array(buffer, palette, entryCount * floatsPerEntry);
     this.posedPoints = new Float32Array(buffer, posedPoints, vertexCount * 3);
@@ -138,19 +164,30 @@ export class WasmSkin {
   /**
    * Computes what `method.deform` does, bit by bit. Vertices whose rotations cancel out are not
    * computed; their positions are no numbers, and the result is true.
+   *
+   * @param centers (pointCount × 3) for a plan with centers
    */
-  deform(plan: WasmPlan, mesh: Mesh, palette: Float32Array, out: PosedStreams): boolean {
-    const { kernel, matricesAt, signedAt } = this;
+  deform(
+    plan: WasmPlan,
+    mesh: Mesh,
+    palette: Float32Array,
+    out: PosedStreams,
+    centers?: Float32Array,
+  ): boolean {
+    const { kernel, matricesAt, signedAt, placesAt } = this;
     this.useRest(mesh);
+    if (centers) this.useCenters(centers);
     this.palette.set(palette);
     const paletteAt = this.palette.byteOffset;
     const stride = palette.byteLength / this.entryCount;
     const { pairCount, pairsAt } = this;
-    kernel.signPalette(pairCount, pairsAt, paletteAt, stride, rotationAt, rotationAt, signedAt);
+    const from = centers ? 0 : rotationAt;
+    kernel.signPalette(pairCount, pairsAt, paletteAt, stride, rotationAt, from, signedAt);
     let influences = this.influencesAt;
     let points = this.points.byteOffset;
     let normals = this.normals.byteOffset;
     let targets = this.targetsAt;
+    let centersAt = this.centers.byteOffset;
     let isLost = 0;
     for (const { groups, count } of this.groups.runs) {
       for (let first = 0; first < groups; first += blockSize) {
@@ -159,8 +196,18 @@ export class WasmSkin {
         const posedNormals = this.posedNormals.byteOffset;
         if (plan.blend === 'dual-quaternions') {
           isLost |= kernel.blendDualQuaternions(size, count, influences, signedAt, matricesAt);
-        } else kernel.blendMatrices(size, count, influences, paletteAt, stride, matricesAt);
-        kernel.transformPoints(size, matricesAt, points, targets, posedPoints);
+        } else {
+          const [entries, bytes] = centers ? [signedAt, turningBytes] : [paletteAt, stride];
+          kernel.blendMatrices(size, count, influences, entries, bytes, matricesAt);
+        }
+        if (centers) {
+          kernel.turnAboutCenters(
+            ...([size, count, influences, signedAt] as const),
+            ...([centersAt, points, matricesAt, placesAt] as const),
+          );
+        }
+        const places = centers ? placesAt : points;
+        kernel.transformPoints(size, matricesAt, places, targets, posedPoints);
         if (out.normals && plan.normals === 'cofactors') {
           kernel.transformNormalsByCofactors(size, matricesAt, normals, targets, posedNormals);
         } else if (out.normals) {
@@ -170,6 +217,7 @@ export class WasmSkin {
         }
         influences += size * count * influenceBytes;
         points += size * vectorBytes;
+        centersAt += size * vectorBytes;
         normals += size * vectorBytes;
         targets += size * targetBytes;
       }
@@ -183,15 +231,29 @@ export class WasmSkin {
   private useRest(mesh: Mesh): void {
     if (this.rest === mesh) return;
     this.rest = mesh;
+    this.spread(mesh.positions, this.points, (vertex) => vertex);
+    this.spread(mesh.normals, this.normals, (vertex) => vertex);
+  }
+
+  private useCenters(centers: Float32Array): void {
+    if (this.centersInUse === centers) return;
+    this.centersInUse = centers;
+    this.spread(centers, this.centers, (vertex) => this.pointOf[vertex]!);
+  }
+
+  /** Copies triples into groups. */
+  private spread(
+    triples: Float32Array,
+    groups: Float32Array,
+    indexOf: (vertex: number) => number,
+  ): void {
     const { vertices } = this.groups;
     for (let i = 0; i < vertices.length; i++) {
       const vertex = vertices[i]!;
-      if (vertex === mesh.vertexCount) continue;
+      if (vertex === this.pointOf.length) continue;
       const to = (i >> 2) * 12 + (i & 3);
-      for (let axis = 0; axis < 3; axis++) {
-        this.points[to + axis * 4] = mesh.positions[vertex * 3 + axis]!;
-        this.normals[to + axis * 4] = mesh.normals[vertex * 3 + axis]!;
-      }
+      const from = indexOf(vertex) * 3;
+      for (let axis = 0; axis < 3; axis++) groups[to + axis * 4] = triples[from + axis]!;
     }
   }
 }

@@ -41,7 +41,8 @@ export class WasmSkinning {
     const other = plan?.mixture && share < 1 ? plan.mixture.other : null;
     const added = other && this.copyOf(skin, mesh, other);
     if ((share > 0 && !own) || (share < 1 && !added)) return false;
-    if (own?.deform(plan!, mesh, palette, out)) plan!.complete?.(mesh, skin, palette, out, use);
+    if (own?.deform(plan!, mesh, palette, out, plan!.centers?.(use.extra)))
+      plan!.complete?.(mesh, skin, palette, out, use);
     if (!own) added?.deform(other!, mesh, palette, out);
     else if (added) {
       const mixed = streamsLike(out);
@@ -51,20 +52,23 @@ export class WasmSkinning {
     return true;
   }
 
-  private copyOf(skin: Skin, mesh: Mesh, { rows }: WasmPlan): WasmSkin | null {
+  private copyOf(skin: Skin, mesh: Mesh, plan: WasmPlan): WasmSkin | null {
+    const { rows } = plan;
     let copies = this.copies.get(skin);
     if (!copies) this.copies.set(skin, (copies = new Map() as SkinCopies));
     let copy = copies.get(rows);
     if (copy === undefined || copy?.fits(mesh) === false) {
-      copies.set(rows, (copy = this.tryCopy(skin, mesh, rows)));
+      copies.set(rows, (copy = this.tryCopy(skin, mesh, plan)));
     }
     return copy;
   }
 
-  private tryCopy(skin: Skin, mesh: Mesh, rowsOf: WasmPlan['rows']): WasmSkin | null {
+  private tryCopy(skin: Skin, mesh: Mesh, plan: WasmPlan): WasmSkin | null {
     try {
-      const rows = rowsOf(skin);
-      return rows && new WasmSkin(this.module, mesh, rows, skin.paletteJoint.length);
+      const rows = plan.rows(skin);
+      const entryCount = skin.paletteJoint.length;
+      const hasCenters = plan.centers !== undefined;
+      return rows && new WasmSkin(this.module, mesh, rows, entryCount, hasCenters);
     } catch (error) {
       if (error instanceof RangeError) return null;
       throw error;
