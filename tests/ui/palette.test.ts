@@ -2,6 +2,7 @@ import type { Actor } from '../../src/document/scene.ts';
 import { signal } from '@preact/signals-core';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import { setInfluencesOf } from '../../src/document/skin-edits.ts';
 import { setInfluences } from '../../src/document/weight-edits.ts';
 import { editActor } from '../../src/document/edit.ts';
 import { bindClip } from '../../src/document/edits.ts';
@@ -169,6 +170,13 @@ describe('the palette', () => {
     // Two methods are compared, and a plane cuts the character.
     session.comparison.value = comparisonOf(['linear-blend', 'rigid']);
     cuttingSettings(session).figure.value = {} as Figure;
+    for (const id of listed()) seen.add(id);
+    expect(listed()).not.toContain('normalize-vertex');
+    expect(listed()).not.toContain('reset-weights');
+    const { id: actorId } = selectedActor(store, session)!;
+    const row = [{ entry: 0, weight: 0.5 }];
+    store.dispatch(setInfluencesOf(actorId, new Map([[0, row]]), 'Weights'));
+    session.inspectedPoint.value = 0;
     for (const id of listed()) seen.add(id);
     const never = fitting.filter((id) => !seen.has(id));
     expect(never).toEqual(['palette']);
