@@ -47,7 +47,7 @@ export function runTask<Name extends TaskName>(
     signal.addEventListener('abort', () => resolve(undefined), { once: true });
     worker.addEventListener('message', ({ data }: MessageEvent<TaskReply>) => {
       if (data.kind === 'progress') onProgress(data.label, data.fraction);
-      else if (data.kind === 'done') resolve(data.output as TaskTypes[Name]['output']);
+      else if (data.kind === 'done') resolve(data.output);
       else reject(data.isFailure ? new Failure(data.message) : new Error(data.message));
     });
     worker.addEventListener('error', () =>
