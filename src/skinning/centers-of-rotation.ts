@@ -14,7 +14,7 @@ import {
 import type { MethodUse, PosedStreams, SkinningMethod } from './method.ts';
 import { positiveSkin } from './positive-skin.ts';
 import { hasCenter, restCenters } from './rest-centers/rest-centers.ts';
-import { writeEntryRotation } from './rotation-quaternion.ts';
+import { writeEntryRotation } from './entry-motion.ts';
 import { bindFactors } from './stretch.ts';
 import { signedInfluences } from './wasm/signed-influences.ts';
 

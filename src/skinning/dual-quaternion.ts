@@ -16,7 +16,7 @@ import {
 } from './method.ts';
 import { linearBlend } from './linear-blend.ts';
 import { mixBlock } from './mix-vertices.ts';
-import { writeRigidMotion } from './rotation-quaternion.ts';
+import { writeRigidMotion } from './entry-motion.ts';
 import { bindFactors } from './stretch.ts';
 import { signedInfluences } from './wasm/signed-influences.ts';
 

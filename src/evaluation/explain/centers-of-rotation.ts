@@ -1,4 +1,4 @@
-import { writeEntryRotation } from '../../skinning/rotation-quaternion.ts';
+import { writeEntryRotation } from '../../skinning/entry-motion.ts';
 import type { Quaternion, Vector3 } from '../../posing/ik/problem.ts';
 import { rotationAt } from '../../skinning/centers-of-rotation.ts';
 import { positiveSkin } from '../../skinning/positive-skin.ts';

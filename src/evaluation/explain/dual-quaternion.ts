@@ -3,7 +3,7 @@ import type { Quaternion, Vector3 } from '../../posing/ik/problem.ts';
 import { rotationAt } from '../../skinning/blend-motions.ts';
 import { dualQuaternion } from '../../skinning/dual-quaternion.ts';
 import { settingOf } from '../../skinning/method.ts';
-import { writeRigidMotion } from '../../skinning/rotation-quaternion.ts';
+import { writeRigidMotion } from '../../skinning/entry-motion.ts';
 import type { Evaluation } from '../evaluation.ts';
 import { axes, ghostsOf, scaled, sumOfVectors } from './entry-motions.ts';
 import type { ExplainedRow, Explain } from './explanation.ts';
