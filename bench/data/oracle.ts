@@ -1,6 +1,7 @@
 import { characterFromJoints, type Joint, type Values } from '../../tests/reference/kinematics.ts';
 import { inverse } from '../../tests/reference/matrix.ts';
-import { methodOracles, type Transforms, type Vertex } from '../../tests/reference/skinning.ts';
+import { type Transforms, type Vertex } from '../../tests/reference/skinned-vertex.ts';
+import { methodOracles } from '../../tests/reference/skinning.ts';
 import type { MethodId } from '../../src/skinning/method.ts';
 import type { Mesh } from '../../src/core/mesh.ts';
 import { expectRight } from '../harness/group.ts';

@@ -1,6 +1,7 @@
 import { characterFromJoints, type Joint } from '../../tests/reference/kinematics.ts';
 import { inverse } from '../../tests/reference/matrix.ts';
-import { methodOracles, type Influence } from '../../tests/reference/skinning.ts';
+import { type Influence } from '../../tests/reference/skinned-vertex.ts';
+import { methodOracles } from '../../tests/reference/skinning.ts';
 import type { PoseJson } from '../../src/formats/pose-json.ts';
 import { model1Files } from '../support/shared.ts';
 

@@ -4,7 +4,7 @@ import { largestInfluenceCount, noJoint, normalizeSkin } from '../../src/core/sk
 import { characterOfRig, partsOfRig } from '../fixtures/character-of-rig.ts';
 import { forest, manyInfluences, oddWeights, rotatedTree, unitWeights } from '../fixtures/rigs.ts';
 import type { Rig } from '../fixtures/rig.ts';
-import type { Influence } from '../reference/skinning.ts';
+import type { Influence } from '../reference/skinned-vertex.ts';
 
 /** The rig with these rows for its first points; all other points follow joint 0. */
 function withRows(rig: Rig, rows: readonly (readonly Influence[])[]): Rig {

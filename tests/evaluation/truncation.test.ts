@@ -6,7 +6,8 @@ import { truncationOf } from '../../src/evaluation/truncation.ts';
 import { characterOfRig, qOfValues } from '../fixtures/character-of-rig.ts';
 import { type Rig, transformsOf } from '../fixtures/rig.ts';
 import { randomValues, rotatedTree } from '../fixtures/rigs.ts';
-import { type Influence, methodOracles } from '../reference/skinning.ts';
+import { type Influence } from '../reference/skinned-vertex.ts';
+import { methodOracles } from '../reference/skinning.ts';
 import type { Values } from '../reference/kinematics.ts';
 import { tolerances } from '../tolerances.ts';
 

@@ -7,7 +7,7 @@ import {
   unit,
   type Vector,
 } from './matrix.ts';
-import { type Influence, skinningMatrix, type Transforms, type Vertex } from './skinning.ts';
+import { type Influence, skinningMatrix, type Transforms, type Vertex } from './skinned-vertex.ts';
 
 /**
  * Centers of rotation in float64, written from Le and Hodgins 2016, "Real-time skeletal skinning

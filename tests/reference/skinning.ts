@@ -8,34 +8,8 @@ import {
   scaled,
   sum,
 } from './dual-quaternions.ts';
-import {
-  inverse,
-  type Matrix,
-  multiply,
-  transform,
-  transpose,
-  unit,
-  type Vector,
-} from './matrix.ts';
-
-export type Influence = readonly [joint: number, weight: number];
-
-/** A vertex with its weights; joints are given by their index in the file. */
-export interface Vertex {
-  readonly position: Vector;
-  readonly normal: Vector;
-  readonly influences: readonly Influence[];
-  /** Its center of rotation in the bind pose, for the method that has one; null for none. */
-  readonly center?: Vector | null;
-}
-
-/** T of every joint, and the inverse of its B. */
-export interface Transforms {
-  readonly characterFromJoint: readonly Matrix[];
-  readonly jointFromBind: readonly Matrix[];
-  /** The joint that vertices without weights follow. */
-  readonly firstRoot: number;
-}
+import { inverse, type Matrix, transform, transpose, unit, type Vector } from './matrix.ts';
+import { influencesOf, skinningMatrix, type Transforms, type Vertex } from './skinned-vertex.ts';
 
 export interface MethodOracle {
   position(vertex: Vertex, transforms: Transforms): Vector;
@@ -162,18 +136,9 @@ export const methodOracles: Readonly<Record<string, MethodOracle | undefined>> =
   'delta-mush': deltaMush,
 };
 
-function influencesOf({ influences }: Vertex, { firstRoot }: Transforms): readonly Influence[] {
-  const used = influences.filter(([, weight]) => weight !== 0);
-  return used.length > 0 ? used : [[firstRoot, 1]];
-}
-
 function heaviest(vertex: Vertex, transforms: Transforms): number {
   const [first, ...others] = influencesOf(vertex, transforms);
   return others.reduce((best, next) => (next[1] > best[1] ? next : best), first!)[0];
-}
-
-export function skinningMatrix(joint: number, transforms: Transforms): Matrix {
-  return multiply(transforms.characterFromJoint[joint]!, transforms.jointFromBind[joint]!);
 }
 
 /**

@@ -4,7 +4,7 @@ import { volumeRatio } from '../../src/evaluation/comparison/volume.ts';
 import { hasCenter, restCenters } from '../../src/skinning/rest-centers/rest-centers.ts';
 import { twistingTube } from '../fixtures/twisting-tube.ts';
 import { rotationCenters, turnedAboutCenter } from '../reference/centers-of-rotation.ts';
-import type { Influence, Transforms } from '../reference/skinning.ts';
+import type { Influence, Transforms } from '../reference/skinned-vertex.ts';
 import { largestDifference, numbersAt } from '../support/compare.ts';
 import { loadedKernel } from '../support/kernels.ts';
 import { skinVertices } from '../support/skin-vertices.ts';

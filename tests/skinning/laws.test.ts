@@ -9,7 +9,7 @@ import {
   unitWeights,
 } from '../fixtures/rigs.ts';
 import { multiply, transform, type Vector } from '../reference/matrix.ts';
-import { skinningMatrix } from '../reference/skinning.ts';
+import { skinningMatrix } from '../reference/skinned-vertex.ts';
 import { randomSource, shuffled } from '../support/random.ts';
 import { boundingDiagonal, largestDifference, numbersAt } from '../support/compare.ts';
 import { tolerances } from '../tolerances.ts';

@@ -7,7 +7,7 @@ import { characterOfRig, qOfValues } from '../fixtures/character-of-rig.ts';
 import { transformsOf } from '../fixtures/rig.ts';
 import { oddWeights, randomValues } from '../fixtures/rigs.ts';
 import { transform } from '../reference/matrix.ts';
-import { skinningMatrix } from '../reference/skinning.ts';
+import { skinningMatrix } from '../reference/skinned-vertex.ts';
 import { boundingDiagonal, largestDifference, numbersAt } from '../support/compare.ts';
 import { tolerances } from '../tolerances.ts';
 

@@ -9,7 +9,7 @@ import { manyInfluences, randomValues } from '../fixtures/rigs.ts';
 import { tube } from '../fixtures/tube.ts';
 import type { Values } from '../reference/kinematics.ts';
 import { multiply, transform } from '../reference/matrix.ts';
-import { type Influence, skinningMatrix } from '../reference/skinning.ts';
+import { type Influence, skinningMatrix } from '../reference/skinned-vertex.ts';
 import { boundingDiagonal, largestDifference, numbersAt } from '../support/compare.ts';
 import { loadedKernels } from '../support/kernels.ts';
 import { useOf } from '../support/method-use.ts';

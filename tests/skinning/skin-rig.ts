@@ -4,7 +4,8 @@ import { characterOfRig, qOfValues } from '../fixtures/character-of-rig.ts';
 import { type Rig, transformsOf } from '../fixtures/rig.ts';
 import type { Values } from '../reference/kinematics.ts';
 import { rotationCenters } from '../reference/centers-of-rotation.ts';
-import { type MethodOracle, methodOracles, type Vertex } from '../reference/skinning.ts';
+import { type Vertex } from '../reference/skinned-vertex.ts';
+import { type MethodOracle, methodOracles } from '../reference/skinning.ts';
 import { numbersAt } from '../support/compare.ts';
 
 /** Skins the rig for these values with the product's code. */
