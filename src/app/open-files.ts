@@ -50,8 +50,8 @@ export interface OpenOutcome {
   /** All characters that were found; the first of them is open. */
   readonly found: readonly ReadCharacter[];
   readonly opened: Character | null;
-  /** True if the same files were opened again; pose and camera stay. */
-  readonly reopened: boolean;
+  /** What stays as it was, if the same files were opened again. */
+  readonly kept?: string;
   readonly posed: boolean;
   /** The name of an image that covers the selected character now, if one came. */
   readonly cover?: string;
@@ -115,7 +115,7 @@ export class FileOpener {
     if (first) this.showAll([first], way, q && { q });
     this.session.problems.value = problems;
     const opened = first?.character ?? null;
-    return { found: characters, opened, reopened: false, posed: false, added: way.add };
+    return { found: characters, opened, posed: false, added: way.add };
   }
 
   /** Loads the kernels of the characters, so that none is first shown with a substitute method. */

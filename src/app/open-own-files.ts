@@ -12,7 +12,14 @@ import type { FileOpener, OpenOutcome } from './open-files.ts';
 import { motionsAmong, openMotions } from './open-motions.ts';
 import { loadBytes } from './read-bytes.ts';
 import { readFiles } from './read-files.ts';
-import { areCompanions, completeFiles, keptState, missingParts, renews } from './renewal.ts';
+import {
+  areCompanions,
+  completeFiles,
+  keptState,
+  missingParts,
+  renews,
+  weightsText,
+} from './renewal.ts';
 import { readPictureNote, type ReadNote } from './read-picture-note.ts';
 import { withHashes } from './scenes/hash-files.ts';
 import { type PoseFile, sortFiles } from './sort-files.ts';
@@ -99,7 +106,8 @@ export async function openOwnFiles(
   return {
     found: characters,
     opened: first?.character ?? null,
-    reopened: renewed !== undefined,
+    ...(first &&
+      renewed && { kept: `pose and camera kept${weightsText(renewed, first.character)}` }),
     posed: pose !== undefined,
     ...(motion !== undefined && { motion }),
     ...(cover !== undefined && { cover }),

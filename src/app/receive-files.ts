@@ -45,7 +45,7 @@ export async function receiveFiles(
     ...(add === 'ask' && { ask }),
   });
   if (!outcome) return;
-  const { found, opened, reopened, posed, cover, motion, added } = outcome;
+  const { found, opened, kept, posed, cover, motion, added } = outcome;
   if (!opened) {
     if (motion !== undefined) opening.notice.value = motion;
     else if (cover !== undefined) {
@@ -61,7 +61,7 @@ export async function receiveFiles(
   const earlier = own.value.filter((read) => !pathsOf(read).every((path) => came.has(path)));
   own.value = [...earlier.slice(-mostEarlier), ...found];
   const beside = added ? 'added' : 'opened';
-  showOpened(nameOf(found), reopened ? 'updated; pose and camera kept' : beside);
+  showOpened(nameOf(found), kept === undefined ? beside : `updated; ${kept}`);
   await rememberFiles(nameOf(found), handles);
 }
 

@@ -1,6 +1,9 @@
 import type { Character } from '../core/character.ts';
 import type { Diagnostic } from '../core/diagnostics.ts';
 import type { ClipParts } from '../core/motion/clip-parts.ts';
+import { sameValue } from '../core/same-value.ts';
+import { type Influence, influencesOf, type Skin } from '../core/skin.ts';
+import { changedSkin } from '../document/skin-edits.ts';
 import { type Actor, boundClip, type KeptState } from '../document/scene.ts';
 import { nameKey } from '../formats/belonging/paths.ts';
 import { companionExtensions, textureExtensions } from '../formats/extensions.ts';
@@ -59,6 +62,7 @@ export function renews(
  */
 export function keptState(before: Actor, character: Character): KeptState {
   const { q, name, morphWeights, normalizeWeights, influences, transform, fitted, look } = before;
+  const { methodSettings } = before;
   const { morphs } = before.character;
   const weights = new Map(morphs.map(({ name }, index) => [name, morphWeights[index]!]));
   const clips = keptClips(before, character);
@@ -77,10 +81,45 @@ export function keptState(before: Actor, character: Character): KeptState {
     clips,
     clip: bound === -1 ? null : bound,
     ...(bound !== -1 && hasSameSlots && { unkeyed: before.unkeyed }),
+    methodSettings,
     normalizeWeights,
     influences,
+    skin: before.skin && keptSkin(before.skin, before.character, character),
     look,
   };
+}
+
+/**
+ * The new weights with the rows that the user changed, or null where these can't be told or the files
+ * have the same rows now.
+ */
+function keptSkin(edited: Skin, before: Character, { mesh, skin }: Character): Skin | null {
+  if (!fitSkin(before, { mesh, skin })) return null;
+  const rows = new Map<number, readonly Influence[]>();
+  for (let point = 0; point < mesh.pointCount; point++) {
+    const row = influencesOf(edited, point);
+    if (!sameValue(row, influencesOf(before.skin, point))) rows.set(point, row);
+  }
+  return changedSkin({ skin }, skin, rows);
+}
+
+/** Whether points and palette entries mean the same in both. */
+function fitSkin(
+  before: Pick<Character, 'mesh' | 'skin'>,
+  { mesh, skin }: Pick<Character, 'mesh' | 'skin'>,
+): boolean {
+  return (
+    before.mesh.pointCount === mesh.pointCount &&
+    sameValue(before.skin.paletteJoint, skin.paletteJoint)
+  );
+}
+
+/** What became of weights that the user changed, for the status line; empty if there were none. */
+export function weightsText({ skin, character: before }: Actor, character: Character): string {
+  if (!skin) return '';
+  return fitSkin(before, character)
+    ? ', changed weights too'
+    : '; changed weights are dropped, as the vertices are others';
 }
 
 function keptClips({ clips, character: old }: Actor, { clips: read }: Character): Actor['clips'] {

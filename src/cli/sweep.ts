@@ -9,6 +9,7 @@ import { writeCsv } from '../formats/csv/write-csv.ts';
 import { findJoint } from '../formats/pose-json.ts';
 import { aligned } from './aligned.ts';
 import type { Command } from './command.ts';
+import { givenSettings } from './method-settings.ts';
 import { methodNames, methodsNamed } from './named-methods.ts';
 import { joinValue, parseWords } from './parse-words.ts';
 import { createPool, plainCharacter } from './posed-evaluation.ts';
@@ -23,16 +24,17 @@ const mostSteps = 3600;
 /** `sweep FILES --joint NAME --axis x` prints volume and cross-section over the range of an axis. */
 export const sweep: Command = {
   name: 'sweep',
-  usage: `sweep FILES --joint NAME|#N --axis x|y|z [--steps N] [--pose POSE.json|POSE.vpd] [--methods ${methodNames.join(',')}] [--normalize] [--csv OUT.csv]`,
-  summary: `Turns a joint of one character about one axis over its range (its limits, or half a turn each way) in ${defaultSteps} steps or as many as --steps says, and prints what skinning methods do to the volume and to the cross-section, as parts of those at rest. The section is the outline of the skin that the plane through the joint, perpendicular to its bone, cuts at rest; it moves with the skin, and its area is measured. "–" is printed where the mesh encloses no volume or the joint is not inside it.`,
+  usage: `sweep FILES --joint NAME|#N --axis x|y|z [--steps N] [--pose POSE.json|POSE.vpd] [--methods ${methodNames.join(',')}] [--set NAME=VALUE] [--normalize] [--csv OUT.csv]`,
+  summary: `Turns a joint of one character about one axis over its range (its limits, or half a turn each way) in ${defaultSteps} steps or as many as --steps says, and prints what skinning methods do to the volume and to the cross-section, as parts of those at rest. The section is the outline of the skin that the plane through the joint, perpendicular to its bone, cuts at rest; it moves with the skin, and its area is measured. "–" is printed where the mesh encloses no volume or the joint is not inside it. --set, which may be repeated, sets a parameter of a method, such as blend=0.5.`,
   async run(words) {
     const options = parseOptions(words);
+    const methodSettings = await givenSettings(options.methods, options.set);
     const posed = await readPosed(options.files, options.pose);
     if (!posed) return 1;
     const character = plainCharacter(posed.character);
     const range = rangeOf(character, options.joint, options.axis);
     const pool = await createPool();
-    const kept = { ...posed.pose, normalizeWeights: options.normalize };
+    const kept = { ...posed.pose, normalizeWeights: options.normalize, methodSettings };
     const actor = createActor(1, character, 'linear-blend', kept);
     const ids = options.methods.map(({ id }) => id);
     for (const method of ids) await pool.kernels.loadFor({ ...actor, method });
@@ -78,13 +80,14 @@ function parseOptions(words: readonly string[]) {
         steps: { type: 'string' },
         pose: { type: 'string' },
         methods: { type: 'string' },
+        set: { type: 'string', multiple: true, default: [] },
         normalize: { type: 'boolean', default: false },
         csv: { type: 'string' },
       },
       allowPositionals: true,
     }),
   );
-  const { joint, pose, normalize, csv } = values;
+  const { joint, pose, set, normalize, csv } = values;
   if (files.length === 0) throw new UsageError('expected files, found none');
   if (joint === undefined) throw new UsageError('expected --joint with a name or #N');
   const axis = axisNames.indexOf(values.axis as 'x') as 0 | 1 | 2 | -1;
@@ -94,5 +97,5 @@ function parseOptions(words: readonly string[]) {
     throw new UsageError(`expected --steps from 1 to ${mostSteps}, found "${values.steps}"`);
   }
   const methods = methodsNamed('--methods', values.methods);
-  return { files, joint, axis: axis as 0 | 1 | 2, steps, pose, methods, normalize, csv };
+  return { files, joint, axis: axis as 0 | 1 | 2, steps, pose, methods, set, normalize, csv };
 }

@@ -82,7 +82,12 @@ export class Evaluator implements Evaluation {
     );
     this.vertexStage = new Stage(
       shared.vertices,
-      () => [this.paletteStage.revision, this.restStage.revision, this.now.methodSettings],
+      () => [
+        this.paletteStage.revision,
+        this.restStage.revision,
+        this.now.methodSettings,
+        this.use.extra,
+      ],
       (former) => this.deform(former),
     );
     this.recomputedStage = new Stage(

@@ -23,8 +23,11 @@ export const prepareInPlace: Prepare = async (method, mesh, skin, { onProgress }
   Promise.resolve(method.prepare?.(mesh, skin, onProgress));
 
 interface Listeners {
+  /** Resolves when it may begin; it is asked when somebody wants a result. */
+  readonly beforeStart: () => Promise<void>;
   readonly onStarted: (preparation: Preparation) => void;
-  readonly onEnded: (preparation: Preparation) => void;
+  readonly onEnded: (preparation: Preparation, isThere: boolean) => void;
+  readonly onArrived: (value: unknown) => void;
   readonly onFailed: ((error: unknown) => void) | undefined;
 }
 
@@ -36,6 +39,8 @@ export class Preparation {
   readonly method: KernelId;
   /** The part that is done, from 0 to 1. */
   readonly part = signal(0);
+  /** What is shown in its place until it arrives: the last result for the same mesh, if there is one. */
+  readonly standIn: unknown;
   private readonly arrived: Signal<unknown>;
   private readonly compute: (control: PrepareControl) => Promise<unknown>;
   private readonly listeners: Listeners;
@@ -47,24 +52,27 @@ export class Preparation {
   constructor(
     method: KernelId,
     compute: (control: PrepareControl) => Promise<unknown>,
+    standIn: unknown,
     listeners: Listeners,
   ) {
     this.method = method;
+    this.standIn = standIn;
     this.compute = compute;
     this.listeners = listeners;
     this.arrived = signal<unknown>(undefined, { unwatched: () => this.leave() });
   }
 
-  /** The result if it is there. Reading subscribes, and begins to compute. */
+  /** The result if it is there, else its stand-in. Reading subscribes, and begins to compute. */
   get value(): unknown {
-    const value = this.arrived.value;
-    // onFailed reports the failure
-    if (value === undefined && !this.isGivenUp.value) this.load().catch(() => undefined);
-    return value;
+    return this.isPending ? this.standIn : this.arrived.value;
   }
 
+  /** Whether the result is on its way. Reading does the same. */
   get isPending(): boolean {
-    return this.value === undefined && !this.isGivenUp.value;
+    const isPending = this.arrived.value === undefined && !this.isGivenUp.value;
+    // onFailed reports the failure
+    if (isPending) this.load().catch(() => undefined);
+    return isPending;
   }
 
   /** Resolves when the result is there, or is no longer wanted. It rejects if it can't be computed. */
@@ -87,6 +95,7 @@ export class Preparation {
   private async run(control: AbortController): Promise<void> {
     // The caller may be an effect, which must not write signals that it reads.
     await Promise.resolve();
+    await this.listeners.beforeStart();
     const isWanted = (): boolean => !control.signal.aborted;
     if (!isWanted()) return;
     this.part.value = 0;
@@ -96,21 +105,23 @@ export class Preparation {
         if (isWanted()) this.part.value = part;
       };
       const value = await this.compute({ signal: control.signal, onProgress });
-      if (isWanted()) this.arrived.value = value;
+      if (!isWanted()) return;
+      this.listeners.onArrived(value);
+      this.arrived.value = value;
     } catch (error) {
       if (!isWanted()) return;
       this.isGivenUp.value = true;
       this.listeners.onFailed?.(error);
       throw error;
     } finally {
-      if (isWanted()) this.listeners.onEnded(this);
+      if (isWanted()) this.listeners.onEnded(this, this.arrived.peek() !== undefined);
     }
   }
 
   private abort(): void {
     this.computing?.control.abort();
     this.computing = null;
-    this.listeners.onEnded(this);
+    this.listeners.onEnded(this, false);
   }
 
   /** Nobody is left who would be told of the result. */

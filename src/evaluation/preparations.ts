@@ -11,6 +11,10 @@ const keptCount = 24;
 interface PreparationsOptions {
   /** Computes what a method prepares for a skin; in place, if absent. */
   readonly prepare?: Prepare;
+  /**
+   * Resolves after a moment in which weights that are being changed change again; at once, if absent.
+   */
+  readonly pause?: () => Promise<void>;
   /** This is called once for each that fails. */
   readonly onFailed?: (error: unknown) => void;
 }
@@ -18,6 +22,8 @@ interface PreparationsOptions {
 /**
  * What methods prepare for skins, such as centers of rotation. Equal skins of equal meshes have one
  * result, which is computed once, also for a copy of the character and a file that is opened again.
+ * While weights of a mesh are being changed, the last result for it stands in, and nothing is computed
+ * before there is a pause.
  */
 export class Preparations {
   /** Those that are being computed. */
@@ -25,6 +31,7 @@ export class Preparations {
   private readonly bySkin = new WeakMap<Skin, Map<SkinningMethod, Preparation>>();
   /** By method and content, the last used at the end. */
   private readonly byContent = new Map<string, Preparation>();
+  private readonly lastOf = new WeakMap<Mesh, Map<SkinningMethod, unknown>>();
   private readonly options: PreparationsOptions;
 
   constructor(options: PreparationsOptions = {}) {
@@ -49,20 +56,28 @@ export class Preparations {
     const { positions, indices, pointOf } = mesh;
     const parts = [positions, indices, pointOf, start, entries, weights, paletteJoint];
     const key = `${method.id} ${hashOf(parts)}`;
-    const { prepare = prepareInPlace, onFailed } = this.options;
-    const preparation =
-      this.byContent.get(key) ??
-      new Preparation(method.id, (control) => prepare(method, mesh, skin, control), {
-        onStarted: (each) => (this.running.value = [...this.running.peek(), each]),
-        onEnded: (each) => {
-          this.running.value = this.running.peek().filter((other) => other !== each);
-        },
-        onFailed,
-      });
+    const preparation = this.byContent.get(key) ?? this.begin(key, method, mesh, skin);
     this.byContent.delete(key);
     this.byContent.set(key, preparation);
     const [oldest] = this.byContent.keys();
     if (this.byContent.size > keptCount) this.byContent.delete(oldest!);
     return preparation;
+  }
+  private begin(key: string, method: SkinningMethod, mesh: Mesh, skin: Skin): Preparation {
+    const { prepare = prepareInPlace, pause, onFailed } = this.options;
+    const last = this.lastOf.get(mesh) ?? new Map<SkinningMethod, unknown>();
+    this.lastOf.set(mesh, last);
+    const standIn = last.get(method);
+    return new Preparation(method.id, (control) => prepare(method, mesh, skin, control), standIn, {
+      beforeStart: async () => (standIn === undefined ? undefined : pause?.()),
+      onStarted: (each) => (this.running.value = [...this.running.peek(), each]),
+      onArrived: (value) => last.set(method, value),
+      onEnded: (each, isThere) => {
+        this.running.value = this.running.peek().filter((other) => other !== each);
+        // What a drag passed over leaves no trace.
+        if (!isThere && this.byContent.get(key) === each) this.byContent.delete(key);
+      },
+      onFailed,
+    });
   }
 }

@@ -17,9 +17,11 @@ export function preparingText(running: readonly Preparation[]): {
   const part = running.reduce((sum, { part }) => sum + part.value, 0) / running.length;
   const names = new Set(running.map(({ method }) => kernelById(method).label));
   const percent = Math.floor(100 * part);
+  const isFirst = running.every(({ standIn }) => standIn === undefined);
+  const shown = isFirst ? 'Linear blend' : 'The result for the former weights';
   return {
     part,
-    text: `${[...names].join(', ')}: ${percent} %. Linear blend is shown until then.`,
+    text: `${[...names].join(', ')}: ${percent} %. ${shown} is shown until then.`,
   };
 }
 

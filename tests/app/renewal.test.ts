@@ -1,5 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { keptState } from '../../src/app/renewal.ts';
+import { influencesOf } from '../../src/core/skin.ts';
+import { changedSkin } from '../../src/document/skin-edits.ts';
+import { keptState, weightsText } from '../../src/app/renewal.ts';
 import { createActor } from '../../src/document/scene.ts';
 import { characterOfRig } from '../fixtures/character-of-rig.ts';
 import { rotatedTree } from '../fixtures/rigs.ts';
@@ -32,5 +34,26 @@ describe('files that are read again', () => {
     const actor = { ...createActor(1, before, 'linear-blend', { clip: 1 }), unkeyed };
     expect(keptState(actor, { ...plain, clips: named('run') }).unkeyed).toBe(unkeyed);
     expect(keptState(actor, { ...plain, clips: named('walk') }).unkeyed).toBeUndefined();
+  });
+
+  it('keep the weights that the user changed, on top of those of the files', () => {
+    const rows = new Map([[1, [{ entry: 0, weight: 0.25 }]]]);
+    const skin = changedSkin(plain, plain.skin, rows);
+    const actor = createActor(1, plain, 'linear-blend', { skin });
+    const weights = plain.skin.weights.map((weight) => weight * 0.5);
+    const after = { ...plain, skin: { ...plain.skin, weights } };
+    const kept = keptState(actor, after).skin!;
+    expect(influencesOf(kept, 1)).toEqual(rows.get(1));
+    expect(influencesOf(kept, 0)).toEqual(influencesOf(after.skin, 0));
+    expect(weightsText(actor, after)).toBe(', changed weights too');
+    expect(weightsText(createActor(1, plain, 'linear-blend'), after)).toBe('');
+  });
+
+  it('drop them, and say so, where the vertices are others', () => {
+    const skin = changedSkin(plain, plain.skin, new Map([[0, [{ entry: 0, weight: 0.25 }]]]));
+    const actor = createActor(1, plain, 'linear-blend', { skin });
+    const after = { ...plain, mesh: { ...plain.mesh, pointCount: plain.mesh.pointCount - 1 } };
+    expect(keptState(actor, after).skin).toBeNull();
+    expect(weightsText(actor, after)).toMatch(/dropped/);
   });
 });

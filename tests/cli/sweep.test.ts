@@ -56,12 +56,26 @@ describe('sweep', () => {
     expect(lines).toHaveLength(4);
   });
 
+  it('gives parameters of methods values', async () => {
+    const blended = async (blend: string) => {
+      const words = [...twist, '--steps', '2', '--methods', 'dqs', '--set', `blend=${blend}`];
+      expect(await runCommand('sweep', files, ...words).code).toBe(0);
+      const [head, first] = out.splice(0).join('\n').split('\n');
+      expect(head).toMatch(/^degrees +dqs volume/);
+      return Number(/^-180° +(\S+) %/.exec(first!)![1]);
+    };
+    expect(await blended('0')).toBeLessThan((await blended('1')) - 20);
+  });
+
   it.each([
     ['there are no files', ['--joint', '#2', '--axis', 'x'], 'expected files'],
     ['no joint is named', [...names, '--axis', 'x'], 'expected --joint'],
     ['the joint is unknown', [...names, '--joint', 'knee', '--axis', 'x'], 'found "knee"'],
     ['the axis is unknown', [...names, '--joint', '#2', '--axis', 'w'], 'found "w"'],
     ['there are no steps', [...twist, '--steps', '-3'], 'found "-3"'],
+    ['the joint cannot turn about it', [...names, '--joint', '#9', '--axis', 'x'], 'found "#9"'],
+    ['a parameter is unknown', [...twist, '--set', 'bend=1'], 'has no "bend"; there is blend'],
+    ['a value is too large', [...twist, '--set', 'blend=2'], 'from 0 to 1, found "2"'],
     ['a method is unknown', [...twist, '--methods', 'xyz'], 'found "xyz"'],
   ])('is used incorrectly where %s', async (_, words, message) => {
     const run = runCommand('sweep', files, ...words).code;

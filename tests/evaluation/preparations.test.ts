@@ -15,12 +15,13 @@ interface Job extends PrepareControl {
 }
 
 /** Preparations whose results the test gives, one job after the other. */
-function prepared() {
+function prepared(pause?: () => Promise<void>) {
   const jobs: Job[] = [];
   const told: unknown[] = [];
   const preparations = new Preparations({
     prepare: (_method, _mesh, _skin, control) =>
       new Promise((finish, fail) => jobs.push({ ...control, finish, fail })),
+    ...(pause && { pause }),
     onFailed: (error) => told.push(error),
   });
   const of = ({ mesh, skin }: Character): Preparation => preparations.of(method, mesh, skin);
@@ -122,6 +123,64 @@ describe('what a method prepares', () => {
     isChosen.value = true;
     await soon();
     expect(jobs).toHaveLength(2);
+    stop();
+  });
+
+  it('is the last one while weights are dragged, and is computed after a pause, for the last weights', async () => {
+    const pauses: (() => void)[] = [];
+    const { preparations, jobs, of } = prepared(() => new Promise((go) => pauses.push(go)));
+    const character = characterOfRig(rotatedTree());
+    const first = of(character);
+    void first.load();
+    await soon();
+    jobs[0]!.finish('first');
+    await first.load();
+    expect(pauses).toEqual([]);
+
+    const { skin } = character;
+    const dragged = (by: number): Character => {
+      const weights = skin.weights.map((weight) => weight + by);
+      return { ...character, skin: { ...skin, weights } };
+    };
+    const drag = [0.1, 0.2, 0.3].map(dragged);
+    const at = signal(0);
+    const seen: unknown[] = [];
+    const stop = effect(() => {
+      const preparation = of(drag[at.value]!);
+      seen.push([preparation.value, preparation.isPending]);
+    });
+    await soon();
+    at.value = 1;
+    await soon();
+    at.value = 2;
+    await soon();
+    pauses.forEach((go) => go());
+    await soon();
+    expect(jobs).toHaveLength(2);
+    expect(preparations.running.value).toEqual([of(drag[2]!)]);
+    jobs[1]!.finish('last');
+    await of(drag[2]!).load();
+    expect(seen).toEqual([...drag.map(() => ['first', true]), ['last', false]]);
+    stop();
+  });
+
+  it('is nothing, not the last one, after the new one was canceled', async () => {
+    const { preparations, jobs, of } = prepared();
+    const character = characterOfRig(rotatedTree());
+    void of(character).load();
+    await soon();
+    jobs[0]!.finish('first');
+    await of(character).load();
+    const { skin } = character;
+    const other = {
+      ...character,
+      skin: { ...skin, weights: skin.weights.map((each) => each / 2) },
+    };
+    const stop = effect(() => expect(of(other).value).not.toBe('second'));
+    await soon();
+    expect(of(other).value).toBe('first');
+    preparations.cancel();
+    expect([of(other).value, of(other).isPending]).toEqual([undefined, false]);
     stop();
   });
 
