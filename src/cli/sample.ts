@@ -16,7 +16,7 @@ export const sample: Command = {
   name: 'sample',
   usage: 'sample MOTION.json|CLIP.anim --channel N|NAME --times t0,t1,… [--json]',
   summary:
-    "Prints the values of one of a motion's channels at the given times in seconds. A channel is its number, counted from 0, or its name: Right elbow.rx, Neck.rotation, smile or morph.smile, Left foot.x or pin.Left foot.x. A rotation is printed as x,y,z,w.",
+    "Prints the values of one of a motion's channels at the given times in seconds. A channel is its number in the file, counted from 0 with those that cannot be used, or its name: Right elbow.rx, Neck.rotation, smile or morph.smile, Left foot.x or pin.Left foot.x; in an .anim #0.tx or #3.rx, as docs/formats/motion.md says. A rotation is printed as x,y,z,w.",
   async run(words) {
     const { file, channel, times, json } = parseOptions(words);
     const { value: channels, diagnostics } = await readChannels(file);

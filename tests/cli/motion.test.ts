@@ -49,6 +49,8 @@ describe('sample of a MOTION.json', () => {
   });
 
   it('prints rotations as x, y, z, w', async () => {
+    for (const name of ['Neck', 'Neck.slerp', '1'])
+      expect(await sampled(name, '2')).toEqual([[1, 0, 0, 0]]);
     const [at1] = (await sampled('Neck.rotation', '1')) as number[][];
     [half, 0, 0, half].forEach((part, i) => expect(at1![i]).toBeCloseTo(part, 12));
     await runCommand('sample', { 'm.json': wave }, 'm.json', '--channel', '1', '--times', '2').code;

@@ -151,6 +151,7 @@ export function pathOf(outer: string, key: string | number): string {
 
 /** Formats a value for a message; scripts may pass values that JSON does not have. */
 export function display(value: unknown): string {
+  if (typeof value === 'number') return String(value);
   try {
     const text = JSON.stringify(value) as string | undefined;
     return text ?? typeof value;

@@ -7,6 +7,7 @@ import type {
   ScalarTarget,
 } from '../../core/motion/clip-parts.ts';
 import { type AnimatedThing, channelKey } from '../../core/motion/targets.ts';
+import { DofKind } from '../../core/skeleton.ts';
 import type { Motion, MotionChannel, NamedCurve } from './motion.ts';
 import { kept } from './read-channel.ts';
 
@@ -34,11 +35,27 @@ export function bindMotion(motion: Motion, thing: AnimatedThing): Parsed<ClipPar
     }
     found.set(key, { channel, parts: withTarget(channel.curve, target) });
   }
+  for (const [key, { channel, parts }] of found) {
+    if (!isTurnedOtherwise(parts, found)) continue;
+    const place = channel.place.reporting({ log });
+    const [name] = channel.target.names;
+    place.warn('duplicate', 'angles or a rotation of a joint', name, 'its rotation counts');
+    found.delete(key);
+  }
   const channels = Array.from(found.values(), ({ parts }) => parts);
   return {
     value: { file, name, start, end, fps, channels, ...(unread.length > 0 && { unread }) },
     diagnostics: log.diagnostics,
   };
+}
+
+/** Whether a channel is an angle of a joint whose whole rotation another channel has. */
+function isTurnedOtherwise(
+  { target }: ChannelParts,
+  others: ReadonlyMap<string, unknown>,
+): boolean {
+  if (target?.of !== 'value' || target.kind !== DofKind.hinge) return false;
+  return others.has(channelKey({ of: 'rotation', joint: target.joint, curve: 'slerp' }));
 }
 
 function withTarget(curve: NamedCurve, target: ChannelTarget): ChannelParts {

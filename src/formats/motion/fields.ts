@@ -30,3 +30,14 @@ export function numberIn(json: JsonValue, largest: number, expected: string): nu
   else json.fail('range', `${expected} within ±${largest.toExponential().replace('+', '')}`);
   return undefined;
 }
+
+/** Reports the fields of an object that its form does not have. */
+export function warnOfOthers(
+  fields: ReadonlyMap<string, JsonValue>,
+  known: readonly string[],
+): void {
+  for (const [name, field] of fields) {
+    if (known.includes(name)) continue;
+    field.warn('unknown', `one of ${known.join(', ')}`, name, 'it is left out');
+  }
+}

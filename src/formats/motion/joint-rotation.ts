@@ -7,6 +7,7 @@ import type { TargetKind } from './motion.ts';
 
 /** The whole rotation of a joint: `{"joint": NAME, "rotation": "squad"}`. */
 export const jointRotation: TargetKind = {
+  fields: ['joint', 'rotation'],
   matches: (fields) => fields.has('joint') && fields.has('rotation'),
 
   read(fields) {
@@ -14,7 +15,7 @@ export const jointRotation: TargetKind = {
     const rotation = wordIn(fields.get('rotation')!, ['slerp', 'squad']);
     if (name === undefined || rotation === undefined) return undefined;
     return {
-      names: [`${name}.rotation`],
+      names: [`${name}.rotation`, `${name}.${rotation}`, name],
       rotation,
       find({ skeleton }, json) {
         const joint = jointOf(skeleton, name, json);

@@ -14,6 +14,7 @@ type Word = (typeof words)[number];
 
 /** One slide or hinge of a joint: `{"joint": NAME, "value": "rx"}`. */
 export const jointValue: TargetKind = {
+  fields: ['joint', 'value'],
   matches: (fields) => fields.has('joint') && fields.has('value'),
 
   read(fields) {

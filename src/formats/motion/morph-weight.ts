@@ -5,6 +5,7 @@ import type { TargetKind } from './motion.ts';
 
 /** The weight of a morph: `{"morph": NAME}`. */
 export const morphWeight: TargetKind = {
+  fields: ['morph'],
   matches: (fields) => fields.has('morph'),
 
   read(fields) {

@@ -62,6 +62,8 @@ export interface NamedTarget {
 
 /** A kind of target. To add one, write its file and add its row to `target-kinds.ts`. */
 export interface TargetKind {
+  /** The names of its fields. */
+  readonly fields: readonly string[];
   /** Whether an object describes a target of this kind, by the names of its fields. */
   matches(fields: ReadonlyMap<string, JsonValue>): boolean;
   /** Reads a target, or reports what is wrong with it. */

@@ -6,6 +6,7 @@ import type { TargetKind } from './motion.ts';
 
 /** A coordinate of a pin, or its weight: `{"pin": NAME, "value": "x"}`. */
 export const pinValue: TargetKind = {
+  fields: ['pin', 'value'],
   matches: (fields) => fields.has('pin'),
 
   read(fields) {

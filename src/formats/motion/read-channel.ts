@@ -1,6 +1,6 @@
 import type { Extrapolation } from '../../core/motion/clip-parts.ts';
 import type { JsonValue } from '../json/decoder.ts';
-import { wordIn } from './fields.ts';
+import { warnOfOthers, wordIn } from './fields.ts';
 import type { MotionChannel, NamedCurve, NamedTarget } from './motion.ts';
 import { readNumberKeys, readTurnKeys } from './read-keys.ts';
 import { targetKinds } from './target-kinds.ts';
@@ -14,10 +14,7 @@ const known = ['target', 'extrapolate', 'keys'];
 export function readChannel(json: JsonValue): MotionChannel | undefined {
   const fields = json.record('a channel as an object');
   if (!fields) return undefined;
-  for (const [name, field] of fields) {
-    if (known.includes(name)) continue;
-    field.warn('unknown', `one of ${known.join(', ')}`, name, 'it is left out');
-  }
+  warnOfOthers(fields, known);
   const place = fields.get('target');
   const target = place ? readTarget(place) : undefined;
   if (!place) json.fail('json', 'a channel with a "target"', 'none');
@@ -30,7 +27,10 @@ function readTarget(json: JsonValue): NamedTarget | undefined {
   const fields = json.record('a target as an object');
   if (!fields) return undefined;
   const kind = targetKinds.find((each) => each.matches(fields));
-  if (kind) return kind.read(fields);
+  if (kind) {
+    warnOfOthers(fields, kind.fields);
+    return kind.read(fields);
+  }
   json.warn('unknown', 'a target that Sinew knows', [...fields.keys()].join(', '), kept);
   return undefined;
 }

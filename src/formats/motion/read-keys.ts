@@ -90,18 +90,26 @@ function rising<Key extends { readonly time: number }>(
   keys: readonly Key[],
   json: JsonValue,
 ): readonly Key[] {
-  const isSorted = keys.every((key, at) => at === 0 || keys[at - 1]!.time <= key.time);
-  if (!isSorted) json.warn('order', 'keys at rising times', 'others', 'they are sorted');
-  const sorted = isSorted ? keys : keys.toSorted((a, b) => a.time - b.time);
+  const early = keys.findIndex((key, at) => at > 0 && keys[at - 1]!.time > key.time);
+  if (early > 0) {
+    const found = `${keys[early]!.time} after ${keys[early - 1]!.time}`;
+    json.member(early).warn('order', 'keys at rising times', found, 'they are sorted');
+  }
+  const sorted = early > 0 ? keys.toSorted((a, b) => a.time - b.time) : keys;
   const distinct: Key[] = [];
+  let double: Key | undefined;
   for (const key of sorted) {
     const last = distinct.at(-1);
-    if (last && sameTime(last.time, key.time)) distinct.pop();
+    if (last && sameTime(last.time, key.time)) {
+      distinct.pop();
+      double ??= key;
+    }
     distinct.push(key);
   }
-  if (distinct.length < sorted.length) {
+  if (double) {
+    const place = json.member(keys.indexOf(double));
     const found = `${sorted.length - distinct.length} at the time of another`;
-    json.warn('duplicate', 'one key at a time', found, 'the last one counts');
+    place.warn('duplicate', 'one key at a time', found, 'the last one counts');
   }
   return distinct;
 }

@@ -5,7 +5,7 @@ import { baseName, pathStem } from '../file-entry.ts';
 import { checkVersion, type JsonValue } from '../json/decoder.ts';
 import { parseJson } from '../json/parse-json.ts';
 import { decodeText } from '../text/decode-text.ts';
-import { numberIn } from './fields.ts';
+import { numberIn, warnOfOthers } from './fields.ts';
 import type { Motion, MotionChannel } from './motion.ts';
 import { kept, readChannel } from './read-channel.ts';
 import { largestTime } from './read-keys.ts';
@@ -31,10 +31,7 @@ export function readMotionText(file: string, text: string): Parsed<Motion> {
   const fields = json?.record('an object with "channels"');
   const list = fields && checkVersion(fields) ? listIn(json!, fields) : undefined;
   if (!fields || !list) return { diagnostics: log.diagnostics };
-  for (const [name, field] of fields) {
-    if (known.includes(name)) continue;
-    field.warn('unknown', `one of ${known.join(', ')}`, name, 'it is left out');
-  }
+  warnOfOthers(fields, known);
   const fps = readFps(fields.get('fps'));
   const listed = list.map((each) => readChannel(each.reporting({ effect: kept })));
   const unread = list.filter((_, at) => !listed[at]).map(({ value }) => value);

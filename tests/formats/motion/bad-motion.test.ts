@@ -206,7 +206,7 @@ const rows: readonly (readonly [title: string, text: string, message: string, le
   [
     'a value past all numbers',
     keysOf('[[0, 1e999]]'),
-    `error: m.json:2:60 (channels[0].keys[0][1]): expected a value within ±1e18, found "null" [motion/range]; ${kept}`,
+    `error: m.json:2:60 (channels[0].keys[0][1]): expected a value within ±1e18, found "Infinity" [motion/range]; ${kept}`,
     [1, 1],
   ],
   [
@@ -230,13 +230,13 @@ const rows: readonly (readonly [title: string, text: string, message: string, le
   [
     'keys in another order',
     keysOf('[[1, 1], [0, 2]]'),
-    'warning: m.json:2:55 (channels[0].keys): expected keys at rising times, found "others" [motion/order]; they are sorted',
+    'warning: m.json:2:64 (channels[0].keys[1]): expected keys at rising times, found "0 after 1" [motion/order]; they are sorted',
     [2, 0],
   ],
   [
     'two keys at one time',
     keysOf('[[0, 1], [0.00005, 2]]'),
-    'warning: m.json:2:55 (channels[0].keys): expected one key at a time, found "1 at the time of another" [motion/duplicate]; the last one counts',
+    'warning: m.json:2:64 (channels[0].keys[1]): expected one key at a time, found "1 at the time of another" [motion/duplicate]; the last one counts',
     [2, 0],
   ],
   [
@@ -273,6 +273,21 @@ const rows: readonly (readonly [title: string, text: string, message: string, le
     'two names of one value',
     motion(used, used.replace('elbow', '#1')),
     'warning: m.json:3:12 (channels[1].target): expected one channel for each target, found "elbow.rx" [motion/duplicate]; the last one counts',
+    [1, 0],
+  ],
+  [
+    'an angle and a rotation of one joint',
+    motion(used, '{"target": {"joint": "elbow", "rotation": "slerp"}, "keys": []}').replace(
+      '[]',
+      '[[0, [0, 0, 0, 1]]]',
+    ),
+    'warning: m.json:2:12 (channels[0].target): expected angles or a rotation of a joint, found "elbow.rx" [motion/duplicate]; its rotation counts',
+    [1, 0],
+  ],
+  [
+    'a field that no target of its kind has',
+    motion('{"target": {"joint": "elbow", "value": "rx", "side": "left"}, "keys": [[0, 1]]}'),
+    'warning: m.json:2:54 (channels[0].target.side): expected one of joint, value, found "side" [motion/unknown]; it is left out',
     [1, 0],
   ],
 ];
