@@ -1,4 +1,3 @@
-import { parseArgs } from 'node:util';
 import { compareWith } from '../evaluation/comparison/compare.ts';
 import { comparisonRows, type NamedNumbers } from '../evaluation/comparison/comparison-rows.ts';
 import { sizeOf } from '../evaluation/comparison/difference.ts';
@@ -6,16 +5,12 @@ import { rowSumsOf } from '../evaluation/comparison/row-sums.ts';
 import type { Evaluation } from '../evaluation/evaluation.ts';
 import { writeCsv } from '../formats/csv/write-csv.ts';
 import type { Command } from './command.ts';
+import { comparedOptions, comparedUsage } from './compared-options.ts';
 import { comparisonLines } from './comparison-lines.ts';
 import { givenSettings } from './method-settings.ts';
-import { methodNamed, methodNames, methodsNamed } from './named-methods.ts';
-import { parseWords } from './parse-words.ts';
 import { createPool, plainCharacter, posedEvaluation } from './posed-evaluation.ts';
 import { readPosed } from './read-posed.ts';
-import { UsageError } from './usage-error.ts';
 import { writeText } from './write-text.ts';
-
-const list = methodNames.join(',');
 
 /**
  * `compare FILES [--pose POSE]` prints how far apart skinning methods put the points of a pose, and
@@ -23,11 +18,11 @@ const list = methodNames.join(',');
  */
 export const compare: Command = {
   name: 'compare',
-  usage: `compare FILES [--pose POSE.json|POSE.vpd] [--methods ${list}] [--base ${methodNames.join('|')}] [--set NAME=VALUE] [--normalize] [--csv OUT.csv]`,
+  usage: `compare FILES ${comparedUsage}`,
   summary:
     'Compares skinning methods in one pose of one character: how far each puts the points from where the base does, at most and in the mean, and its volume against that at rest. The base is the first method, if --base names none. A volume is that of the closed parts of the mesh of at least 1 % of its area; without any it is "–". Where rows of weights don\'t sum to 1, the part that is due to this is printed too, and --normalize divides them by their sums. --set, which may be repeated, sets a parameter of a method, such as blend=0.5. The CSV has the same numbers and the distance of every point.',
   async run(words) {
-    const { files, pose, methods, base, set, normalize, csv } = parseOptions(words);
+    const { files, pose, methods, base, set, normalize, csv } = comparedOptions(words);
     const methodSettings = await givenSettings(methods, set);
     const posed = await readPosed(files, pose);
     if (!posed) return 1;
@@ -47,26 +42,3 @@ export const compare: Command = {
     return 0;
   },
 };
-
-function parseOptions(words: readonly string[]) {
-  const { values, positionals: files } = parseWords(() =>
-    parseArgs({
-      args: [...words],
-      options: {
-        pose: { type: 'string' },
-        methods: { type: 'string' },
-        base: { type: 'string' },
-        set: { type: 'string', multiple: true, default: [] },
-        normalize: { type: 'boolean', default: false },
-        csv: { type: 'string' },
-      },
-      allowPositionals: true,
-    }),
-  );
-  const { pose, set, normalize, csv } = values;
-  if (files.length === 0) throw new UsageError('expected files, found none');
-  const listed = methodsNamed('--methods', values.methods);
-  const base = values.base === undefined ? listed[0]! : methodNamed('--base', values.base);
-  const methods = listed.includes(base) ? listed : [base, ...listed];
-  return { files, pose, methods, base, set, normalize, csv };
-}
