@@ -1,5 +1,5 @@
 import { zipSync } from 'fflate';
-import { Failure } from '../core/failure.ts';
+import { Failure, loadPart } from '../core/failure.ts';
 import { insertPngText } from '../formats/png/text-chunk.ts';
 import { GpuLimitError } from '../gl/gpu.ts';
 import type { Editor, PictureTarget } from '../ui/editor.ts';
@@ -13,6 +13,7 @@ import {
   type PictureWork,
 } from '../view/picture/make-picture.ts';
 import { tilesOf } from '../view/picture/picture-tiles.ts';
+import type { DrawOver } from '../ui/deform-lab/picture-labels.ts';
 import { download } from '../ui/download.ts';
 import { pictureKeyword } from './picture-note.ts';
 import type { SceneParts } from './scenes/scene-parts.ts';
@@ -29,12 +30,16 @@ export async function savePicture(
     notice.value = 'There is no view to take a picture of at the moment';
     return;
   }
+  const loadLabels = () => loadPart(import('../ui/deform-lab/picture-labels.ts'));
+  const labels = editor.session.comparison.peek() && (await loadLabels());
   const request = pictureRequest(editor);
+  const drawOver = labels?.pictureLabels(editor, viewer.camera.peek(), request.size);
   // The scene is read now, so that it is that of the picture even if a clip plays meanwhile.
   const note = sceneText(parts);
   const name = nameOf(editor);
   const make = async (work: PictureWork): Promise<string> => {
-    const { blob, extension } = await pictureFile(editor, request, target, note, work);
+    const drawn = { ...work, drawOver };
+    const { blob, extension } = await pictureFile(editor, request, target, note, drawn);
     if (target === 'clipboard') return copyPicture(blob);
     if (target === 'file') {
       download(`${name}.${extension}`, blob, blob.type);
@@ -71,7 +76,7 @@ async function pictureFile(
   request: PictureRequest,
   target: PictureTarget,
   note: string,
-  work: PictureWork,
+  work: PictureWork & { readonly drawOver: DrawOver | null | undefined },
 ): Promise<PictureFile> {
   // A browser's clipboard takes PNG alone.
   const format = target === 'clipboard' ? 'png' : settings.format;
@@ -79,7 +84,7 @@ async function pictureFile(
   const showSurroundings = request.showSurroundings || format === 'jpeg';
   try {
     const picture = await makePicture(viewer, { ...request, showSurroundings }, work);
-    const blob = await encodePicture(picture, format);
+    const blob = await encodePicture(picture, format, work.drawOver ?? undefined);
     const extension = format === 'jpeg' ? 'jpg' : format;
     if (format !== 'png') return { blob, extension };
     return { blob: await withNote(blob, note), extension };

@@ -41,6 +41,8 @@ export function listenToPointer(canvas: HTMLCanvasElement, editor: Looking & Tel
   const { camera } = editor.viewer;
   const { session } = editor;
   const places = new Map<number, ToolPlace>();
+  /** The view in which a drag began; it stays the drag's, wherever the pointer goes. */
+  let column = 0;
   let drag: ToolDrag | null = null;
   let tool: Tool | null = null;
   let pressed: ToolPlace | null = null;
@@ -53,7 +55,8 @@ export function listenToPointer(canvas: HTMLCanvasElement, editor: Looking & Tel
 
   canvas.addEventListener('pointerdown', (event) => {
     if (event.pointerType === 'mouse' && places.size > 0) return;
-    const place = placeOf(event, canvas, editor.viewer);
+    if (places.size === 0) column = columnAt(event, canvas, editor.viewer);
+    const place = placeOf(event, canvas, editor.viewer, column);
     places.set(event.pointerId, place);
     canvas.setPointerCapture(event.pointerId);
     canvas.focus(withoutRing);
@@ -65,8 +68,9 @@ export function listenToPointer(canvas: HTMLCanvasElement, editor: Looking & Tel
     pressed = isFirst && event.button === 0 ? place : null;
   });
   canvas.addEventListener('pointermove', (event) => {
-    const place = placeOf(event, canvas, editor.viewer);
-    if (!places.has(event.pointerId)) {
+    const isHeld = places.has(event.pointerId);
+    const place = placeOf(event, canvas, editor.viewer, isHeld ? column : undefined);
+    if (!isHeld) {
       hover(place);
       return;
     }
@@ -83,7 +87,7 @@ export function listenToPointer(canvas: HTMLCanvasElement, editor: Looking & Tel
     if (!places.delete(event.pointerId)) return;
     drag?.end();
     drag = null;
-    const place = placeOf(event, canvas, editor.viewer);
+    const place = placeOf(event, canvas, editor.viewer, column);
     if (pressed) click(place);
     pressed = null;
     hover(session.byTouch.value ? null : place);
@@ -151,10 +155,23 @@ export function listenToPointer(canvas: HTMLCanvasElement, editor: Looking & Tel
   }
 }
 
+/** Which of the views that are side by side an event is over, from the left. */
+function columnAt(
+  { clientX }: MouseEvent,
+  canvas: HTMLCanvasElement,
+  { columns }: Looking['viewer'],
+): number {
+  const { left, width } = canvas.getBoundingClientRect();
+  const column = Math.floor(((clientX - left) / width) * columns);
+  return Math.min(columns - 1, Math.max(0, column));
+}
+
+/** @param column the view of which the place is, even if it is outside of it */
 function placeOf(
   event: PointerEvent | WheelEvent,
   canvas: HTMLCanvasElement,
   viewer: Looking['viewer'],
+  column = columnAt(event, canvas, viewer),
 ): ToolPlace {
   const { left, top, width, height } = canvas.getBoundingClientRect();
   const [pixelX, pixelY] = [event.clientX - left, event.clientY - top];
@@ -163,7 +180,6 @@ function placeOf(
   // Views side by side each have their own left and right edge.
   const each = width / columns;
   const isTouch = event instanceof PointerEvent && event.pointerType === 'touch';
-  const column = Math.min(columns - 1, Math.max(0, Math.floor(pixelX / each)));
   const within = pixelX - each * column;
   const wiped = parts.find(({ span }) => span && pixelX < span[1] * width);
   const { overrides } = wiped ?? parts[column] ?? {};

@@ -1,9 +1,10 @@
 import { diagonal } from '../core/bounds.ts';
-import { differenceOf } from '../evaluation/comparison/difference.ts';
+import type { ActorId } from '../document/scene.ts';
+import { differenceOf, sizeOf } from '../evaluation/comparison/difference.ts';
 import { verticesBy } from '../evaluation/comparison/vertices-by.ts';
 import type { Evaluation } from '../evaluation/evaluation.ts';
 import type { Kernels } from '../evaluation/kernels.ts';
-import type { Deformation } from '../skinning/registry.ts';
+import type { MethodId } from '../skinning/method.ts';
 import { colorAt, errorRamp, zeroColor } from '../skinning/weights/ramps.ts';
 
 /** A smaller difference, as a part of the character's size, is rounding. */
@@ -15,14 +16,14 @@ interface Painted {
 }
 
 /**
- * Returns what gives the vertices of a character colors for how far they are from where another method
+ * Returns what gives the vertices of characters colors for how far they are from where another method
  * puts them: gray where they are at the same place, and the last color at `scale`.
  *
- * @param base how that method deforms the character
- * @param scale in the character's units
+ * @param baseOf returns that method of a character
+ * @param scale as a part of each character's height, so that a color means the same on all of them
  */
 export function heatPaint(
-  base: Partial<Deformation>,
+  baseOf: (id: ActorId) => MethodId,
   kernels: Kernels,
   scale: number,
 ): (evaluation: Evaluation) => Uint8Array {
@@ -31,7 +32,10 @@ export function heatPaint(
     const revision = evaluation.revisions.vertices;
     const former = held.get(evaluation);
     if (former?.revision === revision) return former.colors;
-    const colors = heatColors(evaluation, verticesBy(evaluation, base, kernels), scale);
+    const { id, character } = evaluation.state;
+    const positions = verticesBy(evaluation, { method: baseOf(id) }, kernels);
+    const { height } = sizeOf(character);
+    const colors = heatColors(evaluation, positions, scale * height);
     held.set(evaluation, { revision, colors });
     return colors;
   };

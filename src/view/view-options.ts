@@ -5,7 +5,7 @@ import type { ActorId, Scene } from '../document/scene.ts';
 import { selectedJoints } from '../document/selected-joints.ts';
 import type { Session } from '../document/session.ts';
 
-/** How the weights of the selected actor are shown in color. */
+/** How the weights of the selected actor are shown in color, or what is painted on every actor. */
 export interface WeightOptions {
   readonly view: WeightViewId;
   readonly unlit: boolean;
@@ -93,7 +93,7 @@ export function sessionOptionsOf(session: Session): SessionOptions {
   };
 }
 
-/** Whether an actor shows its weights in color instead of its materials. */
+/** Whether an actor shows its weights, or what is painted in their place, instead of its materials. */
 export function showsWeights(id: ActorId, { weights, selectedActorId }: ViewOptions): boolean {
-  return weights !== null && id === selectedActorId;
+  return weights !== null && (weights.paint !== undefined || id === selectedActorId);
 }

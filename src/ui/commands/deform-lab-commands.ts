@@ -36,12 +36,7 @@ export const deformLabCommands = [
     short: 'Side by side',
     isOn: ({ session }) => session.comparison.value?.layout === 'side by side',
     isEnabled: isComparing,
-    run: async (editor) => {
-      (await loadChanges()).changeComparison(editor, (former) => ({
-        ...former,
-        layout: former.layout === 'wipe' ? 'side by side' : 'wipe',
-      }));
-    },
+    run: async (editor) => (await loadChanges()).toggleLayout(editor),
   },
   {
     id: 'difference-colors',

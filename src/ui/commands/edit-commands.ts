@@ -1,6 +1,7 @@
 import { resetJoints } from '../../document/edits.ts';
 import type { Skeleton } from '../../core/skeleton.ts';
 import { subtreeEnd } from '../../core/subtree.ts';
+import { loadPart } from '../../core/failure.ts';
 import { selectedActor } from '../../document/selected-actor.ts';
 import { selectedJoints } from '../../document/selected-joints.ts';
 import { selectJoint } from '../../document/select-joints.ts';
@@ -79,7 +80,8 @@ export const editCommands = [
   {
     id: 'cancel',
     label:
-      'Cancel a drag, lay down the tool, keep one joint selected, or deselect the active value',
+      'Cancel a drag, lay down the tool, keep one joint selected, deselect the active value, or ' +
+      'stop comparing methods',
     keys: [{ key: 'Escape' }],
     run: takeBack,
   },
@@ -131,12 +133,17 @@ function branchOf(skeleton: Skeleton, joint: number): readonly number[] {
  * Cancels a drag, or else lays down the tool for whole characters, or else narrows the selection to
  * one joint, or else deselects the active value, which drags would otherwise set.
  */
-function takeBack({ store, session }: Editor): void {
-  const { placeTool, activeDof, dragText, selectedJoint, selectsSeveral } = session;
+async function takeBack(editor: Editor): Promise<void> {
+  const { store, session } = editor;
+  const { placeTool, activeDof, dragText, selectedJoint, selectsSeveral, comparison } = session;
   if (store.cancelGesture()) dragText.value = null;
   else if (placeTool.value !== null) placeTool.value = null;
   else if (selectsSeveral.value || selectedJoints(session).length > 1) {
     selectsSeveral.value = false;
     selectJoint(session, selectedJoint.value);
-  } else activeDof.value = null;
+  } else if (activeDof.value !== null) activeDof.value = null;
+  else if (comparison.value) {
+    const { leaveComparison } = await loadPart(import('../deform-lab/open-comparison.ts'));
+    leaveComparison(editor);
+  }
 }

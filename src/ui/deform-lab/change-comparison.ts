@@ -7,6 +7,7 @@ import {
 import { selectedActor } from '../../document/selected-actor.ts';
 import { type KernelRow, kernelOf, kernels } from '../../skinning/registry.ts';
 import type { Looking, Telling } from '../editor.ts';
+import { aimAgain } from './open-comparison.ts';
 
 /** Changes the comparison that is shown, if there is one. */
 export function changeComparison(
@@ -29,15 +30,21 @@ export function furtherKernels({ store, session }: Looking): readonly KernelRow[
   return kernels.filter(({ id }) => !isShown(id)).sort((a, b) => rankOf(a) - rankOf(b));
 }
 
-export function canAddMethod(editor: Looking): boolean {
-  const count = editor.session.comparison.value?.methods.length ?? mostMethods;
-  return count < mostMethods && furtherKernels(editor).length > 0;
+/** Shows the methods side by side instead of under a wipe, or the other way round. */
+export function toggleLayout(editor: Looking): void {
+  changeComparison(editor, (former) => ({
+    ...former,
+    layout: former.layout === 'wipe' ? 'side by side' : 'wipe',
+  }));
+  aimAgain(editor);
 }
 
 /** Compares one method more. */
 export function addMethod(editor: Looking & Telling): void {
   const [next] = furtherKernels(editor);
-  if (!next || !canAddMethod(editor)) return;
+  const count = editor.session.comparison.peek()?.methods.length ?? mostMethods;
+  if (!next || count >= mostMethods) return;
   changeComparison(editor, (former) => withMethods(former, [...former.methods, next.id]));
+  aimAgain(editor);
   editor.notice.value = `${next.label} added to the comparison`;
 }

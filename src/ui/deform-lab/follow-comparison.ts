@@ -1,7 +1,7 @@
 import { effect } from '@preact/signals-core';
 import type { Comparison } from '../../document/comparison.ts';
-import type { Evaluation } from '../../evaluation/evaluation.ts';
-import type { Deformation } from '../../skinning/registry.ts';
+import { type ActorId, actorById } from '../../document/scene.ts';
+import type { MethodId } from '../../skinning/method.ts';
 import { overridesOf } from '../../evaluation/comparison/overrides.ts';
 import { heatPaint } from '../../view/heat-map.ts';
 import type { ViewContent } from '../../view/render-view.ts';
@@ -28,9 +28,14 @@ function partsOf(editor: Looking, comparison: Comparison): readonly Part[] {
   const compared = heatMap ? comparedOf(editor) : null;
   const scale = heatScale(compared);
   const { kernels } = editor.evaluations.pool;
+  const { deformation } = overridesOf(methods[base]!, comparison);
+  const baseOf = (id: ActorId): MethodId =>
+    deformation?.method ?? actorById(editor.store.scene.peek(), id)?.method ?? 'linear-blend';
   const weights = {
     ...{ view: 'error' as const, unlit: unlitWeights.value, marked: null },
-    ...(compared && { paint: heatPaint(deformationBy(compared.base.evaluation), kernels, scale) }),
+    ...(compared && {
+      paint: heatPaint(baseOf, kernels, scale / compared.size.height),
+    }),
   };
   return methods.map((method, index): Part => {
     return {
@@ -39,9 +44,4 @@ function partsOf(editor: Looking, comparison: Comparison): readonly Part[] {
       ...(layout === 'wipe' && { span: [wipes[index - 1] ?? 0, wipes[index] ?? 1] }),
     };
   });
-}
-
-/** How an evaluation deforms its character. */
-function deformationBy({ state: { method, normals, methodSettings } }: Evaluation): Deformation {
-  return { method, normals, methodSettings };
 }

@@ -6,11 +6,9 @@ import { selectedActor } from '../../document/selected-actor.ts';
 import type { Session } from '../../document/session.ts';
 import type { Gesture } from '../../document/store.ts';
 import { type TellingPose, tellingPoses } from '../../posing/telling-poses.ts';
-import type { KernelId } from '../../skinning/method.ts';
-import { kernelOf, kernels } from '../../skinning/registry.ts';
 import type { Editor, Looking, Telling } from '../editor.ts';
 import { moveCamera } from '../move-camera.ts';
-import { comparedOf } from './compared.ts';
+import { type Compared, comparedOf } from './compared.ts';
 import { differenceText } from './difference-text.ts';
 import { cameraAt, placeOfWorst, viewPlace } from './place-of-worst.ts';
 
@@ -39,9 +37,6 @@ export async function toggleComparison(editor: Looking & Telling): Promise<void>
   else await openComparison(editor);
 }
 
-/** The first of these that is not the character's own. */
-const others: readonly KernelId[] = ['dual-quaternion', 'rigid', 'linear-blend'];
-
 async function openComparison(editor: Looking & Telling): Promise<void> {
   const { store, session, evaluations, notice } = editor;
   const actor = selectedActor(store, session);
@@ -49,18 +44,20 @@ async function openComparison(editor: Looking & Telling): Promise<void> {
     notice.value = 'There is no character whose methods could be compared';
     return;
   }
-  const own = kernelOf(actor).id;
-  const other = others.find((id) => id !== own && kernels.some((kernel) => kernel.id === id))!;
-  await evaluations.prepare([other]);
-  session.comparison.value = comparisonOf(['own', other]);
-  showWorst(editor);
+  const blends = actor.method === 'linear-blend';
+  const opened = comparisonOf(blends ? ['own', 'dual-quaternion'] : ['linear-blend', 'own']);
+  // Linear blend stands in for a method that is still loading, so that the comparison can be shown,
+  // and closed again, from the first moment.
+  session.comparison.value = opened;
+  await evaluations.prepare([blends ? 'dual-quaternion' : 'linear-blend']);
+  if (session.comparison.peek() === opened) showWorst(editor);
 }
 
 /** Shows the lab with its numbers, and compares methods in it. */
 export async function openLab(editor: Editor): Promise<void> {
-  if (!editor.session.comparison.value) await openComparison(editor);
   editor.tab.value = 'deform';
   editor.drawer.value = 'right';
+  if (!editor.session.comparison.value) await openComparison(editor);
 }
 
 /** Ends the comparison. Camera and pose are again as they were, unless the user went on with them. */
@@ -102,23 +99,37 @@ export function takeOffered(editor: Looking & Telling, label: string): void {
  * through it.
  */
 export function showWorst(editor: Looking & Telling): void {
-  const { session, viewer, notice } = editor;
+  const { notice } = editor;
   const compared = comparedOf(editor);
-  const place = compared && placeOfWorst(compared);
-  if (!compared || !place) {
+  if (!compared?.worst) {
     notice.value = 'The methods put every vertex at the same place in this pose';
     return;
   }
   const { worst, base, size } = compared;
   notice.value =
-    `${worst!.kernel.label} and ${base.kernel.label} differ by at most ` +
-    differenceText(worst!.difference.largest, size);
-  const visit = visitOf(session);
+    `${worst.kernel.label} and ${base.kernel.label} differ by at most ` +
+    differenceText(worst.difference.largest, size);
+  aimAt(editor, compared);
+}
+
+/** Aims again after the view was divided anew, unless the user has moved the camera since. */
+export function aimAgain(editor: Looking): void {
+  const compared = comparedOf(editor);
+  if (compared && visitOf(editor.session).camera?.isOwn()) aimAt(editor, compared);
+}
+
+/** Moves camera and wipe to the largest difference. */
+function aimAt(editor: Looking, compared: Compared): void {
+  const { session, viewer } = editor;
+  const place = placeOfWorst(compared);
+  if (!place) return;
+  const { worst, size } = compared;
   let goal = viewer.viewCamera.peek();
   if (worst!.difference.largest >= telling * size.height && !viewer.framing.peek()) {
+    const visit = visitOf(session);
     const from = viewer.camera.peek();
     const before = visit.camera?.isOwn() ? visit.camera.before : from;
-    goal = cameraAt(from, compared, place);
+    goal = cameraAt(before, viewer.aspect, compared, place);
     visit.camera = { before, isOwn: moveCamera(viewer, from, goal) };
   }
   wipeThrough(editor, goal);

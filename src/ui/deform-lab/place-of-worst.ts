@@ -32,9 +32,14 @@ const nearness = 0.6;
 /** Up to this cosine, a surface that points away from the viewer still counts as seen. */
 const seen = -0.15;
 
-/** The camera as it looks at the place, from outside of the character, and near enough to see it. */
+/**
+ * The camera as it looks at the place, from outside of the character, and near enough to see it.
+ *
+ * @param aspect of a view; in narrow ones the camera is farther away, so that as much is beside the place
+ */
 export function cameraAt(
   camera: Camera,
+  aspect: number,
   { base: shown, size }: Compared,
   place: WorstPlace,
 ): Camera {
@@ -43,7 +48,7 @@ export function cameraAt(
   const toViewer = vec3.subtract(new Float64Array(3), eyeOf(camera), camera.target);
   vec3.normalize(toViewer, toViewer);
   const isBehind = vec3.dot(outward, toViewer) < seen;
-  const near = nearness * size.height * shown.evaluation.display.scale;
+  const near = (nearness * size.height * shown.evaluation.display.scale) / Math.min(1, aspect);
   return {
     ...camera,
     target: [middle[0], middle[1], middle[2]],

@@ -18,6 +18,7 @@ const icons = {
   weights:
     'M10 3C6 7.5 4.6 9.4 4.6 11.8a5.4 5.4 0 0 0 10.8 0C15.4 9.4 14 7.5 10 3M5 10.6h10M10 10.6V17',
   compare: 'M3 4h14v12H3zM10 4v12M5.5 8v4M14.5 7v6',
+  'side-by-side': 'M2.5 4.5h6.5v11H2.5zM11 4.5h6.5v11H11z',
   frame: 'M3.5 7.5v-4h4M12.5 3.5h4v4M16.5 12.5v4h-4M7.5 16.5h-4v-4',
   shot: 'M3 7h10v8H3zM13 10l4-2.5v7L13 12M8 2.5v3M6.5 4h3',
   home: 'M3 10 10 4l7 6M5 9v7.5h10V9',

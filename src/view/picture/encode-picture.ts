@@ -12,8 +12,16 @@ export interface Picture {
 /** The quality of formats with losses, from 0 to 1. */
 export const lossyQuality = 0.92;
 
-/** Returns the bytes of a file. PNG keeps every pixel. */
-export async function encodePicture(picture: Picture, format: PictureFormat): Promise<Blob> {
+/**
+ * Returns the bytes of a file. PNG keeps every pixel.
+ *
+ * @param drawOver draws what lies over the picture
+ */
+export async function encodePicture(
+  picture: Picture,
+  format: PictureFormat,
+  drawOver?: (context: CanvasRenderingContext2D) => void,
+): Promise<Blob> {
   const { width, height, pixels } = picture;
   const canvas = document.createElement('canvas');
   canvas.width = width;
@@ -22,6 +30,7 @@ export async function encodePicture(picture: Picture, format: PictureFormat): Pr
   const noRoom = `This browser has no room for a picture of ${width} × ${height} pixels`;
   if (!context) throw new Failure(noRoom);
   context.putImageData(new ImageData(pixels, width, height), 0, 0);
+  drawOver?.(context);
   const blob = await new Promise<Blob | null>((resolve) => {
     canvas.toBlob(resolve, `image/${format}`, lossyQuality);
   });

@@ -1,6 +1,7 @@
 import '../../styles/deform-lab.css';
-import { canAddMethod } from '../../deform-lab/change-comparison.ts';
 import { comparedOf } from '../../deform-lab/compared.ts';
+import { methodPlaces } from '../../deform-lab/method-places.ts';
+import { remarkOn } from '../../deform-lab/method-remark.ts';
 import { telling } from '../../deform-lab/open-comparison.ts';
 import type { Editor } from '../../editor.ts';
 import { CommandButton } from '../command-button.tsx';
@@ -19,31 +20,29 @@ export function ComparisonOverlay({ editor }: { readonly editor: Editor }) {
   if (!comparison || !compared) return null;
   const { rows, base, worst, size } = compared;
   const isWipe = comparison.layout === 'wipe';
-  const edges = isWipe
-    ? [0, ...comparison.wipes, 1]
-    : [...rows.keys(), rows.length].map((column) => column / rows.length);
-  const isAlike = (worst?.difference.largest ?? 0) < telling * size.height;
+  const places = methodPlaces(comparison);
+  const isReady = rows.every(({ evaluation }) => evaluation.pending.length === 0);
+  const isAlike = isReady && (worst?.difference.largest ?? 0) < telling * size.height;
   return (
     <>
       <div class={`compared ${isWipe ? '' : 'apart'}`}>
         {rows.map(({ method, kernel, evaluation }, index) => {
-          const [from, to] = [edges[index]!, edges[index + 1]!];
+          const [from, to] = places[index]!;
           const place = { left: `${from * 100}%`, width: `${(to - from) * 100}%` };
           return (
             <span key={method} style={place}>
               <span>
                 {kernel.label}
-                {evaluation.pending.length > 0 && ' (preparing; linear blend meanwhile)'}
+                {remarkOn(kernel, evaluation)}
               </span>
             </span>
           );
         })}
       </div>
-      {canAddMethod(editor) && (
-        <div class="add-method">
-          <CommandButton editor={editor} command="compare-one-more" sign="+" />
-        </div>
-      )}
+      <div class="change-comparison" role="group" aria-label="Compared methods">
+        <CommandButton editor={editor} command="comparison-layout" icon="side-by-side" />
+        <CommandButton editor={editor} command="compare-one-more" icon="plus" />
+      </div>
       <WorstMark editor={editor} compared={compared} columns={isWipe ? 1 : rows.length} />
       {isWipe &&
         comparison.wipes.map((_, index) => (
