@@ -1,10 +1,38 @@
-import { test as base, expect, type Page } from '@playwright/test';
+import { expect, type Page, test as playwrightTest } from '@playwright/test';
 import type { Scripting } from '../../src/app/scripting.ts';
 
 declare global {
   interface Window {
     sinew: Scripting;
   }
+}
+
+/** Playwright's `test`, whose coarse pages have one sample a pixel, whoever opens them. */
+const base = playwrightTest.extend({
+  browser: [
+    async ({ browser }, use) => {
+      const create = browser.newContext.bind(browser);
+      browser.newContext = async (options) => {
+        const context = await create(options);
+        await context.addInitScript(drawOneSample);
+        return context;
+      };
+      await use(browser);
+    },
+    { scope: 'worker' },
+  ],
+});
+
+/** Runs in the page, before the page's scripts. */
+function drawOneSample(): void {
+  if (devicePixelRatio >= 1) return;
+  const { prototype } = WebGL2RenderingContext;
+  const name = 'renderbufferStorageMultisample';
+  const store = Object.getOwnPropertyDescriptor(prototype, name)!
+    .value as (typeof prototype)[typeof name];
+  prototype[name] = function (target, _samples, ...format) {
+    store.call(this, target, 0, ...format);
+  };
 }
 
 /**
@@ -34,8 +62,8 @@ export const failureTest = base.extend({
 });
 
 /**
- * The view has a quarter of its pixels. It is for tests of what a user can do, in which the drawing
- * would take most of the time.
+ * The view has a quarter of its pixels, with one sample each. It is for tests of what a user can do,
+ * in which the drawing would take most of the time.
  */
 export const coarse = { deviceScaleFactor: 0.5 } as const;
 
