@@ -13,6 +13,7 @@ import {
   type Tcb,
 } from '../../core/motion/clip-parts.ts';
 import type { JsonValue } from '../../formats/json/decoder.ts';
+import { printedOnce } from '../../formats/json/print-json.ts';
 import { checked, type Codec, numbers, numberWithin, oneOf } from './codec.ts';
 import { readTarget, writeTarget } from './target-json.ts';
 
@@ -75,10 +76,10 @@ export function writeChannel(channel: ChannelParts, character: Character): unkno
 function writtenKeys(channel: ChannelParts): unknown {
   let keys = written.get(channel);
   if (!keys) {
-    keys = isRotationChannel(channel)
+    const all: readonly unknown[] = isRotationChannel(channel)
       ? channel.keys.map(({ time, value }) => [time, value])
       : channel.keys.map(writeKey);
-    written.set(channel, keys);
+    written.set(channel, (keys = printedOnce(all)));
   }
   return keys;
 }

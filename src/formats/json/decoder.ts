@@ -11,8 +11,8 @@ export interface JsonNode {
   readonly value: unknown;
   readonly at?: number | undefined;
   readonly keyAt?: number | undefined;
-  /** The values within it, by name or index. */
-  readonly inner?: ReadonlyMap<string | number, JsonNode>;
+  /** The values within it: those of an object by name, those of a list in order. */
+  readonly inner?: ReadonlyMap<string, JsonNode> | readonly JsonNode[];
 }
 
 /** Information that all values of a text share, for messages. */
@@ -23,6 +23,11 @@ export interface JsonSource {
   readonly effect: string;
   /** Converts an offset in the text to a place; absent for values that scripts pass. */
   readonly placeOf?: (at: number) => Place;
+}
+
+function innerAt(inner: JsonNode['inner'], key: string | number): JsonNode | undefined {
+  if (!inner || 'get' in inner) return inner?.get(String(key));
+  return inner[Number(key)];
 }
 
 /**
@@ -46,7 +51,7 @@ export class JsonValue {
   member(key: string | number): JsonValue {
     const { at, inner } = this.node;
     const value = (this.value as Record<string | number, unknown>)[key];
-    const node = inner?.get(key) ?? { value, at };
+    const node = innerAt(inner, key) ?? { value, at };
     return new JsonValue(node, this.source, pathOf(this.path, key));
   }
 

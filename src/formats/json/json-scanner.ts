@@ -23,6 +23,7 @@ const constants: ReadonlyMap<string, unknown> = new Map<string, unknown>([
   ['null', null],
 ]);
 const escape = /\\(["\\/bfnrt]|u[\da-fA-F]{4})/y;
+const wordCharacters = /[\w.+-]*/y;
 const longestFound = 64;
 
 /**
@@ -93,9 +94,8 @@ export class JsonScanner {
    * The letters, digits and signs from here on: a number or a constant, possibly a misspelled one.
    */
   private wordAt(): string {
-    let end = this.at;
-    while (end < this.text.length && /[\w.+-]/.test(this.text[end]!)) end++;
-    return this.text.slice(this.at, end);
+    wordCharacters.lastIndex = this.at;
+    return wordCharacters.exec(this.text)![0];
   }
 
   private found(): string {

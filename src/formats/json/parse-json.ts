@@ -28,8 +28,8 @@ export function parseJson(
 }
 
 class JsonParser {
-  /** The path of the value that is being read. */
-  path = '';
+  /** The names and indices that lead to the value that is being read. */
+  private readonly keys: (string | number)[] = [];
   private readonly scanner: JsonScanner;
   private readonly source: JsonSource;
   private readonly depth: number;
@@ -39,6 +39,11 @@ class JsonParser {
     this.scanner = new JsonScanner(text);
     this.source = source;
     this.depth = depth;
+  }
+
+  /** The path of the value that is being read. */
+  get path(): string {
+    return this.keys.reduce<string>((path, key) => pathOf(path, key), '');
   }
 
   document(): JsonNode {
@@ -91,20 +96,20 @@ class JsonParser {
 
   private array(at: number, keyAt: number): JsonNode {
     const { scanner } = this;
-    const inner = new Map<number, JsonNode>();
+    const inner: JsonNode[] = [];
     if (!scanner.takes(']')) {
-      do inner.set(inner.size, this.within(inner.size, scanner.skipBlanks()));
+      do inner.push(this.within(inner.length, scanner.skipBlanks()));
       while (scanner.takes(','));
       if (!scanner.takes(']')) scanner.fail('"," or "]"');
     }
-    return { value: Array.from(inner.values(), (node) => node.value), at, keyAt, inner };
+    return { value: inner.map((node) => node.value), at, keyAt, inner };
   }
 
   private within(key: string | number, keyAt: number): JsonNode {
-    const outer = this.path;
-    this.path = pathOf(outer, key);
+    // After a fault the keys stay, so that they lead to its place.
+    this.keys.push(key);
     const node = this.value(keyAt);
-    this.path = outer;
+    this.keys.pop();
     return node;
   }
 

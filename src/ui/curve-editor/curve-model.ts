@@ -124,9 +124,13 @@ export class CurveModel {
     return new Map(open);
   });
 
+  private readonly units = computed<ReadonlyMap<ChannelKey, ValueUnit>>(
+    () => new Map(this.curves.value.map(({ key, unit }) => [key, unit])),
+  );
+
   /** What a channel's values are measured in. */
   unitOf(key: ChannelKey): ValueUnit {
-    return this.curves.value.find((curve) => curve.key === key)?.unit ?? 'number';
+    return this.units.value.get(key) ?? 'number';
   }
 
   /** An edit of the shown clip. */

@@ -67,7 +67,7 @@ function commonTangent(tangents: readonly Tangent[]): Tangent | null {
   const [first] = tangents;
   if (first === undefined) return null;
   const text = tangentText(first);
-  return tangents.every((each) => tangentText(each) === text) ? first : null;
+  return tangents.every((each) => each === first || tangentText(each) === text) ? first : null;
 }
 
 /** Moves the selected keys so that the first of them is at a typed time. */

@@ -1,3 +1,4 @@
+import { keyGap } from '../../core/motion/edit/keys.ts';
 import type { KeySelection } from '../../core/motion/key-selection.ts';
 import { channelKey } from '../../core/motion/targets.ts';
 import { firstAtOrAfter, keysOfRow, mergeTimes, nearestKey } from './row-keys.ts';
@@ -33,11 +34,8 @@ export interface RowPicture {
   readonly isLit: (row: TimelineRow) => boolean;
 }
 
-/** Half the diagonal of a diamond, and the least distance of two that are drawn, in CSS pixels. */
-const [size, leastGap] = [5, 1.5];
-/** Two times of one key differ less than this, in seconds. */
-const sameKey = 1e-4;
-
+/** Half the diagonal of a diamond, and the distance from which keys are a band, in CSS pixels. */
+const [size, bandGap] = [5, 4];
 /** Draws the visible part of the rows: bars where nothing moves, and the keys as diamonds. */
 export function drawRows(
   context: CanvasRenderingContext2D,
@@ -96,23 +94,71 @@ function drawKeys(
     if (isHeld[at] === 0 || at + 1 >= times.length) continue;
     context.fillRect(across(at), middle - 2, across(at + 1) - across(at), 4);
   }
+  const half = row.kind === 'channel' ? size - 0.5 : size;
   for (const isChosen of [false, true]) {
-    let last = -Infinity;
-    context.beginPath();
-    for (let at = first; at < end; at++) {
-      const x = across(at);
-      if (x - last < leastGap) continue;
-      const isSelected = chosen.length > 0 && nearestKey(chosen, times[at]!, sameKey) >= 0;
-      if (isSelected !== isChosen) continue;
-      diamond(context, x, middle, row.kind === 'channel' ? size - 0.5 : size);
-      last = x;
-    }
     context.fillStyle = isChosen ? colors.chosen : colors.key;
     context.strokeStyle = colors.edge;
     context.lineWidth = 1;
-    context.fill();
-    context.stroke();
+    for (const [from, to] of keyRuns(first, end, across, isOfKind(times, chosen, isChosen))) {
+      if (to === from) drawDiamond(context, across(from), middle, half);
+      else drawBand(context, across(from), across(to), middle, half);
+    }
   }
+}
+
+/** Whether a key is selected, or is not. */
+function isOfKind(times: Float64Array, chosen: Float64Array, isChosen: boolean) {
+  return (at: number): boolean =>
+    (chosen.length > 0 && nearestKey(chosen, times[at]!, keyGap) >= 0) === isChosen;
+}
+
+/** Runs of keys of one kind that are too near to each other to be told apart, first to last. */
+function keyRuns(
+  first: number,
+  end: number,
+  across: (at: number) => number,
+  isWanted: (at: number) => boolean,
+): readonly (readonly [from: number, to: number])[] {
+  const runs: [number, number][] = [];
+  let last = -Infinity;
+  for (let at = first; at < end; at++) {
+    if (!isWanted(at)) {
+      last = -Infinity;
+      continue;
+    }
+    const x = across(at);
+    if (x - last < bandGap) runs.at(-1)![1] = at;
+    else runs.push([at, at]);
+    last = x;
+  }
+  return runs;
+}
+
+/** Keys in a row that is drawn as one shape, with the ends of a diamond. */
+function drawBand(
+  context: CanvasRenderingContext2D,
+  left: number,
+  right: number,
+  y: number,
+  half: number,
+): void {
+  context.beginPath();
+  context.moveTo(left - half, y);
+  context.lineTo(left, y - half);
+  context.lineTo(right, y - half);
+  context.lineTo(right + half, y);
+  context.lineTo(right, y + half);
+  context.lineTo(left, y + half);
+  context.closePath();
+  context.fill();
+  context.stroke();
+}
+
+function drawDiamond(context: CanvasRenderingContext2D, x: number, y: number, half: number): void {
+  context.beginPath();
+  diamond(context, x, y, half);
+  context.fill();
+  context.stroke();
 }
 
 function diamond(context: CanvasRenderingContext2D, x: number, y: number, half: number): void {

@@ -1,5 +1,9 @@
 import { channelFor, isStepped } from '../../core/motion/channel.ts';
-import { type ChannelParts, isRotationChannel } from '../../core/motion/clip-parts.ts';
+import {
+  type ChannelParts,
+  isRotationChannel,
+  type ScalarChannelParts,
+} from '../../core/motion/clip-parts.ts';
 import { type AnyKey, sameTime } from '../../core/motion/edit/keys.ts';
 import { sameValue } from '../../core/same-value.ts';
 
@@ -26,17 +30,25 @@ function keysOfChannel(channel: ChannelParts): RowKeys {
   if (!keys) {
     const all: readonly AnyKey[] = channel.keys;
     const times = Float64Array.from(all, ({ time }) => time);
-    const isHeld = Uint8Array.from(all, (_, at) => Number(isHold(channel, at)));
+    const isHeld = heldKeys(channel);
     single.set(channel, (keys = { times, isHeld }));
   }
   return keys;
 }
 
-/** Whether a channel does not move from a key until the next one. */
-function isHold(channel: ChannelParts, at: number): boolean {
-  const [here, next] = [channel.keys[at]!, channel.keys[at + 1]];
-  if (!next || !sameValue(here.value, next.value)) return false;
-  if (isRotationChannel(channel)) return true;
+/** Marks the keys from which a channel does not move until the next one. */
+function heldKeys(channel: ChannelParts): Uint8Array {
+  const isHeld = new Uint8Array(channel.keys.length);
+  const isRotation = isRotationChannel(channel);
+  for (let at = 0; at + 1 < isHeld.length; at++) {
+    if (!sameValue(channel.keys[at]!.value, channel.keys[at + 1]!.value)) continue;
+    isHeld[at] = Number(isRotation || isFlat(channel, at));
+  }
+  return isHeld;
+}
+
+/** Whether a curve between two equal values is level. */
+function isFlat(channel: ScalarChannelParts, at: number): boolean {
   const { slopesIn, slopesOut } = channelFor(channel);
   return isStepped(channel.keys, at) || (slopesOut[at] === 0 && slopesIn[at + 1] === 0);
 }

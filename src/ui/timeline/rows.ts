@@ -51,8 +51,7 @@ export function timelineRows(
   choices: RowChoices,
 ): readonly TimelineRow[] {
   const { skeleton } = thing;
-  const own = channelsByJoint(clip, skeleton);
-  const known = clip.channels.filter(({ target }) => target !== null);
+  const { own, known } = channelsOf(clip, skeleton);
   const all = { label: 'All', fullName: 'All', channels: known };
   const selected = choices.selected.flatMap((joint) => {
     const channels = own.get(joint) ?? [];
@@ -82,6 +81,8 @@ function jointRow(skeleton: Skeleton, id: RowId, joint: number): TimelineRow {
   return { ...plain, id, kind: 'joint', label, fullName: label, joint, channels: [] };
 }
 
+const none: readonly ChannelParts[] = [];
+
 /** The tree of joints, in which those without rows are left out and their children move up. */
 function jointRows(
   thing: AnimatedThing,
@@ -102,9 +103,10 @@ function jointRows(
     const showsBranch = below.length > 0 ? !turned.has(`branch ${id}`) : null;
     const level = ends.length + 1;
     // A folded branch shows the keys of all that it hides.
-    const channels = [joint, ...(showsBranch === false ? below : [])].flatMap(
-      (each) => own.get(each) ?? [],
-    );
+    const channels =
+      showsBranch === false
+        ? [joint, ...below].flatMap((each) => own.get(each) ?? [])
+        : (own.get(joint) ?? none);
     const row = { ...jointRow(skeleton, id, joint), level, channels, showsBranch };
     if (showsBranch === false) {
       rows.push(row);
@@ -190,7 +192,25 @@ function nameOf(channel: ChannelParts, { skeleton, morphs }: AnimatedThing): Cha
   }
 }
 
-/** The channels of each joint that has any. */
+interface ClipChannels {
+  /** Those whose target is known. */
+  readonly known: readonly ChannelParts[];
+  /** The channels of each joint that has any. */
+  readonly own: ReadonlyMap<number, readonly ChannelParts[]>;
+}
+
+/** Sorts a clip's channels, once: what is merged of a list of them is kept with the list. */
+function channelsOf(clip: ClipParts, skeleton: Skeleton): ClipChannels {
+  let found = sorted.get(clip);
+  if (found?.skeleton !== skeleton) {
+    const known = clip.channels.filter(({ target }) => target !== null);
+    sorted.set(clip, (found = { skeleton, known, own: channelsByJoint(clip, skeleton) }));
+  }
+  return found;
+}
+
+const sorted = new WeakMap<ClipParts, ClipChannels & { readonly skeleton: Skeleton }>();
+
 function channelsByJoint(
   { channels }: ClipParts,
   { jointOfSource }: Skeleton,
@@ -205,8 +225,20 @@ function channelsByJoint(
     if (list) list.push(channel);
     else found.set(joint, [channel]);
   }
-  return found;
+  return new Map([...found].map(([joint, list]) => [joint, shared(list)]));
 }
+
+/** The same list for the same channels, whatever else of the clip was edited. */
+function shared(list: readonly ChannelParts[]): readonly ChannelParts[] {
+  const former = lists.get(list[0]!);
+  const isSame =
+    former?.length === list.length && former.every((channel, at) => channel === list[at]);
+  if (isSame) return former;
+  lists.set(list[0]!, list);
+  return list;
+}
+
+const lists = new WeakMap<ChannelParts, readonly ChannelParts[]>();
 
 function range(start: number, end: number): readonly number[] {
   return Array.from({ length: Math.max(0, end - start) }, (_, i) => start + i);

@@ -1,3 +1,4 @@
+import { keyGap } from '../../core/motion/edit/keys.ts';
 import type { ClipParts } from '../../core/motion/clip-parts.ts';
 import { keysWithin } from '../../core/motion/edit/selection.ts';
 import type { KeySelection } from '../../core/motion/key-selection.ts';
@@ -35,9 +36,6 @@ export interface Hit {
   readonly time: number;
 }
 
-/** Two times of one key differ less than this, in seconds. */
-const sameKey = 1e-4;
-
 export function rowAt(
   { rows, rowHeight, ...shown }: ShownRows,
   y: number,
@@ -61,7 +59,7 @@ export function keysOf({ clip }: ShownRows, { row, time }: Hit): KeySelection {
 }
 
 export function keysOfDiamond(clip: ClipParts, row: TimelineRow, time: number): KeySelection {
-  return keysWithin(clip, channelKeys(row), [time - sameKey, time + sameKey]);
+  return keysWithin(clip, channelKeys(row), [time - keyGap, time + keyGap]);
 }
 
 export function channelKeys({ channels }: TimelineRow): readonly string[] {
@@ -69,5 +67,5 @@ export function channelKeys({ channels }: TimelineRow): readonly string[] {
 }
 
 export function isAmong({ row, time }: Hit, selection: KeySelection): boolean {
-  return nearestKey(selectedTimes(row, selection), time, sameKey) >= 0;
+  return nearestKey(selectedTimes(row, selection), time, keyGap) >= 0;
 }

@@ -3,7 +3,7 @@ import type { ChannelParts, KeyParts, RotationKeyParts } from '../clip-parts.ts'
 export type AnyKey = KeyParts | RotationKeyParts;
 
 /** Keys of one channel are at least so many seconds apart. */
-const keyGap = 1e-4;
+export const keyGap = 1e-4;
 
 /** Whether two times, in seconds, are those of one key. */
 export function sameTime(a: number, b: number): boolean {

@@ -13,10 +13,13 @@ export function placeKeys(
 ): EditedKeys {
   const placed = new Map<ChannelKey, readonly number[]>();
   const edited = changeChannels(clip, selection, (channel, key) => {
-    const indices = new Set(indicesAt(channel, selection.get(key)!));
-    if (indices.size === 0) return channel;
-    const put = (channel.keys as readonly AnyKey[]).filter((_, at) => indices.has(at)).map(place);
-    const kept = (channel.keys as readonly AnyKey[]).filter((_, at) => !indices.has(at));
+    const indices = indicesAt(channel, selection.get(key)!);
+    if (indices.length === 0) return channel;
+    const [put, kept]: [AnyKey[], AnyKey[]] = [[], []];
+    channel.keys.forEach((each: AnyKey, at) => {
+      if (indices[put.length] === at) put.push(place(each));
+      else kept.push(each);
+    });
     const keys = mergedKeys(kept, put);
     const own = new Set(put);
     placed.set(

@@ -2,7 +2,7 @@ import type { ChannelParts, ClipParts } from '../clip-parts.ts';
 import type { KeySelection } from '../key-selection.ts';
 import type { ChannelKey } from '../targets.ts';
 import { keyOf } from './channels.ts';
-import { keyAt, sameTime } from './keys.ts';
+import { firstFrom, keyAt, sameTime } from './keys.ts';
 
 export interface SelectedKey {
   readonly channelKey: ChannelKey;
@@ -29,9 +29,17 @@ export function selectedIn(clip: ClipParts, selection: KeySelection): readonly S
 
 /** The indices of a channel's keys that are at some times, increasing. */
 export function indicesAt({ keys }: ChannelParts, times: readonly number[]): readonly number[] {
-  const found = new Set(times.map((time) => keyAt(keys, time)));
-  found.delete(-1);
-  return [...found].sort((a, b) => a - b);
+  const found: number[] = [];
+  let isIncreasing = true;
+  for (const time of times) {
+    const last = found.at(-1) ?? -1;
+    // Where all keys are selected, the next one is the key that follows.
+    const index = keys[last + 1]?.time === time ? last + 1 : keyAt(keys, time);
+    if (index < 0) continue;
+    isIncreasing &&= index > last;
+    found.push(index);
+  }
+  return isIncreasing ? found : [...new Set(found)].sort((a, b) => a - b);
 }
 
 /** Selects the keys of some channels that are within two times, ends included, in either order. */
@@ -46,12 +54,12 @@ export function keysWithin(
   for (const channel of clip.channels) {
     const key = keyOf(channel);
     if (key === null || !channels.has(key)) continue;
-    const times = channel.keys.map(({ time }) => time);
-    addTimes(
-      found,
-      key,
-      times.filter((time) => time >= start && time <= end),
-    );
+    const { keys: all } = channel;
+    const times: number[] = [];
+    for (let at = firstFrom(all, start); at < all.length && all[at]!.time <= end; at++) {
+      times.push(all[at]!.time);
+    }
+    addTimes(found, key, times);
   }
   return found;
 }

@@ -1,16 +1,12 @@
-import {
-  isSelected,
-  type LineKey,
-  type Shown,
-  shownBox,
-  shownHandles,
-} from '../../../curve-editor/hits.ts';
+import { keyGap } from '../../../../core/motion/edit/keys.ts';
+import { type Shown, shownBox, shownHandles } from '../../../curve-editor/hits.ts';
 import { keyPlace, sampleLine } from '../../../curve-editor/line-samples.ts';
 import type { PlotLine } from '../../../curve-editor/plot-lines.ts';
-import { type Place, type Plot, xOf, yOf } from '../../../curve-editor/plot.ts';
+import { type Place, type Plot, timeAt, xOf, yOf } from '../../../curve-editor/plot.ts';
 import { type Box, boxHandles, handlePlace, visibleBox } from '../../../curve-editor/scale-box.ts';
 import { type ValueUnit, valueMarks } from '../../../curve-editor/value-axis.ts';
 import { rulerMarks } from '../../../timeline/marks.ts';
+import { firstAtOrAfter, nearestKey } from '../../../timeline/row-keys.ts';
 import type { TimeUnit } from '../../../timeline/timeline-state.ts';
 import type { PlotColors } from './plot-colors.ts';
 
@@ -37,7 +33,7 @@ export function drawPlot(context: Context, picture: Picture): void {
   drawGrid(context, picture);
   for (const line of lines) drawLine(context, line, picture);
   drawHandles(context, picture);
-  for (const line of lines) drawKeys(context, line, picture);
+  for (const [line, keys] of seenKeys(picture)) drawKeys(context, line, keys, picture);
   const box = shownBox(picture);
   if (box) drawScaleBox(context, box, picture);
   if (picture.chosenBox) drawChosenBox(context, picture.chosenBox, picture.colors);
@@ -127,29 +123,59 @@ function drawHandles(context: Context, picture: Picture): void {
 
 /** Half of a key's side, in pixels. */
 const halfKey = 3.5;
+/** More keys than these would hide the curves; only selected ones are drawn then. */
+const mostKeys = 4000;
 
-function drawKeys(context: Context, line: PlotLine, picture: Picture): void {
-  const { plot, colors, selection, locked } = picture;
-  const isChosen = selection.has(line.key);
+/** The keys of each line that are drawn: those in sight, or if they are too many the selected. */
+function seenKeys({ lines, plot, selection }: Picture): ReadonlyMap<PlotLine, SeenKeys> {
+  const [start, end] = [timeAt(plot, -halfKey), timeAt(plot, plot.width + halfKey)];
+  const seen = lines.map((line): readonly [PlotLine, SeenKeys] => {
+    const [from, to] = [firstAtOrAfter(line.times, start), firstAtOrAfter(line.times, end)];
+    const chosen = Float64Array.from(selection.get(line.key) ?? []);
+    return [line, { at: range(from, to), chosen }];
+  });
+  if (countOf(seen) <= mostKeys) return new Map(seen);
+  const selected = seen.map(([line, { at, chosen }]) => {
+    const isChosen = (index: number) => nearestKey(chosen, line.times[index]!, keyGap) >= 0;
+    return [line, { at: chosen.length === 0 ? [] : at.filter(isChosen), chosen }] as const;
+  });
+  return new Map(countOf(selected) <= mostKeys ? selected : []);
+}
+
+interface SeenKeys {
+  /** Their indices. */
+  readonly at: readonly number[];
+  /** The times of the line's selected keys, increasing. */
+  readonly chosen: Float64Array;
+}
+
+function countOf(seen: readonly (readonly [PlotLine, SeenKeys])[]): number {
+  return seen.reduce((sum, [, { at }]) => sum + at.length, 0);
+}
+
+function range(from: number, end: number): number[] {
+  return Array.from({ length: end - from }, (_, i) => from + i);
+}
+
+function drawKeys(context: Context, line: PlotLine, keys: SeenKeys, picture: Picture): void {
+  const { plot, colors, locked } = picture;
+  const [own, surface] = [colors.of(line.color), colors.of('surface')];
+  const [accent, text] = [colors.of('accent'), colors.of('text')];
   let former: Place | null = null;
   context.lineWidth = 1.25;
-  line.times.forEach((_, at) => {
+  context.globalAlpha = locked.has(line.key) ? 0.45 : 1;
+  for (const at of keys.at) {
     const place = keyPlace(line, at, plot);
-    if (place.x < -halfKey || place.x > plot.width + halfKey) return;
-    const key: LineKey = { line, at };
-    const isMarked = isChosen && isSelected(selection, key);
+    const isMarked = nearestKey(keys.chosen, line.times[at]!, keyGap) >= 0;
     // Of keys on the same spot, as of a curve from afar, one is drawn.
-    if (!isMarked && former && Math.hypot(place.x - former.x, place.y - former.y) < 1) return;
+    if (!isMarked && former && Math.hypot(place.x - former.x, place.y - former.y) < 1) continue;
     former = place;
-    context.fillStyle = isMarked ? colors.of('accent') : colors.of('surface');
-    context.strokeStyle = isMarked ? colors.of('text') : colors.of(line.color);
-    context.globalAlpha = locked.has(line.key) ? 0.45 : 1;
+    context.fillStyle = isMarked ? accent : surface;
+    context.strokeStyle = isMarked ? text : own;
     const half = isMarked ? halfKey + 1 : halfKey;
-    context.beginPath();
-    context.rect(place.x - half, place.y - half, 2 * half, 2 * half);
-    context.fill();
-    context.stroke();
-  });
+    context.fillRect(place.x - half, place.y - half, 2 * half, 2 * half);
+    context.strokeRect(place.x - half, place.y - half, 2 * half, 2 * half);
+  }
   context.globalAlpha = 1;
 }
 

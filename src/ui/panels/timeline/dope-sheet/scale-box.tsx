@@ -1,3 +1,4 @@
+import { keyGap } from '../../../../core/motion/edit/keys.ts';
 import type { ClipParts } from '../../../../core/motion/clip-parts.ts';
 import { scaleKeys } from '../../../../core/motion/edit/move-keys.ts';
 import { spanOfKeys } from '../../../timeline/edit-keys.ts';
@@ -13,20 +14,17 @@ interface ScaleBoxProperties {
   readonly width: number;
 }
 
-/** Two times of one key differ less than this, in seconds. */
-const sameKey = 1e-4;
-
 /** A band from the first selected key to the last one; each end scales the keys about the other. */
 export function ScaleBox({ editor, clip, timeWindow, width }: ScaleBoxProperties) {
   const span = spanOfKeys(clip, editor.session.selectedKeys.value);
-  if (!span || span[1] - span[0] < sameKey) return null;
+  if (!span || span[1] - span[0] < keyGap) return null;
   const [first, last] = span;
   const begin = (from: number, about: number) => (): TimeDrag => {
     const gesture = beginKeyGesture(editor, 'Scale keys');
     return {
       preview: (time) => {
         // At the other end all keys would be one.
-        if (Math.abs(time - about) < sameKey) return;
+        if (Math.abs(time - about) < keyGap) return;
         const timeFactor = (time - about) / (from - about);
         gesture?.preview((keys, selection) =>
           scaleKeys(keys, selection, { aboutTime: about, timeFactor }),
