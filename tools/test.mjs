@@ -26,16 +26,16 @@ const longestMinutes = 15;
 
 /** @type {Check[]} The longest checks come first, so that the two lanes end together. */
 const checks = [
-  { group: 'lint', name: 'lint', command: () => packageCommand('eslint', ['.']) },
+  { group: 'lint', name: 'lint', command: () => packageCommand('oxlint') },
   {
     group: 'types',
     name: 'types',
-    command: () => packageCommand('typescript', ['--build'], 'tsc'),
+    command: () => packageCommand('typescript-native', ['--build'], 'tsc'),
   },
   {
     group: 'format',
     name: 'format',
-    command: () => packageCommand('prettier', ['--check', '--log-level=warn', '.']),
+    command: () => packageCommand('oxfmt', ['--check']),
   },
   {
     group: 'unused',

@@ -5,7 +5,7 @@
  */
 import { writeFileSync } from 'node:fs';
 import path from 'node:path';
-import { format } from 'prettier';
+import { format } from 'oxfmt';
 import type { Command } from '../src/cli/command.ts';
 import { performanceFile, performancePage } from '../bench/harness/performance-page.ts';
 import { commands } from '../src/cli/commands.ts';
@@ -23,8 +23,8 @@ const pages: readonly { readonly file: string; readonly lines: () => string[] }[
 export function writtenPages(): Promise<{ file: string; text: string }[]> {
   return Promise.all(
     pages.map(async ({ file, lines }) => {
-      const text = await format(lines().join('\n'), { parser: 'markdown' });
-      return { file, text };
+      const { code } = await format(file, lines().join('\n'));
+      return { file, text: code };
     }),
   );
 }

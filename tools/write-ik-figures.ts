@@ -4,7 +4,7 @@
  */
 import { readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
-import { format } from 'prettier';
+import { format } from 'oxfmt';
 import { ikMethods } from '../src/posing/ik/methods.ts';
 import { handsAndFeet, leg, sixBalls } from '../tests/posing/ik/ik-rigs.ts';
 import { measureMethod } from '../tests/posing/ik/measure-method.ts';
@@ -36,4 +36,4 @@ for (const [name, rig] of Object.entries(rigs)) {
   }
 }
 const text = readFileSync(file, 'utf8').replace(block, `\n\n${rows.join('\n')}\n\n`);
-writeFileSync(file, await format(text, { parser: 'markdown' }));
+writeFileSync(file, (await format(file, text)).code);

@@ -18,7 +18,11 @@ export interface PosedStreams {
 }
 
 export type MethodId =
-  'linear-blend' | 'rigid' | 'dual-quaternion' | 'centers-of-rotation' | 'delta-mush';
+  | 'linear-blend'
+  | 'rigid'
+  | 'dual-quaternion'
+  | 'centers-of-rotation'
+  | 'delta-mush';
 
 /** A computation: a method combined with a way of normals. */
 export type KernelId = MethodId | 'joint-normals';

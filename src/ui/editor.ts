@@ -51,7 +51,13 @@ export type ThemeChoice = 'system' | 'light' | 'dark';
 
 /** A sheet over the page; dialogs.ts has the contents. */
 export type DialogId =
-  'arrival' | 'gallery' | 'keys' | 'long link' | 'movie' | 'palette' | 'wanted';
+  | 'arrival'
+  | 'gallery'
+  | 'keys'
+  | 'long link'
+  | 'movie'
+  | 'palette'
+  | 'wanted';
 
 /** The panel that is open on narrow pages: a sheet on phones; on tablets, the unfolded outliner. */
 export type Drawer = 'left' | 'right';

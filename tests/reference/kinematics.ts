@@ -12,7 +12,8 @@ import {
  * rotate about an axis, or rotate freely.
  */
 export type Freedom =
-  { readonly kind: 'slide' | 'hinge'; readonly axis: Vector } | { readonly kind: 'ball' };
+  | { readonly kind: 'slide' | 'hinge'; readonly axis: Vector }
+  | { readonly kind: 'ball' };
 
 export interface Joint {
   /** Index of the parent, which may come before or after its child; -1 for a root. */

@@ -27,7 +27,13 @@ export type Tcb = readonly [tension: number, continuity: number, bias: number];
  * of its first key or the one into its second key is.
  */
 export type Tangent =
-  'flat' | 'linear' | 'smooth' | 'auto' | 'stepped' | number | { readonly tcb: Tcb };
+  | 'flat'
+  | 'linear'
+  | 'smooth'
+  | 'auto'
+  | 'stepped'
+  | number
+  | { readonly tcb: Tcb };
 
 /** A clip without rotations, as the courses' files have it. */
 export interface ScalarClipParts extends ClipParts {

@@ -26,7 +26,8 @@ export interface ShownCurve {
 
 /** A channel whose target is known. */
 export type EditedChannel =
-  (ScalarChannelParts & { readonly target: ScalarTarget }) | RotationChannelParts;
+  | (ScalarChannelParts & { readonly target: ScalarTarget })
+  | RotationChannelParts;
 
 /** As many colors as curves have that belong to no axis. */
 export const otherColorCount = 6;

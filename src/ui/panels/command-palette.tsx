@@ -50,8 +50,7 @@ export function CommandPalette({ editor }: { readonly editor: Editor }) {
     const move = moves[event.key];
     if (move !== undefined) setActive(Math.max(0, move));
     else if (event.key === 'Enter') run(rows[active]);
-    else if (event.key === 'Escape')
-      editor.dialog.value = null; // the browser clears the field first
+    else if (event.key === 'Escape') editor.dialog.value = null; // the browser clears the field first
     else return;
     event.preventDefault();
   };

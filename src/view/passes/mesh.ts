@@ -70,8 +70,7 @@ export const meshPass: Pass = {
           drawSide(view, program, submesh, gl.FRONT);
           drawSide(view, program, submesh, gl.BACK);
         } else if (!twoSided) drawSide(view, program, submesh, gl.BACK);
-        else if (cover)
-          view.skinned.draw(program, submesh); // it may have holes
+        else if (cover) view.skinned.draw(program, submesh); // it may have holes
         else drawOpaque(frame, view, program, submesh);
       }
     }
