@@ -1,7 +1,14 @@
 import type { PoseJson } from '../src/formats/pose-json.ts';
 import type { KernelId } from '../src/skinning/method.ts';
 import { kernelById, menuName } from '../src/skinning/registry.ts';
-import { capture, choose, openView, type PictureSize, setPose, startOver } from './support/app.ts';
+import {
+  capture,
+  choose,
+  openSmallView,
+  type PictureSize,
+  setPose,
+  startOver,
+} from './support/app.ts';
 import { expectPicture } from './support/pictures.ts';
 import { hardPose } from './support/poses.ts';
 import { sharedPage, test } from './support/test.ts';
@@ -26,7 +33,7 @@ interface Scene {
   readonly menus?: Readonly<Record<string, string>>;
   /** The name of the joint to select. */
   readonly joint?: string;
-  /** The size of the picture, if it is not that of the view, in pixels. */
+  /** In pixels; 640 × 480 if absent. */
   readonly size?: PictureSize;
   /** Methods whose pictures stand side by side, from the left. */
   readonly compared?: readonly KernelId[];
@@ -34,6 +41,8 @@ interface Scene {
   readonly keys?: readonly string[];
 }
 
+/** The view has the same aspect, and fewer pixels to draw while a scene is made. */
+const usual = { width: 640, height: 480 };
 /** The weights of a limb show at half the size. */
 const half = { width: 240, height: 320 };
 const weights = { pose: hardPose, size: half, keys: ['Home'] };
@@ -98,10 +107,10 @@ let loaded = '';
 
 for (const [name, scene] of Object.entries(scenes)) {
   const { model = 'human', workspace = 'studio', dark = false, added = [], keys = [] } = scene;
-  const { pose, method, morphs, time, menus = {}, joint, size, compared } = scene;
+  const { pose, method, morphs, time, menus = {}, joint, size = usual, compared } = scene;
   test(name, async () => {
     await page().emulateMedia({ colorScheme: dark ? 'dark' : 'light' });
-    if (loaded !== model) await openView(page(), `model=${model}`);
+    if (loaded !== model) await openSmallView(page(), `model=${model}`);
     loaded = model;
     await startOver(page(), workspace);
     for (const id of added) await page().evaluate((id) => window.sinew.add(id), id);

@@ -17,7 +17,7 @@ import { coarse, test } from './support/test.ts';
 test.use({ ...coarse, viewport: { width: 960, height: 420 } });
 
 const seeds = (process.env['SOAK_SEEDS'] ?? '1').split(',').map(Number);
-const seconds = 60 * Number(process.env['SOAK_MINUTES'] ?? 20 / 60);
+const seconds = 60 * Number(process.env['SOAK_MINUTES'] ?? 8 / 60);
 const stepsBetweenChecks = 40;
 /**
  * The addresses of saved files are kept for ten seconds, for browsers that fetch them late; one

@@ -14,7 +14,7 @@ const base = playwrightTest.extend({
       const create = browser.newContext.bind(browser);
       browser.newContext = async (options) => {
         const context = await create(options);
-        await context.addInitScript(drawOneSample);
+        await context.addInitScript(drawOneSample, true);
         return context;
       };
       await use(browser);
@@ -23,9 +23,14 @@ const base = playwrightTest.extend({
   ],
 });
 
+/** Makes a page draw one sample a pixel from its next address on, though its view is not coarse. */
+export async function drawPlainly(page: Page): Promise<void> {
+  await page.addInitScript(drawOneSample, false);
+}
+
 /** Runs in the page, before the page's scripts. */
-function drawOneSample(): void {
-  if (devicePixelRatio >= 1) return;
+function drawOneSample(onlyCoarse: boolean): void {
+  if (onlyCoarse && devicePixelRatio >= 1) return;
   const { prototype } = WebGL2RenderingContext;
   const name = 'renderbufferStorageMultisample';
   const store = Object.getOwnPropertyDescriptor(prototype, name)!
