@@ -100,3 +100,18 @@ test('storing as squad says the largest difference and is one step of undo', asy
   await expect(button('Store as Euler')).toHaveAttribute('aria-pressed', 'true');
   await expect(lab()).toContainText('It does not change the motion.');
 });
+
+test('ghosts of a character without a skin are of its bones', async () => {
+  await lab().locator('> summary').click();
+  await page().emulateMedia({ colorScheme: 'light' });
+  await page().setViewportSize({ width: 960, height: 700 });
+  await seek(1.5);
+  await page()
+    .locator('[data-section="motion"]')
+    .getByRole('checkbox', { name: 'Ghosts', exact: true, includeHidden: true })
+    .dispatchEvent('click');
+  await page().evaluate(() => window.sinew.settled());
+  await page().evaluate(() => new Promise((done) => requestAnimationFrame(() => setTimeout(done))));
+  await page().evaluate(() => new Promise((done) => requestAnimationFrame(() => setTimeout(done))));
+  expectPicture('ghosts-of-bones', await page().locator('canvas.scene').screenshot());
+});

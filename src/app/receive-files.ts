@@ -60,6 +60,10 @@ export async function receiveFiles(
   const came = new Set(found.flatMap(pathsOf));
   const earlier = own.value.filter((read) => !pathsOf(read).every((path) => came.has(path)));
   own.value = [...earlier.slice(-mostEarlier), ...found];
+  // A character of bones alone would not be seen.
+  if (found.some(({ character }) => character.mesh.pointCount === 0)) {
+    opening.session.showSkeleton.value = true;
+  }
   const beside = added ? 'added' : 'opened';
   showOpened(nameOf(found), kept === undefined ? beside : `updated; ${kept}`);
   await rememberFiles(nameOf(found), handles);

@@ -53,7 +53,7 @@ export function keyOf(views: readonly CharacterView[], options?: ViewOptions): s
 /** The gray to which colors are dimmed, in linear light. */
 const dimmedLight = 0.2;
 
-const noMarks: JointMarks = { selected: [], mirrored: [], hovered: null, colors: null };
+export const noMarks: JointMarks = { selected: [], mirrored: [], hovered: null, colors: null };
 
 function colorOf(joint: number, marks: JointMarks, plain: Color): Color {
   const { selected, mirrored, hovered, colors } = marks;

@@ -1,5 +1,4 @@
 import { motionViewOf } from '../../document/motion-view.ts';
-import { selectedActor } from '../../document/selected-actor.ts';
 import { selectedJoints } from '../../document/selected-joints.ts';
 import { attempt } from '../attempt.ts';
 import type { Editor } from '../editor.ts';
@@ -14,13 +13,7 @@ export const motionViewCommands = [
     label: 'Ghosts of the character before and after the present moment',
     short: 'Ghosts',
     isOn: ({ session }) => motionViewOf(session).ghosts.value.isOn,
-    run: (editor) => {
-      toggle(editor, 'ghosts');
-      if (motionViewOf(editor.session).ghosts.value.isOn && hasNoSkin(editor)) {
-        editor.notice.value =
-          'Ghosts are of the skin, and this character has bones alone; trails show its joints';
-      }
-    },
+    run: (editor) => toggle(editor, 'ghosts'),
   },
   {
     id: 'trails',
@@ -38,11 +31,6 @@ export const motionViewCommands = [
     run: toggleTrail,
   },
 ] as const satisfies readonly Command[];
-
-/** Whether the selected character is a skeleton alone, of which there are no ghosts. */
-export function hasNoSkin({ store, session }: Pick<Editor, 'store' | 'session'>): boolean {
-  return selectedActor(store, session)?.character.mesh.pointCount === 0;
-}
 
 function toggle(editor: Editor, part: 'ghosts' | 'trails'): void {
   const isOn = !motionViewOf(editor.session)[part].value.isOn;

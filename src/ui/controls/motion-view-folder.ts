@@ -4,7 +4,6 @@ import { motionViewOf } from '../../document/motion-view.ts';
 import { boundClip } from '../../document/scene.ts';
 import { selectedActor } from '../../document/selected-actor.ts';
 import { selectedJoints } from '../../document/selected-joints.ts';
-import { hasNoSkin } from '../commands/motion-view-commands.ts';
 import type { Editor } from '../editor.ts';
 import { keptTrailNames } from '../trail-joints.ts';
 import { addCommandRow } from './command-row.ts';
@@ -26,10 +25,12 @@ export function addMotionViewFolder(gui: GUI, editor: Editor): () => void {
     folder
       .add(partOf(ghosts, 'at'), 'value', { 'Every few frames': 'frames', 'At keys': 'keys' })
       .name('Stand'),
-    folder.add(partOf(ghosts, 'fade'), 'value', 0, 1, 0.05).name('Fade'),
-    folder.add(partOf(ghosts, 'whilePlaying'), 'value').name('While playing'),
   ];
   const apart = folder.add(partOf(ghosts, 'frames'), 'value', 1, 30, 1).name('Frames apart');
+  ghostRows.push(
+    folder.add(partOf(ghosts, 'fade'), 'value', 0, 1, 0.05).name('Fade'),
+    folder.add(partOf(ghosts, 'whilePlaying'), 'value').name('Ghosts in play'),
+  );
   addCommandRow(folder, editor, 'trails');
   const range = field(
     () => trails.value.frames === null,
@@ -60,9 +61,6 @@ export function addMotionViewFolder(gui: GUI, editor: Editor): () => void {
 
   function noteOf(hasClip: boolean): string {
     if (!hasClip) return 'Play a clip, or make one, to see its motion.';
-    if (ghosts.value.isOn && !trails.value.isOn && hasNoSkin(editor)) {
-      return 'Ghosts are of the skin, and this character has bones alone; trails show its joints.';
-    }
     if (!trails.value.isOn) return '';
     const kept = trailJoints.value.length > 0 ? keptTrailNames(editor) : [];
     const some = selectedJoints(session).length + kept.length > 0;

@@ -2,6 +2,7 @@ import type { ReadonlySignal } from '@preact/signals-core';
 import type { CharacterView } from '../character-view.ts';
 import { drawOpaque } from '../draw-skin.ts';
 import type { Frame } from '../frame.ts';
+import { GhostSolids } from '../ghost-solids.ts';
 import type { Ghost } from '../ghosts.ts';
 import type { Pass } from '../pass.ts';
 import type { Viewer } from '../viewer.ts';
@@ -23,13 +24,11 @@ export function ghostsPass(viewer: Viewer, shown: ReadonlySignal<readonly Ghost[
       const { gl } = gpu;
       const program = programs.pass('mesh');
       const floor = floorPass.create(gpu, programs);
+      let solids: GhostSolids | null = null;
       return {
         draw(frame) {
           const ghosts = shown.peek();
           const views = viewer.present().viewsOf(ghosts.map(({ evaluation }) => evaluation));
-          program.use();
-          program.set(frame.uniforms);
-          program.set(matte);
           gl.depthFunc(gl.LEQUAL);
           gl.blendFuncSeparate(
             gl.SRC_ALPHA,
@@ -40,13 +39,13 @@ export function ghostsPass(viewer: Viewer, shown: ReadonlySignal<readonly Ghost[
           for (const { evaluation, color, opacity } of ghosts) {
             const view = views.find((each) => each.evaluation === evaluation);
             if (!view) continue;
-            program.set({ albedo: color, opacity });
+            const draw = drawerOf(frame, view, color, opacity);
             gl.colorMask(false, false, false, false);
-            drawSkin(frame, view);
+            draw();
             gl.colorMask(true, true, true, true);
             gl.depthFunc(gl.EQUAL);
             gl.enable(gl.BLEND);
-            drawSkin(frame, view);
+            draw();
             gl.disable(gl.BLEND);
             gl.depthFunc(gl.LEQUAL);
           }
@@ -54,13 +53,35 @@ export function ghostsPass(viewer: Viewer, shown: ReadonlySignal<readonly Ghost[
           gl.clear(gl.DEPTH_BUFFER_BIT);
           if (hasFloor(frame.options)) drawFloorDepth(frame);
         },
-        dispose: () => floor.dispose(),
+        dispose() {
+          floor.dispose();
+          solids?.dispose();
+        },
       };
 
       function drawFloorDepth(frame: Frame): void {
         gl.colorMask(false, false, false, false);
         floor.draw(frame);
         gl.colorMask(true, true, true, true);
+      }
+
+      /** A ghost is of what the view shows of the character: its skin, or else its bones. */
+      function drawerOf(
+        frame: Frame,
+        view: CharacterView,
+        color: readonly number[],
+        opacity: number,
+      ): () => void {
+        if (!frame.options.showSkin || view.surfaces.length === 0) {
+          const bones = (solids ??= new GhostSolids(gpu, programs));
+          bones.show(view, frame, color);
+          return () => bones.draw(frame, opacity);
+        }
+        program.use();
+        program.set(frame.uniforms);
+        program.set(matte);
+        program.set({ albedo: color, opacity });
+        return () => drawSkin(frame, view);
       }
 
       function drawSkin(frame: Frame, view: CharacterView): void {
