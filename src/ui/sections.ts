@@ -11,6 +11,7 @@ import { Outliner } from './panels/outliner.tsx';
 import { StatusLine } from './panels/status-line.tsx';
 import { Subject } from './panels/subject.tsx';
 import type { TabId } from './tabs.ts';
+import { showsStressSheet } from './deform-lab/measures-open.ts';
 import { hasSteps } from './take-step.ts';
 import type { Workspace } from './workspace.ts';
 
@@ -237,6 +238,13 @@ export const sections: readonly Section[] = [
     tabs: ['animate'],
     when: ({ store }) => store.scene.value.actors.some(canMove),
     load: async () => (await loadPart(import('./panels/timeline/timeline.tsx'))).Timeline,
+  },
+  {
+    id: 'stress',
+    place: 'foot',
+    tabs: ['deform'],
+    when: () => showsStressSheet.value,
+    load: async () => (await loadPart(import('./panels/deform-lab/stress-sheet.tsx'))).StressSheet,
   },
   { id: 'status', place: 'foot', load: () => Promise.resolve(StatusLine) },
 ];

@@ -85,10 +85,10 @@ export class Measurement<T> {
 
 /** The character in a pose without what would change that: clips and pins. */
 function plainActor(
-  { character, method, methodSettings, normalizeWeights, influences, look }: Actor,
+  { character, method, methodSettings, normalizeWeights, influences, skin, look }: Actor,
   pose: Pick<Actor, 'q' | 'morphWeights'>,
 ): Actor {
-  const kept = { ...pose, methodSettings, normalizeWeights, influences, look };
+  const kept = { ...pose, methodSettings, normalizeWeights, influences, skin, look };
   return createActor(measuredId, character, method, kept);
 }
 

@@ -5,13 +5,13 @@ import { studio } from '../../document/environment.ts';
 import { type Actor, createActor } from '../../document/scene.ts';
 import type { Evaluation } from '../../evaluation/evaluation.ts';
 import { sceneBounds } from '../../evaluation/scene-bounds.ts';
-import { RenderTarget } from '../../gl/render-target.ts';
 import { frameBox, startCamera } from '../camera.ts';
 import type { ViewOptions } from '../view-options.ts';
 import type { Viewer } from '../viewer.ts';
 import { averageSamples } from './average-samples.ts';
 import type { Picture } from './encode-picture.ts';
 import { drawApart } from './held-moment.ts';
+import { captureFrame } from './make-picture.ts';
 
 /** Samples on each side of a pixel: small pictures show jagged edges most. */
 const samples = 2;
@@ -20,7 +20,7 @@ const samples = 2;
 const pictureId = -1;
 
 /** From the right of the front, slightly above, with a long lens. */
-const poseView: Camera = {
+export const poseView: Camera = {
   ...startCamera,
   azimuth: 0.45,
   elevation: 0.12,
@@ -46,28 +46,35 @@ export function posePicture(
   joints: readonly number[],
   side: number,
 ): Picture {
-  const { character, method, q, morphWeights, normals, normalizeWeights, influences, skin } = actor;
+  const cameraOf = (still: Evaluation): Camera =>
+    poseCamera(joints.length > 0 ? partBounds(still, joints) : sceneBounds([still]));
+  return actorPicture(viewer, actor, cameraOf, side);
+}
+
+/**
+ * Draws the same from another camera.
+ *
+ * @param cameraOf gives the camera for the character as it is drawn
+ */
+export function actorPicture(
+  viewer: Viewer,
+  actor: Actor,
+  cameraOf: (still: Evaluation) => Camera,
+  side: number,
+): Picture {
+  const { character, method, q, morphWeights, methodSettings } = actor;
+  const { normals, normalizeWeights, influences, skin } = actor;
   const look = { ...actor.look, visible: true };
   const alone = createActor(pictureId, character, method, {
-    ...{ q, morphWeights, normals, normalizeWeights, influences, skin, look },
+    ...{ q, morphWeights, methodSettings, normals, normalizeWeights, influences, skin, look },
   });
   const still = viewer.evaluations.of(alone).still();
   viewer.held.add(still);
   try {
     const viewport = { x: 0, y: 0, width: side * samples, height: side * samples };
-    const box = joints.length > 0 ? partBounds(still, joints) : sceneBounds([still]);
-    const camera = poseCamera(box);
     const options = plainOptions(character.mesh.pointCount > 0);
-    const view = { camera, viewport, overrides: {} };
-    const pixels = drawApart(viewer, view, [still], options, (renderer, frame) => {
-      const target = new RenderTarget(renderer.gpu, viewport.width, viewport.height);
-      try {
-        renderer.drawInto(target, [frame]);
-        return target.readPixels();
-      } finally {
-        target.dispose();
-      }
-    });
+    const view = { camera: cameraOf(still), viewport, overrides: {} };
+    const pixels = drawApart(viewer, view, [still], options, captureFrame);
     const goal = { width: side, height: side, pixels: new Uint8ClampedArray(side * side * 4) };
     averageSamples({ ...viewport, pixels }, samples, goal, 0, 0);
     return goal;
