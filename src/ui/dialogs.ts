@@ -31,6 +31,10 @@ export const dialogs: Readonly<Record<DialogId, DialogEntry>> = {
     title: 'Save a file instead',
     load: async () => (await loadPart(import('./panels/long-link.tsx'))).LongLink,
   },
+  methods: {
+    title: 'Skinning methods',
+    load: async () => (await loadPart(import('./panels/method-help/method-help.tsx'))).MethodHelp,
+  },
   movie: {
     title: 'Save a movie',
     load: async () => (await loadPart(import('./panels/movie-dialog.tsx'))).MovieDialog,

@@ -55,6 +55,7 @@ export type DialogId =
   | 'gallery'
   | 'keys'
   | 'long link'
+  | 'methods'
   | 'movie'
   | 'palette'
   | 'wanted';

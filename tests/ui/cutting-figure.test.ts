@@ -2,10 +2,12 @@ import { describe, expect, it } from 'vitest';
 import {
   type Figure,
   figureSide,
+  panned,
   pathData,
   scaleBar,
   viewOfAll,
   viewOfJoint,
+  zoomedAt,
 } from '../../src/ui/deform-lab/figure-paths.ts';
 import { figureSvg } from '../../src/ui/deform-lab/figure-svg.ts';
 
@@ -39,6 +41,15 @@ describe('the drawing of a cutting figure', () => {
     expect(half).toBeLessThan(2.5);
     const empty = { ...figure, outlines: [] };
     expect(viewOfAll(empty)).toEqual(viewOfJoint(empty));
+  });
+
+  it('stays where the pointer is when it is zoomed, and follows when it is moved', () => {
+    const view = { center: [1, 2], half: 4 } as const;
+    // The place at a quarter from the left and from above is (-1, 4).
+    const near = zoomedAt(view, 0.5, [0.25, 0.25]);
+    expect(near.half).toBe(2);
+    expect([near.center[0] - near.half / 2, near.center[1] + near.half / 2]).toEqual([-1, 4]);
+    expect(panned(view, [0.25, 0.5])).toEqual({ half: 4, center: [-1, 6] });
   });
 
   it('has a scale bar of a round length', () => {

@@ -1,10 +1,20 @@
 import { loadPart } from '../../core/failure.ts';
 import { selectedActor } from '../../document/selected-actor.ts';
+<<<<<<< HEAD
 import { showsStressSheet } from '../deform-lab/measures-open.ts';
 import type { Command } from './command.ts';
+=======
+import { type Command, toggleDialog } from './command.ts';
+>>>>>>> 5b478dd (Ghosts have the names of their joints, the drawing of a cut zooms, and each method is explained in the page)
 
-/** The commands that measure what skinning methods do. */
+/** The commands that explain skinning methods, and measure what they do. */
 export const measureCommands = [
+  {
+    id: 'method-help',
+    label: 'Skinning methods explained: formula, paper, and what each does badly',
+    short: 'About the methods',
+    run: (editor) => toggleDialog(editor, 'methods'),
+  },
   {
     id: 'sweep',
     label: 'Sweep: volume and cross-section over the range of a joint, by each method',

@@ -81,6 +81,7 @@ export function addSkinFolder(gui: GUI, editor: Editor): void {
   const normalize = folder.add(bound, 'normalize').name('Normalize weights');
   const rows = [...chosen, device, normalize];
   addMethodRows(folder, rows[0]!.domElement, editor);
+  addCommandRow(folder, editor, 'method-help');
   addCommandRow(folder, editor, 'verify');
   addCommandRow(folder, editor, 'check-machine');
   const result = document.createElement('output');

@@ -52,6 +52,27 @@ export function viewOfAll(figure: Figure): FigureView {
   return { center: [(low[0]! + high[0]!) / 2, (low[1]! + high[1]!) / 2], half };
 }
 
+/** The view that shows the same place of the plane at a part of its sides, nearer by a factor below 1. */
+export function zoomedAt(
+  { center, half }: FigureView,
+  factor: number,
+  [x, y]: readonly [number, number],
+): FigureView {
+  const kept = 2 * half * (1 - factor);
+  return {
+    half: half * factor,
+    center: [center[0] + (x - 0.5) * kept, center[1] - (y - 0.5) * kept],
+  };
+}
+
+/** The view after the drawing was moved right and down by parts of its side. */
+export function panned(
+  { center: [right, rise], half }: FigureView,
+  [x, y]: readonly [number, number],
+): FigureView {
+  return { half, center: [right - x * 2 * half, rise + y * 2 * half] };
+}
+
 /** The lines of an outline as the data of a path of SVG. */
 export function pathData(lines: readonly PlaneLine[], { center, half }: FigureView): string {
   const scale = figureSide / (2 * half);

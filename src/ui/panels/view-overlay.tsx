@@ -73,8 +73,12 @@ async function loadComparison(): Promise<SectionComponent> {
 function ViewHint({ editor }: { readonly editor: Editor }) {
   const { hints, store, session } = editor;
   const hint = hintAt(hints.value, 'view');
-  const { activeDof, shownShot, showWeights } = session;
-  const isBusy = activeDof.value !== null || shownShot.value !== null || showWeights.value;
+  const { activeDof, shownShot, showWeights, comparison } = session;
+  const isBusy =
+    activeDof.value !== null ||
+    shownShot.value !== null ||
+    showWeights.value ||
+    comparison.value !== null;
   const isWaiting = preparing(editor).length > 0;
   const isQuiet =
     !isBusy && !isWaiting && gimbalText(editor) === '' && store.scene.value.actors.length > 0;

@@ -3,10 +3,12 @@ import {
   type Figure,
   figureSide,
   type FigureView,
+  panned,
   pathData,
   scaleBar,
   viewOfAll,
   viewOfJoint,
+  zoomedAt,
 } from '../../deform-lab/figure-paths.ts';
 import type { Editor } from '../../editor.ts';
 
@@ -16,14 +18,51 @@ interface CuttingDrawingProperties {
 }
 
 const zoomStep = 1.4;
+/** How much a turn of the wheel by one pixel zooms. */
+const zoomByPixel = 0.0015;
+/** How far an arrow key moves the drawing, as a part of its side. */
+const panStep = 0.1;
+const middle = [0.5, 0.5] as const;
 
-/** The outlines as they lie in the plane, at one scale. A drag moves the drawing. */
+/** What keys do to the view. */
+const keys: Readonly<Record<string, (view: FigureView) => FigureView | null>> = {
+  ArrowLeft: (view) => panned(view, [panStep, 0]),
+  ArrowRight: (view) => panned(view, [-panStep, 0]),
+  ArrowUp: (view) => panned(view, [0, panStep]),
+  ArrowDown: (view) => panned(view, [0, -panStep]),
+  '+': (view) => zoomedAt(view, 1 / zoomStep, middle),
+  '=': (view) => zoomedAt(view, 1 / zoomStep, middle),
+  '-': (view) => zoomedAt(view, zoomStep, middle),
+  Home: () => null,
+};
+
+/**
+ * The outlines as they lie in the plane, at one scale. A drag or the arrow keys move the drawing; + and
+ * - zoom, and so does the wheel with Ctrl or once the drawing has the focus, so that a wheel that
+ * scrolls the panel is not caught on its way.
+ */
 export function CuttingDrawing({ editor: { session }, figure }: CuttingDrawingProperties) {
   const { view } = cuttingSettings(session);
   const shown = view.value ?? viewOfJoint(figure);
   const bar = scaleBar(shown);
   const zoom = (factor: number): void => {
-    view.value = { ...shown, half: shown.half * factor };
+    view.value = zoomedAt(shown, factor, middle);
+  };
+  const onWheel = (event: WheelEvent): void => {
+    const element = event.currentTarget as Element;
+    if (!event.ctrlKey && !event.metaKey && document.activeElement !== element) return;
+    event.preventDefault();
+    const { left, top, width, height } = element.getBoundingClientRect();
+    const lines = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 16 : 1;
+    const at = [(event.clientX - left) / width, (event.clientY - top) / height] as const;
+    view.value = zoomedAt(shown, Math.exp(event.deltaY * lines * zoomByPixel), at);
+  };
+  const onKeyDown = (event: KeyboardEvent): void => {
+    const act = event.ctrlKey || event.metaKey || event.altKey ? undefined : keys[event.key];
+    if (!act) return;
+    event.preventDefault();
+    event.stopPropagation();
+    view.value = act(shown);
   };
   const names = figure.outlines.map(({ label }) => label).join(', ');
   return (
@@ -32,6 +71,9 @@ export function CuttingDrawing({ editor: { session }, figure }: CuttingDrawingPr
         class="cut"
         viewBox={`0 0 ${figureSide} ${figureSide}`}
         role="img"
+        tabIndex={0}
+        onWheel={onWheel}
+        onKeyDown={onKeyDown}
         aria-label={`Outlines in the plane at ${figure.jointName}: ${names}`}
         onPointerDown={(event) => event.currentTarget.setPointerCapture(event.pointerId)}
         onPointerMove={(event) => {
@@ -60,6 +102,9 @@ export function CuttingDrawing({ editor: { session }, figure }: CuttingDrawingPr
           −
         </button>
       </div>
+      <p class="hint">
+        Drag to move the drawing; Ctrl and the wheel zoom, as + and − and the arrow keys do in it.
+      </p>
       <ul>
         {figure.outlines.map(({ role, label, lines, isPending }) => (
           <li key={role}>
@@ -77,8 +122,7 @@ export function CuttingDrawing({ editor: { session }, figure }: CuttingDrawingPr
 }
 
 /** The view after the drawing moved with the pointer. */
-function moved(event: PointerEvent, { center, half }: FigureView): FigureView {
-  const scale = (2 * half) / (event.currentTarget as Element).getBoundingClientRect().width;
-  const [right, rise] = center;
-  return { half, center: [right - event.movementX * scale, rise + event.movementY * scale] };
+function moved(event: PointerEvent, view: FigureView): FigureView {
+  const { width, height } = (event.currentTarget as Element).getBoundingClientRect();
+  return panned(view, [event.movementX / width, event.movementY / height]);
 }

@@ -13,7 +13,7 @@ interface WorstMarkProperties {
 
 /**
  * Marks where a method differs most from the base, in each view, with a line between the two places
- * and the figure. A click inspects the vertex.
+ * and the figure, in the method's own view. A click inspects the vertex.
  */
 export function WorstMark({ editor, compared, columns }: WorstMarkProperties) {
   const { session, viewer } = editor;
@@ -40,20 +40,22 @@ export function WorstMark({ editor, compared, columns }: WorstMarkProperties) {
               <circle cx={`${from![0]}%`} cy={`${from![1]}%`} r="3" />
               <circle cx={`${to![0]}%`} cy={`${to![1]}%`} r="8" class="ring" />
             </svg>
-            <button
-              type="button"
-              class={to![0] / 100 > (column + 0.6) / columns ? 'to-left' : ''}
-              style={{ left: `${to![0]}%`, top: `${to![1]}%` }}
-              aria-pressed={isOpen}
-              aria-label={`Largest difference of ${worst!.kernel.label} from ${base.kernel.label}: ${text}, vertex ${place.point}. Inspect it`}
-              title={`Vertex #${place.point}: inspect it`}
-              onClick={() => {
-                if (isOpen) inspectedPoint.value = null;
-                else inspectPoint(editor, place.point);
-              }}
-            >
-              {text}
-            </button>
+            {(columns === 1 || compared.rows[column] === worst) && (
+              <button
+                type="button"
+                class={to![0] / 100 > (column + 0.6) / columns ? 'to-left' : ''}
+                style={{ left: `${to![0]}%`, top: `${to![1]}%` }}
+                aria-pressed={isOpen}
+                aria-label={`Largest difference of ${worst!.kernel.label} from ${base.kernel.label}: ${text}, vertex ${place.point}. Inspect it`}
+                title={`Vertex #${place.point}: inspect it`}
+                onClick={() => {
+                  if (isOpen) inspectedPoint.value = null;
+                  else inspectPoint(editor, place.point);
+                }}
+              >
+                {text}
+              </button>
+            )}
           </div>
         );
       })}

@@ -1,0 +1,63 @@
+import { vec3 } from 'gl-matrix';
+import type { Camera } from '../../document/camera.ts';
+import type { Vector3 } from '../../posing/ik/problem.ts';
+import { viewPlace } from '../deform-lab/place-of-worst.ts';
+import type { InspectedMethod } from './inspected.ts';
+import { entryName } from './vertex-weights.ts';
+
+/** A name beside a place of the view. */
+export interface GhostLabel {
+  readonly text: string;
+  /** Parts of the view's width and height, from its upper left corner. */
+  readonly x: number;
+  readonly y: number;
+}
+
+/** So many ghosts are named, those of the largest weights; more would hide the skin. */
+const mostGhosts = 6;
+const leastWeight = 0.005;
+
+/**
+ * The names of what is drawn around an inspected vertex: joints with their weights at their ghosts, and
+ * further places of each method. What is out of the view is left out.
+ *
+ * @param aspect of the view
+ */
+export function ghostLabels(
+  methods: readonly InspectedMethod[],
+  camera: Camera,
+  aspect: number,
+): readonly GhostLabel[] {
+  const [first] = methods;
+  if (!first?.evaluation.state.look.visible) return [];
+  const { sceneFromCharacter } = first.evaluation.display;
+  const label = (text: string, place: Vector3): GhostLabel => {
+    const inScene = vec3.transformMat4(new Float64Array(3), place, sceneFromCharacter);
+    const [x, y] = viewPlace(camera, aspect, inScene);
+    return { text, x, y };
+  };
+  const ghosts = first.ghosts
+    .filter(({ weight }) => Math.abs(weight) >= leastWeight)
+    .sort((a, b) => Math.abs(b.weight) - Math.abs(a.weight))
+    .slice(0, mostGhosts)
+    .map(({ entry, weight, place }) => {
+      const name = entryName(first.evaluation.state, entry);
+      return label(`${name} ${Number(weight.toFixed(2))}`, place);
+    });
+  const marks = methods.flatMap((method) =>
+    method.marks.map(({ label: name, place }) => label(name, place)),
+  );
+  return [...ghosts, ...marks].filter(({ x, y }) => x > 0 && x < 1 && y > 0 && y < 1);
+}
+
+/** Moves heights down where they would be nearer to each other than the gap; order stays. */
+export function spreadHeights(heights: readonly number[], gap: number): readonly number[] {
+  const order = [...heights.keys()].sort((a, b) => heights[a]! - heights[b]!);
+  const spread = [...heights];
+  let next = -Infinity;
+  for (const index of order) {
+    spread[index] = Math.max(heights[index]!, next);
+    next = spread[index] + gap;
+  }
+  return spread;
+}
