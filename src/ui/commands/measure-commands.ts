@@ -1,11 +1,7 @@
 import { loadPart } from '../../core/failure.ts';
 import { selectedActor } from '../../document/selected-actor.ts';
-<<<<<<< HEAD
 import { showsStressSheet } from '../deform-lab/measures-open.ts';
-import type { Command } from './command.ts';
-=======
 import { type Command, toggleDialog } from './command.ts';
->>>>>>> 5b478dd (Ghosts have the names of their joints, the drawing of a cut zooms, and each method is explained in the page)
 
 /** The commands that explain skinning methods, and measure what they do. */
 export const measureCommands = [
