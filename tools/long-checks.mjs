@@ -76,6 +76,21 @@ export const longChecks = [
     },
   },
   {
+    name: 'parity',
+    what: 'every bundled character by every skinning method, on the GPU and on the CPU',
+    kind: 'browser',
+    tests: 'e2e/parity.spec.ts',
+    reads: 'e2e/parity.spec.ts',
+    options: {
+      methods: {
+        variable: 'PARITY_METHODS',
+        usual: '99',
+        form: /^\d+$/,
+        what: 'how many a character; more than there are means all',
+      },
+    },
+  },
+  {
     name: 'million',
     what: 'a character of a million vertices in the built page, and its main thread meanwhile',
     kind: 'browser',
