@@ -2,12 +2,15 @@ import { readFileSync } from 'node:fs';
 import { gunzipSync } from 'node:zlib';
 import { expect } from '@playwright/test';
 import { PNG } from 'pngjs';
-import { capture, choose, drop, openView, setPose } from './support/app.ts';
+import { capture, choose, drop, openSmallView, setPose } from './support/app.ts';
 import { hardPose } from './support/poses.ts';
 import { expectPicture } from './support/pictures.ts';
 import { sharedPage, test } from './support/test.ts';
 
-const page = sharedPage((page) => openView(page, 'model=insect'));
+const page = sharedPage((page) => openSmallView(page, 'model=insect'));
+
+/** The size of expected pictures; the view itself is smaller. */
+const size = { width: 640, height: 480 };
 
 const notice = () => page().locator('output.notice');
 const note = () => page().locator('[data-section="surface"] .note');
@@ -71,7 +74,7 @@ test('an image that can’t be decoded is a problem, and nothing changes', async
 test('texture coordinates are shown as colors, and by a checker', async () => {
   await choose(page(), 'Surface', 'UV colors');
   await expect(note()).toHaveText(/Red is u/);
-  expectPicture('insect-uv', await capture(page()));
+  expectPicture('insect-uv', await capture(page(), 'png', size));
   await choose(page(), 'Surface', 'Checker');
   await expect(note()).toHaveText('One check is 0.05 of the texture coordinates wide.');
 });
@@ -83,7 +86,7 @@ test('without texture coordinates a checker lies on a box, and an image around a
   await page().keyboard.press('Home');
   await choose(page(), 'Surface', 'Checker');
   await expect(note()).toHaveText(/no texture coordinates.* One check is [\d.]+ model units wide/);
-  expectPicture('human-checker', await capture(page()));
+  expectPicture('human-checker', await capture(page(), 'png', size));
   await choose(page(), 'Surface', 'UV colors');
   await expect(note()).toHaveText('This mesh has no texture coordinates to show.');
 
@@ -98,7 +101,7 @@ test('without texture coordinates a checker lies on a box, and an image around a
   await page().evaluate(() => window.sinew.pose({}));
   await page().locator('canvas.scene').focus();
   await page().keyboard.press('Home');
-  expectPicture('human-image', await capture(page()));
+  expectPicture('human-image', await capture(page(), 'png', size));
 });
 
 test('normals are drawn as lines, of the faces where the skin is faceted', async () => {
@@ -111,7 +114,7 @@ test('normals are drawn as lines, of the faces where the skin is faceted', async
       .querySelector('input')!
       .click();
   });
-  expectPicture('human-normals', await capture(page()));
+  expectPicture('human-normals', await capture(page(), 'png', size));
   const smooth = await capture(page());
   await choose(page(), 'Shading', 'Faceted');
   expect(Buffer.compare(await capture(page()), smooth)).not.toBe(0);

@@ -5,7 +5,7 @@ import { drop, openApp, openTab } from './support/app.ts';
 import { onlyColors, violations } from './support/axe.ts';
 import { keyboardUser } from './support/keyboard-user.ts';
 import { expectPicture } from './support/pictures.ts';
-import { sharedPage, test } from './support/test.ts';
+import { drawPlainly, sharedPage, test } from './support/test.ts';
 
 test.use({ viewport: { width: 1200, height: 700 } });
 
@@ -18,6 +18,7 @@ const anim = `animation { range 0 1 numchannels 6
   ${none} ${none} }`;
 
 const page = sharedPage(async (page) => {
+  await drawPlainly(page);
   await openApp(page, 'model=insect');
   await drop(page, [
     { name: 'arm.skel', content: 'balljoint arm { boxmin -1 -1 -1 boxmax 1 1 1 }' },

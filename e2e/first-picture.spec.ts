@@ -3,7 +3,9 @@ import { PNG } from 'pngjs';
 import type { CaptureOptions } from '../src/app/scripting.ts';
 import { colorDifference, type Lab, labOf } from '../src/core/color-difference.ts';
 import { bytesOf } from './support/app.ts';
-import { test } from './support/test.ts';
+import { coarse, test } from './support/test.ts';
+
+test.use(coarse);
 
 // A character must stand out from the floor, and the floor must not draw the eye.
 const leastDifference = 20; // CIEDE2000

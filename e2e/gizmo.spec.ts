@@ -3,12 +3,15 @@ import { getPose, openApp, openView } from './support/app.ts';
 import { violations } from './support/axe.ts';
 import { find, type Place } from './support/find-limb.ts';
 import { expectPicture } from './support/pictures.ts';
-import { sharedPage, test } from './support/test.ts';
+import { drawPlainly, sharedPage, test } from './support/test.ts';
 
 // Rings about a joint's own axes, the scene's and the line of sight; several joints at once; posing
 // by keys alone; and the list of steps.
 test.use({ viewport: { width: 1000, height: 500 } });
-const page = sharedPage((page) => openApp(page, 'model=human'));
+const page = sharedPage(async (page) => {
+  await drawPlainly(page);
+  await openApp(page, 'model=human');
+});
 
 const row = (name: string): Locator => page().getByRole('treeitem', { name, exact: true });
 const selected = (): Locator => page().locator('[role=treeitem][aria-selected=true]');

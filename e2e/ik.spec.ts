@@ -7,9 +7,9 @@ import { controlRow, openApp } from './support/app.ts';
 import { violations } from './support/axe.ts';
 import { typeNumber } from './support/controls.ts';
 import { find, type Place } from './support/find-limb.ts';
-import { sharedPage, test } from './support/test.ts';
+import { coarse, sharedPage, test } from './support/test.ts';
 
-test.use({ viewport: { width: 1000, height: 500 }, hasTouch: true });
+test.use({ ...coarse, viewport: { width: 1000, height: 500 }, hasTouch: true });
 let hand: Place;
 const page = sharedPage(async (page) => {
   await openApp(page, 'model=human');

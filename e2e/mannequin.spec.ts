@@ -6,7 +6,7 @@ import {
   getPose,
   openApp,
   openJoint,
-  openView,
+  openSmallView,
   setPose,
 } from './support/app.ts';
 import { cameraOf } from './support/controls.ts';
@@ -269,12 +269,13 @@ test.describe('touch', () => {
 
 test.describe('pictures', () => {
   test.use({ deviceScaleFactor: 1 });
-  const view = sharedPage((page) => openView(page, 'workspace=mannequin'));
+  const view = sharedPage((page) => openSmallView(page, 'workspace=mannequin'));
+  const size = { width: 640, height: 480 };
 
   test('a translucent skin shows the bones inside', async () => {
-    expectPicture('mannequin', await capture(view()));
+    expectPicture('mannequin', await capture(view(), 'png', size));
     await view().keyboard.press('a');
-    expectPicture('mannequin-frames', await capture(view()));
+    expectPicture('mannequin-frames', await capture(view(), 'png', size));
     await view().keyboard.press('a');
   });
 
@@ -285,6 +286,6 @@ test.describe('pictures', () => {
       const text = (await view().locator('.lit-bone').allTextContents()).join();
       if (text.startsWith('Right upper leg')) break;
     }
-    expectPicture('mannequin-lit', await capture(view()));
+    expectPicture('mannequin-lit', await capture(view(), 'png', size));
   });
 });

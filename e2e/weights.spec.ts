@@ -1,9 +1,9 @@
 import { expect, type Locator } from '@playwright/test';
 import { PNG } from 'pngjs';
 import { openApp } from './support/app.ts';
-import { sharedPage, test } from './support/test.ts';
+import { coarse, sharedPage, test } from './support/test.ts';
 
-test.use({ viewport: { width: 1000, height: 500 } });
+test.use({ ...coarse, viewport: { width: 1000, height: 500 } });
 const page = sharedPage(async (page) => {
   await openApp(page, 'model=human');
   await page.keyboard.press('v');
