@@ -1,12 +1,18 @@
-import { readFileSync } from 'node:fs';
+import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import path from 'node:path';
+import { gunzipSync } from 'node:zlib';
 import { expect } from '@playwright/test';
-import { openApp, setPose } from './support/app.ts';
+import { sweep as sweepCommand } from '../src/cli/sweep.ts';
+import { openApp, openTab, setPose } from './support/app.ts';
 import { onlyColors, violations } from './support/axe.ts';
+import { mainThreadTasks } from './support/main-thread.ts';
 import { expectPicture } from './support/pictures.ts';
 import { sharedPage, test } from './support/test.ts';
 
 test.use({ viewport: { width: 960, height: 900 } });
+let tasks: Awaited<ReturnType<typeof mainThreadTasks>>;
 const page = sharedPage(async (page) => {
+  tasks = await mainThreadTasks(page);
   await openApp(page, 'model=tube');
   await setPose(page, { joints: { '#2': [1.9, 0, 0] } });
 });
@@ -45,6 +51,18 @@ test('it follows the pose, another plane and another method, and is saved', asyn
   await figure().getByRole('slider', { name: 'Move' }).fill('30');
   await figure().getByRole('combobox').selectOption({ label: 'Delta mush' });
   await expect(drawing()).toHaveAccessibleName(/Delta mush$/);
+  // The wheel with Ctrl, keys and a drag move what is drawn; Home brings the joint back.
+  const atJoint = await path();
+  await drawing().focus();
+  for (const key of ['+', 'ArrowLeft']) await page().keyboard.press(key);
+  await expect.poll(path).not.toBe(atJoint);
+  await page().keyboard.press('Home');
+  await expect.poll(path).toBe(atJoint);
+  await drawing().hover();
+  await page().keyboard.down('Control');
+  await page().mouse.wheel(0, -200);
+  await page().keyboard.up('Control');
+  await expect.poll(path).not.toBe(atJoint);
   const [saved] = await Promise.all([page().waitForEvent('download'), button('Save SVG').click()]);
   expect(saved.suggestedFilename()).toMatch(/-cut\.svg$/);
   expect(readFileSync(await saved.path(), 'utf8')).toContain('>Linear blend (SSD)<');
@@ -57,4 +75,67 @@ test('it follows the pose, another plane and another method, and is saved', asyn
       .subarray(1, 4)
       .toString(),
   ).toBe('PNG');
+});
+
+test('a sweep has curves that can be read, saved and canceled, and those of the command line', async ({}, info) => {
+  await setPose(page(), {});
+  await page().emulateMedia({ colorScheme: 'light' });
+  await openTab(page(), 'deform');
+  const panel = page().locator('.sweep');
+  const volume = panel.getByRole('img', { name: /^Volume/ });
+  const long = await tasks.during(async () => {
+    await panel.locator('> summary').click();
+    await expect(volume).toHaveAccessibleName(
+      'Volume while joint 02 turns about X: lbs at least 91.5 %, dqs at least 99.9 %',
+    );
+  });
+  // A slice is 12 ms, and one step more; this is far more than any step here takes.
+  expect(long.filter(({ duration }) => duration > 250)).toEqual([]);
+  await expect(panel.getByRole('img', { name: /^Cross-section/ })).toHaveAccessibleName(
+    /lbs at least 0\.0 %/,
+  );
+  await panel.scrollIntoViewIfNeeded();
+  await still();
+  expectPicture('sweep', await panel.screenshot());
+  await panel.getByText('As a table').click();
+  const table = panel.getByRole('region', { name: 'Volume and section by angle' });
+  await expect(table.getByRole('row')).toHaveCount(38);
+  await expect(table.getByRole('row', { name: /^0°/ })).toHaveText(/(100\.0 %){4}$/);
+  expect(await violations(page(), { within: '.sweep' })).toEqual([]);
+  await page().emulateMedia({ colorScheme: 'dark' });
+  expect(await violations(page(), { within: '.sweep', ...onlyColors })).toEqual([]);
+
+  const saved = async (name: string): Promise<string> => {
+    const download = page().waitForEvent('download');
+    await panel.getByRole('button', { name }).click();
+    return readFileSync(await (await download).path(), 'utf8');
+  };
+  const folder = path.resolve(import.meta.dirname, '../public/data/tube');
+  const files = readdirSync(folder).filter((name) => /\.(skel|obj|attach)\.gz$/.test(name));
+  const inputs = files.map((name) => info.outputPath(path.basename(name, '.gz')));
+  for (const [i, name] of files.entries()) {
+    writeFileSync(inputs[i]!, gunzipSync(readFileSync(path.join(folder, name))));
+  }
+  const out = info.outputPath('sweep.csv');
+  const words = ['--joint', '#2', '--axis', 'x', '--methods', 'lbs,dqs', '--csv', out];
+  const { log } = console;
+  console.log = () => undefined;
+  expect(await sweepCommand.run([...inputs, ...words])).toBe(0);
+  console.log = log;
+  expect(await saved('Save table')).toBe(readFileSync(out, 'utf8'));
+  expect((await saved('Save picture')).match(/<polyline/g)!.length).toBeGreaterThan(4);
+
+  await panel.getByRole('combobox', { name: 'Joint' }).selectOption({ label: 'joint 01' });
+  await panel.getByRole('combobox', { name: 'Axis' }).selectOption('Y');
+  await expect(volume).toHaveAccessibleName(/while joint 01 turns about Y/);
+  const ended = await page().evaluate(async () => {
+    const find = (selector: string) => document.querySelector<HTMLElement>(`.sweep ${selector}`);
+    find('.methods label:last-child input')!.click();
+    while (!find('.measuring button')) await new Promise(requestAnimationFrame);
+    find('.measuring button')!.click();
+    await new Promise((done) => setTimeout(done, 200));
+    return !find('.measuring');
+  });
+  expect(ended).toBe(true);
+  await expect(volume).toHaveAccessibleName(/dqs at least [\d.]+ %$/);
 });

@@ -71,7 +71,7 @@ export function CuttingDrawing({ editor: { session }, figure }: CuttingDrawingPr
         class="cut"
         viewBox={`0 0 ${figureSide} ${figureSide}`}
         role="img"
-        tabIndex={0}
+        tabindex={0} // as SVG has it
         onWheel={onWheel}
         onKeyDown={onKeyDown}
         aria-label={`Outlines in the plane at ${figure.jointName}: ${names}`}
@@ -103,7 +103,7 @@ export function CuttingDrawing({ editor: { session }, figure }: CuttingDrawingPr
         </button>
       </div>
       <p class="hint">
-        Drag to move the drawing; Ctrl and the wheel zoom, as + and − and the arrow keys do in it.
+        A drag or the arrow keys move the drawing; Ctrl and the wheel, or + and −, zoom.
       </p>
       <ul>
         {figure.outlines.map(({ role, label, lines, isPending }) => (
