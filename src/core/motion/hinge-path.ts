@@ -94,7 +94,8 @@ function longestTurn({ values, controls }: RotationChannel, key: number): number
 
 /**
  * Writes the angles (3) of the hinges in their order. Outside the keys a curve that repeats has the
- * angles of its keys' range again, and another one those nearest to the end's.
+ * angles of its keys' range again, with 'cycle_offset' those that each repetition has turned on, and
+ * another one those nearest to the end's.
  *
  * @param rotation unit quaternion xyzw of the curve at the time
  */
@@ -114,13 +115,16 @@ export function writeHingeAngles(
     // At the last key itself the curve does not begin again.
     const isOutside = time < times[0]! || time > times[last]!;
     const isRepeated = isOutside && rule !== 'constant' && rule !== 'linear';
-    const inside = isRepeated ? timeInCycle(times, rule, time, cycleAt(times, time)) : time;
+    const cycle = isRepeated ? cycleAt(times, time) : 0;
+    const inside = isRepeated ? timeInCycle(times, rule, time, cycle) : time;
+    const repetitions = rule === 'cycle_offset' ? cycle : 0;
     const held = Math.min(Math.max(inside, times[0]!), times[last]!);
     const at = spanAt(times, held);
     const u = (held - times[at]!) / (times[at + 1]! - times[at]!);
     for (let i = 0; i < 3; i++) {
       const from = known[at * 3 + i]!;
-      angles[i] = from + (known[at * 3 + 3 + i]! - from) * u;
+      const gained = known[last * 3 + i]! - known[i]!;
+      angles[i] = from + (known[at * 3 + 3 + i]! - from) * u + repetitions * gained;
     }
   }
   writeAngles(rotation, order, handedness, angles, angles);

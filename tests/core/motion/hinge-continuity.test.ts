@@ -90,6 +90,24 @@ describe.each(orders)('angles in the order %s along a curve of rotations', (orde
       { numRuns: 20, endOnFailure: true },
     );
   });
+
+  // The middle one turns back at its poles.
+  it.each([0, 2])('count turns in a cycle with offset about the hinge %i', (hinge) => {
+    const angles: [number, number, number] = [0, 0, 0];
+    angles[hinge] = 1.75;
+    const keys = [
+      { time: 0, value: product(order, [0, 0, 0]) },
+      { time: 1, value: product(order, angles) },
+    ];
+    const target = { of: 'rotation', joint: 0, curve: 'slerp' } as const;
+    const parts = { target, before: 'cycle_offset', after: 'cycle_offset', keys } as const;
+    const skeleton = skeletons.get(order)!;
+    const q = skeleton.qRest.slice();
+    for (const time of [-7.3, -1, 0.5, 1, 2.999, 3, 10.5, 40]) {
+      evaluateTrack(rotationTrack(parts, skeleton)!, time, q);
+      [0, 1, 2].forEach((at) => expect(q[at]).toBeCloseTo(at === hinge ? 1.75 * time : 0, 9));
+    }
+  });
 });
 
 function product(order: Order, angles: readonly [number, number, number]): Quaternion {
