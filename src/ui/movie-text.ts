@@ -3,10 +3,11 @@ import { movieSeconds } from '../view/movie/movie-plan.ts';
 
 /** What a movie will be, such as "60 frames, 2.00 s, 1280 × 720 pixels, about 1.4 MB". */
 export function movieText(plan: MoviePlan, bytes: number | undefined): string {
-  const { count, size } = plan;
+  const { count, size, isTrimmed } = plan;
   const frames = `${count.toLocaleString('en')} ${count === 1 ? 'frame' : 'frames'}`;
   const about = bytes === undefined ? '' : `, about ${sizeText(bytes)}`;
-  return `${frames}, ${movieSeconds(plan).toFixed(2)} s, ${size.width} × ${size.height} pixels${about}`;
+  const trimmed = isTrimmed ? ' (video has even sides)' : '';
+  return `${frames}, ${movieSeconds(plan).toFixed(2)} s, ${size.width} × ${size.height} pixels${trimmed}${about}`;
 }
 
 function sizeText(bytes: number): string {

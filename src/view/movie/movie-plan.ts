@@ -18,6 +18,8 @@ export interface MovieSituation {
 /** Which frames a movie has. */
 export interface MoviePlan {
   readonly size: CaptureSize;
+  /** Whether the size that was asked for has odd sides, which video can't have. */
+  readonly isTrimmed: boolean;
   /** Frames a second. */
   readonly rate: number;
   readonly count: number;
@@ -52,7 +54,7 @@ export function planMovie(settings: MovieSettings, situation: MovieSituation): M
   const [from, to] = rangeOf(settings, situation);
   const seconds = turns ? turnSeconds : to - from;
   return {
-    size: sizeOf(settings, situation),
+    ...sizeOf(settings, situation),
     count: Math.max(1, Math.round(seconds * rate)),
     start: plays ? from : situation.now,
     ...{ rate, plays, turns, samples, background },
@@ -97,17 +99,19 @@ function rangeOf(
 ): readonly [number, number] {
   if (range === 'work' && workRange) return workRange;
   if (range !== 'typed' && clip) return [clip.start, clip.end];
-  return [from, to];
+  return [Math.min(from, to), Math.max(from, to)];
 }
 
 function sizeOf(
   { format, size, width, height }: MovieSettings,
   { view, ratio }: MovieSituation,
-): CaptureSize {
+): Pick<MoviePlan, 'size' | 'isTrimmed'> {
   const wanted = size === 'view' ? view : size === 'free' ? { width, height } : presets[size];
   const framed =
     ratio === null ? wanted : { width: Math.round(wanted.height * ratio), height: wanted.height };
   const step = needsEvenSides.includes(format) ? 2 : 1;
   const side = (pixels: number): number => Math.max(step, Math.floor(pixels / step) * step);
-  return { width: side(framed.width), height: side(framed.height) };
+  const sized = { width: side(framed.width), height: side(framed.height) };
+  const isTrimmed = sized.width !== framed.width || sized.height !== framed.height;
+  return { size: sized, isTrimmed };
 }

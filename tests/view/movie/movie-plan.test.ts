@@ -49,6 +49,10 @@ describe('the frames of a movie', () => {
     expect(countOf('clip')).toEqual({ start: 0.5, count: 60 });
     expect(countOf('work')).toEqual({ start: 1, count: 15 });
     expect(countOf('typed')).toEqual({ start: 0, count: 30 });
+    const backwards = planMovie({ ...plainMovie, range: 'typed', from: 2, to: 1 }, situation);
+    expect(backwards).toMatchObject({ start: 1, count: 30 });
+    const empty = planMovie({ ...plainMovie, range: 'typed', from: 2, to: 2 }, situation);
+    expect(empty).toMatchObject({ start: 2, count: 1 });
   });
 
   it('stay at the moment that is shown if nothing plays', () => {
@@ -72,10 +76,16 @@ describe('the frames of a movie', () => {
 
   it('have even sides in video, and those that were asked for otherwise', () => {
     const sizeOf = (format: 'webm' | 'gif', size: 'view' | 'square' = 'view', ratio?: number) =>
-      planMovie({ ...plainMovie, format, size }, { ...situation, ratio: ratio ?? null }).size;
+      planOf(format, size, ratio).size;
+    const planOf = (format: 'webm' | 'gif', size: 'view' | 'square', ratio?: number) =>
+      planMovie({ ...plainMovie, format, size }, { ...situation, ratio: ratio ?? null });
     expect(sizeOf('webm')).toEqual({ width: 800, height: 532 });
     expect(sizeOf('gif')).toEqual({ width: 801, height: 533 });
     expect(sizeOf('webm', 'square')).toEqual({ width: 1080, height: 1080 });
+    expect([planOf('webm', 'view'), planOf('gif', 'view')].map((plan) => plan.isTrimmed)).toEqual([
+      true,
+      false,
+    ]);
     // A shot keeps its aspect.
     expect(sizeOf('gif', 'square', 4 / 5)).toEqual({ width: 864, height: 1080 });
   });
