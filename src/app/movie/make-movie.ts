@@ -26,7 +26,8 @@ export async function makeMovie(
   id: MovieFormatId,
   { signal, onProgress }: MovieWork = {},
 ): Promise<Blob> {
-  const format = movieFormats[id];
+  const format = (movieFormats as Partial<typeof movieFormats>)[id];
+  if (!format) throw new Failure(`No movie can be saved as "${id}"`); // a script may ask for it
   // What can't be transparent has its floor and backdrop.
   const background = request.plan.background || !format.isTransparent;
   const plan = { ...request.plan, background };
