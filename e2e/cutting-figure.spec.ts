@@ -3,7 +3,7 @@ import path from 'node:path';
 import { gunzipSync } from 'node:zlib';
 import { expect } from '@playwright/test';
 import { sweep as sweepCommand } from '../src/cli/sweep.ts';
-import { openApp, openTab, setPose } from './support/app.ts';
+import { choose, openApp, openTab, setPose } from './support/app.ts';
 import { onlyColors, violations } from './support/axe.ts';
 import { expectPicture } from './support/pictures.ts';
 import { sharedPage, test } from './support/test.ts';
@@ -126,4 +126,39 @@ test('a sweep has curves that can be read, saved and canceled, and those of the 
   });
   expect(ended).toBe(true);
   await expect(volume).toHaveAccessibleName(/dqs at least [\d.]+ %$/);
+});
+
+test('a vertex is explained under centers of rotation and delta mush, and edited by keys', async () => {
+  test.setTimeout(60_000);
+  await page().emulateMedia({ colorScheme: 'light' });
+  await setPose(page(), { joints: { '#2': [1.9, 0, 0] } });
+  await openTab(page(), 'deform');
+  const inspector = page().locator('.vertex-inspector');
+  await inspector.locator('> summary').click();
+  await inspector.getByRole('spinbutton', { name: /^Vertex/ }).fill('3000');
+  for (const [id, label, step, names] of [
+    ['centers', 'Centers of rotation · cor', /^The center by linear blend/, ['center']],
+    ['mush', 'Delta mush · mush', /^Smoothed, and the turned/, ['linear blend', 'smoothed']],
+  ] as const) {
+    await choose(page(), 'Method', label);
+    const last = inspector.getByRole('region', { name: step }).getByRole('row', { name: /^Σ/ });
+    await expect(last).toHaveText(/^Σ(-?\d\.\d{4}){3}$/);
+    const labels = page().locator('.ghost-labels span');
+    for (const name of [/^joint 01 0\.\d+$/, /^joint 02 0\.\d+$/, ...names]) {
+      await expect(labels.filter({ hasText: name })).toHaveCount(1);
+    }
+    await still();
+    expectPicture(`inspector-${id}`, await page().locator('canvas.scene').screenshot());
+  }
+  const slider = inspector.getByRole('slider').first();
+  const before = await slider.inputValue();
+  await slider.focus();
+  // A key that is held is one step of undo.
+  for (let i = 0; i < 20; i++) await page().keyboard.down('ArrowRight');
+  await page().keyboard.up('ArrowRight');
+  await expect(slider).not.toHaveValue(before);
+  await expect(inspector.locator('.uneven')).toContainText('Σ 1.1');
+  await slider.blur();
+  await page().keyboard.press('Control+z');
+  await expect(inspector.locator('.uneven')).toHaveCount(0);
 });

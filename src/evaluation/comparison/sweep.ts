@@ -2,6 +2,7 @@ import type { Actor } from '../../document/scene.ts';
 import type { MethodId } from '../../skinning/method.ts';
 import type { EvaluationPool } from '../evaluation-pool.ts';
 import { Evaluator } from '../evaluator.ts';
+import { closedComponents } from './closed-components.ts';
 import { jointSection } from './joint-section.ts';
 import { outlineArea } from './outline.ts';
 import { type TurnRange, turned } from './turn-range.ts';
@@ -41,8 +42,12 @@ export function* sweepOf(
   range: TurnRange,
   steps: number,
 ): Generator<number, Sweep> {
-  const { skeleton } = actor.character;
+  const { skeleton, mesh } = actor.character;
+  // What is found once for a mesh takes longer than a pose; each is a part of the work of its own.
+  closedComponents(mesh);
+  yield 0;
   const section = jointSection(actor.character, range.joint);
+  yield 0;
   const angles = Array.from(
     { length: steps + 1 },
     (_, i) => range.from + ((range.to - range.from) * i) / steps,

@@ -11,6 +11,8 @@ export interface GhostLabel {
   /** Parts of the view's width and height, from its upper left corner. */
   readonly x: number;
   readonly y: number;
+  /** Whether it is left of the vertex, so that a name at its left does not hide that. */
+  readonly isLeft: boolean;
 }
 
 /** So many ghosts are named, those of the largest weights; more would hide the skin. */
@@ -31,10 +33,14 @@ export function ghostLabels(
   const [first] = methods;
   if (!first?.evaluation.state.look.visible) return [];
   const { sceneFromCharacter } = first.evaluation.display;
-  const label = (text: string, place: Vector3): GhostLabel => {
+  const inView = (place: Vector3): readonly [number, number] => {
     const inScene = vec3.transformMat4(new Float64Array(3), place, sceneFromCharacter);
-    const [x, y] = viewPlace(camera, aspect, inScene);
-    return { text, x, y };
+    return viewPlace(camera, aspect, inScene);
+  };
+  const [vertexX] = inView(first.place);
+  const label = (text: string, place: Vector3): GhostLabel => {
+    const [x, y] = inView(place);
+    return { text, x, y, isLeft: x <= vertexX };
   };
   const ghosts = first.ghosts
     .filter(({ weight }) => Math.abs(weight) >= leastWeight)

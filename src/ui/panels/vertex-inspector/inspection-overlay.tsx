@@ -22,6 +22,8 @@ export function InspectionOverlay({ editor }: { readonly editor: Editor }) {
   useEffect(() => {
     showInspection(viewer, () => inspectedOf(editor)?.methods ?? []);
   }, [editor, viewer]);
+  // The figure of the largest difference then stands at the right.
+  const isCompared = session.comparison.value !== null;
   const isApart = session.comparison.value?.layout === 'side by side';
   const columns = isApart ? (comparedOf(editor)?.rows.length ?? 1) : 1;
   const methods = inspectedOf(editor)?.methods ?? [];
@@ -43,11 +45,10 @@ export function InspectionOverlay({ editor }: { readonly editor: Editor }) {
       style={{ width: `${100 / columns}%` }}
       aria-hidden="true"
     >
-      {shown.map(({ text, x }, index) => (
-        // The figure of the largest difference stands at the right.
+      {shown.map(({ text, x, isLeft }, index) => (
         <span
           key={index}
-          class={x * width > leastRoom ? 'to-left' : ''}
+          class={(isLeft || isCompared) && x * width > leastRoom ? 'to-left' : ''}
           style={{ left: `${x * 100}%`, top: `${heights[index]!}px` }}
         >
           {text}

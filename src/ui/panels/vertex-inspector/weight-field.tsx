@@ -13,11 +13,12 @@ interface WeightFieldProperties {
 }
 
 /**
- * A weight as a slider from 0 to 1, with a field beside it for any other number. A drag, and what is
- * typed until the field is left, are one step of undo.
+ * A weight as a slider from 0 to 1, with a field beside it for any other number. A drag, a held
+ * key, and what is typed until the field is left, are one step of undo each.
  */
 export function WeightField({ editor, vertex, index, name }: WeightFieldProperties) {
   const open = useRef<Gesture | null>(null);
+  const isKeyDown = useRef(false);
   const { row, point } = vertex;
   const { weight } = row[index]!;
   const label = `Weight of ${name} at vertex ${point}`;
@@ -31,10 +32,18 @@ export function WeightField({ editor, vertex, index, name }: WeightFieldProperti
     open.current?.commit();
     open.current = null;
   };
+  const end = (): void => {
+    isKeyDown.current = false;
+    commit();
+  };
   const common = {
     onInput: ({ currentTarget }: { readonly currentTarget: HTMLInputElement }) =>
       change(currentTarget.valueAsNumber),
-    onChange: commit,
+    // A key that is held changes it many times until it is released.
+    onChange: () => !isKeyDown.current && commit(),
+    onKeyDown: () => (isKeyDown.current = true),
+    onKeyUp: end,
+    onBlur: end,
   };
   const shown = Number(weight.toFixed(4));
   return (
