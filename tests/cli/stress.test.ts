@@ -30,7 +30,7 @@ describe('stress', () => {
     expect(head).toMatch(/^pose +rigid largest +rigid mean +lbs volume +rigid volume$/);
     expect(rows).toHaveLength(7);
     expect(rows[0]).toMatch(/^joint 02 · bend 120° +\d.* % +\d.* % +– +–$/);
-    expect(rows[6]).toMatch(/^6 poses; differences from lbs .*, at joint 02 · (bend|side) -?120°$/);
+    expect(rows[6]).toMatch(/^6 poses; differences from lbs .*, at joint 02 · (bend|side) −?120°$/);
     expect(errors).toEqual([]);
   });
 

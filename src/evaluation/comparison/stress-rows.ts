@@ -7,7 +7,8 @@ import type { StressPose } from './stress-poses.ts';
 
 /** A pose of the suite in words: "Right elbow · bend 120°". */
 export function stressLabel({ names }: Skeleton, { joint, motion, angle }: StressPose): string {
-  return `${printable(names[joint]!, 60)} · ${motion} ${Number(degreesOf(angle).toFixed(1))}°`;
+  const degrees = Number(degreesOf(angle).toFixed(1));
+  return `${printable(names[joint]!, 60)} · ${motion} ${degrees < 0 ? '−' : ''}${Math.abs(degrees)}°`;
 }
 
 /** In degrees, without what rounding adds. */

@@ -15,6 +15,7 @@ const gap = 12;
 const head = 118;
 const labelHeight = 44;
 const figureHeight = 50;
+const leastWidth = 720;
 const font = 'system-ui, "Segoe UI", Roboto, "Helvetica Neue", Arial, sans-serif';
 /** For paper, whatever the theme of the page is. */
 const colors = { paper: '#ffffff', tile: '#f1f2f4', text: '#22252a', quiet: '#596068' };
@@ -47,49 +48,47 @@ function stripOf(
   const { methods, base, size, actor } = suite;
   const [{ width: side }] = drawn.get(rows[0]!) as [Picture];
   const rowHeight = labelHeight + side + figureHeight + gap;
+  const blockWidth = methods.length * (side + gap) + gap;
+  // Several poses beside each other, so that the picture fits a page.
+  const across = Math.max(1, Math.round(Math.sqrt((rows.length * rowHeight) / (1.4 * blockWidth))));
+  const down = Math.ceil(rows.length / across);
   const canvas = document.createElement('canvas');
-  canvas.width = Math.max(640, 2 * margin + methods.length * (side + gap) - gap);
-  canvas.height = margin + head + rows.length * rowHeight + margin;
+  canvas.width = Math.max(leastWidth, 2 * margin + Math.ceil(rows.length / down) * blockWidth);
+  canvas.height = margin + head + down * rowHeight + margin;
   const context = canvas.getContext('2d');
   assert(context !== null, 'a canvas that draws');
   context.fillStyle = colors.paper;
   context.fillRect(0, 0, canvas.width, canvas.height);
-  const write = (text: string, x: number, y: number, style: string, color = colors.text): void => {
+  const write = (text: string, x: number, y: number, style: string, width = side): void => {
     context.font = `${style} ${font}`;
-    context.fillStyle = color;
-    context.fillText(text, x, y, canvas.width - margin - x);
+    context.fillText(text, x, y, width);
   };
-  write(`Stress suite of ${suite.name}`, margin, margin + 24, '650 26px');
+  const whole = canvas.width - 2 * margin;
+  context.fillStyle = colors.text;
+  write(`Stress suite of ${suite.name}`, margin, margin + 24, '650 26px', whole);
+  context.fillStyle = colors.quiet;
   const from = `Largest difference from ${kernelById(methods[base]!).label}`;
-  write(
-    `${from}, in units of the file (per cent of the height)`,
-    margin,
-    margin + 54,
-    '16px',
-    colors.quiet,
-  );
-  const left = (index: number): number => margin + index * (side + gap);
-  methods.forEach((method, index) => {
-    context.save();
-    context.beginPath();
-    context.rect(left(index), 0, side, canvas.height);
-    context.clip();
-    write(kernelById(method).label, left(index), margin + head - 14, '600 18px');
-    context.restore();
-  });
+  const units = 'in units of the file (per cent of the height); volume against rest';
+  write(`${from}, ${units}`, margin, margin + 54, '16px', whole);
   rows.forEach((row, at) => {
-    const top = margin + head + at * rowHeight;
-    write(stressLabel(actor.character.skeleton, row.pose), margin, top + 28, '600 18px');
-    methods.forEach((_, index) => {
-      const x = left(index);
+    const left = margin + Math.floor(at / down) * blockWidth;
+    const top = margin + head + (at % down) * rowHeight;
+    context.fillStyle = colors.text;
+    const label = stressLabel(actor.character.skeleton, row.pose);
+    write(label, left, top + 28, '600 18px', blockWidth - 2 * gap);
+    methods.forEach((method, index) => {
+      const x = left + index * (side + gap);
+      context.fillStyle = colors.text;
+      if (at % down === 0) write(kernelById(method).label, x, top - 10, '600 18px');
       context.fillStyle = colors.tile;
       context.fillRect(x, top + labelHeight, side, side);
       context.drawImage(canvasOf(drawn.get(row)![index]!), x, top + labelHeight);
       const { largest, volume } = row.numbers[index]!;
       const bottom = top + labelHeight + side;
+      context.fillStyle = colors.text;
       write(index === base ? 'base' : differenceText(largest, size), x, bottom + 20, '16px');
-      if (volume === null) return;
-      write(`volume ${volume.toFixed(3)}`, x, bottom + 40, '16px', colors.quiet);
+      context.fillStyle = colors.quiet;
+      if (volume !== null) write(`volume ${volume.toFixed(3)}`, x, bottom + 40, '16px');
     });
   });
   return canvas;

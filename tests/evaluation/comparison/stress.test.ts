@@ -53,9 +53,9 @@ function following(character: Character, joints: readonly number[]): Character {
 
 describe('the poses of a stress suite', () => {
   it('bend and twist a joint that turns freely, about axes at right angles', () => {
-    const labels = ['bend', 'side'].flatMap((name) => [`${name} 120°`, `${name} -120°`]);
+    const labels = ['bend', 'side'].flatMap((name) => [`${name} 120°`, `${name} −120°`]);
     expect(labelsOf(tube)).toEqual(
-      [...labels, 'twist 90°', 'twist -90°'].map((label) => `joint 02 · ${label}`),
+      [...labels, 'twist 90°', 'twist −90°'].map((label) => `joint 02 · ${label}`),
     );
     const [bend, , side, , twist] = posesOf(tube);
     expect(twist!.axis[1]).toBeCloseTo(1, 12);
@@ -83,7 +83,7 @@ describe('the poses of a stress suite', () => {
     const of = (side: string): string[] =>
       labels
         .filter((label) => label.startsWith(`${side} `))
-        .map((label) => label.slice(side.length).replace('-', ''));
+        .map((label) => label.slice(side.length).replace('−', ''));
     expect(of('Left').length).toBeGreaterThan(30);
     expect(of('Left').toSorted()).toEqual(of('Right').toSorted());
     // The root and the pelvis carry the whole mesh.

@@ -21,6 +21,9 @@ const badness = {
 };
 type Quantity = keyof typeof badness;
 
+/** What is no worse than this is not marked: the page shows no difference. */
+const unnoticed = { largest: 0, mean: 0, volume: 0.0005 };
+
 /** All poses of a suite: pictures of the worst beside the numbers. A row puts its pose on the character. */
 export function StressTable({ editor, suite }: StressTableProperties) {
   const lab = stressLabOf(editor);
@@ -32,7 +35,7 @@ export function StressTable({ editor, suite }: StressTableProperties) {
   const worst = (quantity: Quantity, index: number): StressRow | undefined => {
     const valueOf = (row: StressRow): number => badness[quantity](row.numbers[index]!) ?? 0;
     const most = rows.reduce((value, row) => Math.max(value, valueOf(row)), 0);
-    return most > 0 ? rows.find((row) => valueOf(row) === most) : undefined;
+    return most > unnoticed[quantity] ? rows.find((row) => valueOf(row) === most) : undefined;
   };
   const heads: readonly (readonly [Quantity, string, typeof columns])[] = [
     ['largest', 'Largest difference', others],
@@ -70,7 +73,7 @@ export function StressTable({ editor, suite }: StressTableProperties) {
         </tr>
         <tr>
           {columns.map(({ kernel }) => (
-            <th key={kernel.id} scope="col" title={kernel.label}>
+            <th key={kernel.id} scope="col" class="of-picture" title={kernel.label}>
               {kernel.short}
             </th>
           ))}
