@@ -14,8 +14,8 @@ import {
 } from '../../core/motion/clip-parts.ts';
 import type { JsonValue } from '../../formats/json/decoder.ts';
 import { printedOnce } from '../../formats/json/print-json.ts';
+import { targetKinds } from '../../formats/motion/target-kinds.ts';
 import { checked, type Codec, numbers, numberWithin, oneOf } from './codec.ts';
-import { readTarget, writeTarget } from './target-json.ts';
 
 const { coordinate } = defaultLimits;
 
@@ -108,6 +108,23 @@ export function readChannel(json: JsonValue, character: Character): ChannelParts
   }
   const keys = readKeys(list, readKey);
   return keys && { target, before, after, keys };
+}
+
+/** What a channel moves, as MOTION.json has it; null if the character has nothing for it. */
+function writeTarget(target: ChannelTarget | null, character: Character): unknown {
+  return target && targetKinds.map((kind) => kind.write(target, character)).find(Boolean);
+}
+
+/**
+ * Returns null for a channel that moves nothing, and nothing if the target is wrong, which is
+ * reported. A file's clip may move joints that the character lacks.
+ */
+function readTarget(json: JsonValue, character: Character): ChannelTarget | null | undefined {
+  if (json.value === null) return null;
+  const fields = json.record('what the channel moves');
+  const kind = fields && targetKinds.find((each) => each.matches(fields));
+  if (fields && !kind) json.fail('json', 'a target as MOTION.json has it');
+  return kind?.read(fields!)?.locate(character, json);
 }
 
 function isRotation(target: ChannelTarget | null): target is RotationTarget {

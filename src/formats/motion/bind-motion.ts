@@ -22,8 +22,8 @@ export function bindMotion(motion: Motion, thing: AnimatedThing): Parsed<ClipPar
   const found = new Map<string, { channel: MotionChannel; parts: ChannelParts }>();
   for (const channel of motion.channels) {
     const place = channel.place.reporting({ log, effect: kept });
-    const target = channel.target.find(thing, place);
-    if (!target) {
+    const target = channel.target.locate(thing, place);
+    if (!target || !channel.target.check(thing, place)) {
       unread.push(channel.raw);
       continue;
     }

@@ -1,8 +1,6 @@
 import { rotationTrack } from '../../core/motion/rotation-track.ts';
-import type { RotationTarget } from '../../core/motion/clip-parts.ts';
-import { keyAt } from '../json/keys.ts';
 import { nameIn, wordIn } from './fields.ts';
-import { jointOf } from './find.ts';
+import { jointOf, nameOfSource, sourceOf } from './find.ts';
 import type { TargetKind } from './motion.ts';
 
 /** The whole rotation of a joint: `{"joint": NAME, "rotation": "squad"}`. */
@@ -17,25 +15,27 @@ export const jointRotation: TargetKind = {
     return {
       names: [`${name}.rotation`, `${name}.${rotation}`, name],
       rotation,
-      find({ skeleton }, json) {
-        const joint = jointOf(skeleton, name, json);
-        if (joint === undefined) return undefined;
+      locate({ skeleton }, json) {
+        const joint = sourceOf(skeleton, name, json.member('joint'));
+        return joint === undefined ? undefined : { of: 'rotation', joint, curve: rotation };
+      },
+      check({ skeleton }, json) {
+        const joint = jointOf(skeleton, name, json.member('joint'));
+        if (joint === undefined) return false;
         const source = skeleton.sourceIndex[joint]!;
-        const target: RotationTarget = { of: 'rotation', joint: source, curve: rotation };
+        const target = { of: 'rotation', joint: source, curve: rotation } as const;
         const parts = { target, before: 'constant', after: 'constant', keys: [] } as const;
-        if (rotationTrack(parts, skeleton)) return target;
+        if (rotationTrack(parts, skeleton)) return true;
         const expected = `no rotation for "${skeleton.names[joint]!}", which does not turn about every axis`;
         const effect = 'the channel moves nothing; it is kept for saving';
         json.member('rotation').warn('ignored', expected, rotation, effect);
-        return undefined;
+        return false;
       },
     };
   },
 
   write(target, { skeleton }) {
     if (target.of !== 'rotation') return undefined;
-    const joint = skeleton.jointOfSource[target.joint];
-    if (joint === undefined) return undefined;
-    return { joint: keyAt(skeleton.names, joint, target.joint), rotation: target.curve };
+    return { joint: nameOfSource(skeleton, target.joint), rotation: target.curve };
   },
 };

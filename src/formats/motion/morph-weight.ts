@@ -1,6 +1,6 @@
 import { keyAt } from '../json/keys.ts';
 import { nameIn } from './fields.ts';
-import { findMorph } from './find.ts';
+import { locateMorph, morphOf } from './find.ts';
 import type { TargetKind } from './motion.ts';
 
 /** The weight of a morph: `{"morph": NAME}`. */
@@ -14,18 +14,18 @@ export const morphWeight: TargetKind = {
     return {
       names: [`morph.${name}`, name],
       rotation: null,
-      find({ morphs }, json) {
-        const morph = findMorph(morphs, name);
-        if (typeof morph === 'number') return { of: 'morph', morph };
-        json.member('morph').fail('unknown-morph', morph, name);
-        return undefined;
+      locate({ morphs }, json) {
+        const morph = locateMorph(morphs, name, json.member('morph'));
+        return morph === undefined ? undefined : { of: 'morph', morph };
       },
+      check: ({ morphs }, json) => morphOf(morphs, name, json.member('morph')) !== undefined,
     };
   },
 
   write(target, { morphs }) {
-    if (target.of !== 'morph' || !morphs[target.morph]) return undefined;
+    if (target.of !== 'morph') return undefined;
+    const { morph } = target;
     const names = morphs.map(({ name }) => name);
-    return { morph: keyAt(names, target.morph) };
+    return { morph: morph < names.length ? keyAt(names, morph) : `#${morph}` };
   },
 };

@@ -56,8 +56,10 @@ export interface NamedTarget {
   readonly names: readonly [string, ...string[]];
   /** How its rotation goes from key to key, or null if its keys are numbers. */
   readonly rotation: RotationCurve | null;
-  /** Finds it in a character, or reports why it is not there. */
-  find(thing: AnimatedThing, json: JsonValue): ChannelTarget | undefined;
+  /** Finds it by its name, or reports that nothing has it. What `#` and an index name may be absent. */
+  locate(thing: AnimatedThing, json: JsonValue): ChannelTarget | undefined;
+  /** Whether a character can be moved so, or else reports why not. */
+  check(thing: AnimatedThing, json: JsonValue): boolean;
 }
 
 /** A kind of target. To add one, write its file and add its row to `target-kinds.ts`. */
@@ -68,6 +70,6 @@ export interface TargetKind {
   matches(fields: ReadonlyMap<string, JsonValue>): boolean;
   /** Reads a target, or reports what is wrong with it. */
   read(fields: ReadonlyMap<string, JsonValue>): NamedTarget | undefined;
-  /** Describes a target as the file has it; nothing if it is of another kind or not there. */
+  /** Describes a target as the file has it; nothing if it is of another kind. */
   write(target: ChannelTarget, thing: AnimatedThing): Readonly<Record<string, unknown>> | undefined;
 }

@@ -1,7 +1,6 @@
 import { pinValues } from '../../core/motion/targets.ts';
-import { keyAt } from '../json/keys.ts';
 import { nameIn, wordIn } from './fields.ts';
-import { findJoint } from '../pose-json.ts';
+import { jointOf, nameOfSource, sourceOf } from './find.ts';
 import type { TargetKind } from './motion.ts';
 
 /** A coordinate of a pin, or its weight: `{"pin": NAME, "value": "x"}`. */
@@ -18,21 +17,16 @@ export const pinValue: TargetKind = {
     return {
       names: [`pin.${name}.${value}`, `${name}.${value}`],
       rotation: null,
-      find({ skeleton }, target) {
-        const joint = findJoint(skeleton, name);
-        if (typeof joint === 'number') {
-          return { of: 'pin', joint: skeleton.sourceIndex[joint]!, value };
-        }
-        target.member('pin').fail('unknown-joint', joint, name);
-        return undefined;
+      locate({ skeleton }, target) {
+        const joint = sourceOf(skeleton, name, target.member('pin'));
+        return joint === undefined ? undefined : { of: 'pin', joint, value };
       },
+      check: ({ skeleton }, target) => jointOf(skeleton, name, target.member('pin')) !== undefined,
     };
   },
 
   write(target, { skeleton }) {
     if (target.of !== 'pin') return undefined;
-    const joint = skeleton.jointOfSource[target.joint];
-    if (joint === undefined) return undefined;
-    return { pin: keyAt(skeleton.names, joint, target.joint), value: target.value };
+    return { pin: nameOfSource(skeleton, target.joint), value: target.value };
   },
 };

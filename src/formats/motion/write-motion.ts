@@ -1,5 +1,6 @@
 import {
   type ChannelParts,
+  type ChannelTarget,
   type ClipParts,
   isRotationChannel,
   type KeyParts,
@@ -47,12 +48,18 @@ interface Described {
 
 function describe(channel: ChannelParts, thing: AnimatedThing): Described | undefined {
   const { target } = channel;
-  if (!target) return undefined;
+  if (!target || !isThere(target, thing)) return undefined;
   for (const kind of targetKinds) {
     const written = kind.write(target, thing);
     if (written) return { target: written, channel };
   }
   return undefined;
+}
+
+/** Whether a character has the joint or the morph that a channel moves. */
+function isThere(target: ChannelTarget, { skeleton, morphs }: AnimatedThing): boolean {
+  if (target.of === 'morph') return target.morph < morphs.length;
+  return skeleton.jointOfSource[target.joint] !== undefined;
 }
 
 function channelText({ target, channel }: Described): string {

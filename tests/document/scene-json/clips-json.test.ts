@@ -59,11 +59,11 @@ describe('clips of a scene', () => {
 
   it.each([
     ['"target":{"joint":"nobody","value":"rx"},"keys":[]', 'the name of a joint'],
-    ['"target":{"joint":"joint 7","value":"sx"},"keys":[]', 'one of "tx", "ty"'],
-    ['"target":{"joint":"joint 7","rotation":"nlerp"},"keys":[]', 'one of "slerp", "squad"'],
+    ['"target":{"joint":"joint 7","value":"sx"},"keys":[]', 'one of tx, ty'],
+    ['"target":{"joint":"joint 7","rotation":"nlerp"},"keys":[]', 'one of slerp, squad'],
     ['"target":{"morph":"smile"},"keys":[]', 'the name of a morph, or # and its index'],
-    ['"target":{"pin":"joint 7","value":"w"},"keys":[]', 'one of "x", "y", "z", "weight"'],
-    ['"target":{},"keys":[]', '"joint", "morph" or "pin"'],
+    ['"target":{"pin":"joint 7","value":"w"},"keys":[]', 'one of x, y, z, weight'],
+    ['"target":{},"keys":[]', 'a target as MOTION.json has it'],
     ['"target":7,"keys":[]', 'what the channel moves'],
     [target, 'a list of keys'],
     [`${target},"keys":[[0,0],[0,1]]`, 'a time after that of the key before'],
