@@ -70,12 +70,15 @@ const preparedPages = [
 
 /**
  * In tests, SwiftShader draws only the view: it neither paints the panels nor puts the page
- * together, which the CPU's own painting does in less time. WebGL draws the same.
+ * together, which the CPU's own painting does in less time. WebGL draws the same. Scripts have one
+ * thread: pages live for seconds, in which threads that compile and collect beside it cost more
+ * than they save, and the other worker has the other core.
  */
 export const testFlags = [
   ...browserFlags,
   '--disable-gpu-rasterization',
   '--disable-gpu-compositing',
+  '--js-flags=--single-threaded',
   `--disable-features=${[...unwantedFeatures, ...preparedPages].join(',')}`,
 ];
 
