@@ -24,7 +24,10 @@ export default defineConfig({
   retries: 0,
   forbidOnly: inContinuousIntegration,
   globalTimeout: 14 * 60_000,
+  // These limits guard against hanging, on a machine that has other work as well.
+  timeout: 90_000,
   expect: {
+    timeout: 20_000,
     toHaveScreenshot: { threshold: 0.1, maxDiffPixelRatio: 0.001, animations: 'disabled' },
   },
   use: {

@@ -44,7 +44,6 @@ test('clips, morphs and a joint with locked angles have no violations', async ()
 
 // The tests above open panels, so the others need no page of their own.
 test('every task and dialog has no violations, in light and dark colors', async () => {
-  test.setTimeout(90_000);
   for (const { id } of tabs) {
     await openTab(page(), id);
     await expectNoViolations(id);

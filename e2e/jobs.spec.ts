@@ -16,7 +16,6 @@ import { touchUser } from './support/touch-user.ts';
 // What people come for, with the presses and drags that it may cost. By touch and by keyboard alone
 // the same can be done, at any cost.
 test.use({ ...coarse, viewport: { width: 960, height: 540 } });
-test.describe.configure({ timeout: 90_000 }); // a limb is found by many pictures
 
 const arm = 'Right forearm';
 const selected = (page: Page) => page.locator('[role=treeitem][aria-selected=true]');

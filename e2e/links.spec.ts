@@ -27,8 +27,6 @@ async function copyLink(page: Page): Promise<string> {
   return link.slice(link.indexOf('#'));
 }
 
-test.describe.configure({ timeout: 90_000 });
-
 test('a link opens the same picture on a fresh page, by the byte, and on an open one as one step of undo', async ({
   page,
   browser,
