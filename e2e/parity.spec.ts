@@ -1,8 +1,10 @@
 import { expect } from '@playwright/test';
+import { startCamera } from '../src/document/camera.ts';
 import type { PoseJson } from '../src/formats/pose-json.ts';
 import { kernels, normalWays, recomputedNormals } from '../src/skinning/registry.ts';
 import { legSkel, legSkin } from '../tests/support/cse169-files.ts';
 import {
+  capture,
   choose,
   chooseKernel,
   drop,
@@ -155,8 +157,15 @@ test('every layout of palette and influences agrees bit for bit', async () => {
   }
 });
 
-test('textures in place of attributes and the uniform block agree as well', async () => {
-  await openSmallView(page(), 'textures=palette,influences');
+test('textures in place of attributes and the uniform block agree as well, and give the same pixels', async () => {
+  const picture = () =>
+    capture(page(), 'png', { width: 320, height: 240 }, [{ camera: startCamera }]);
+  await page().evaluate(() => window.sinew.open('hand'));
+  await chooseKernel(page(), 'linear-blend');
+  const usual = await picture();
+  await openSmallView(page(), 'model=hand&textures=palette,influences');
+  await chooseKernel(page(), 'linear-blend');
+  expect((await picture()).equals(usual)).toBe(true);
   for (const { id, label } of kernels) {
     await chooseKernel(page(), id);
     expect(await verify(page()), label).toMatchObject(same);
