@@ -1,5 +1,5 @@
 import { expect, type Page } from '@playwright/test';
-import { capture, drop, openApp, openJoint, openView, verify } from './support/app.ts';
+import { capture, drop, openApp, openJoint, verify } from './support/app.ts';
 import { madeCharacter } from './support/made-character.ts';
 import { coarse, sharedPage, test } from './support/test.ts';
 
@@ -12,7 +12,7 @@ declare global {
 // A small view is drawn faster, and its size does not matter here.
 test.use({ ...coarse, viewport: { width: 960, height: 420 } });
 
-const page = sharedPage((page) => openView(page, 'model=tube'));
+const page = sharedPage((page) => openApp(page, 'model=tube'));
 
 async function lose(page: Page): Promise<void> {
   await page.evaluate(() => {
@@ -34,6 +34,44 @@ async function restore(page: Page): Promise<void> {
     await restored;
   });
 }
+
+test('when the context is lost during a drag, the page says so and the drag continues', async () => {
+  const { slider } = await openJoint(page(), 'joint 02', 'X');
+  const box = (await slider.boundingBox())!;
+  /** Drags to the right, and runs the given actions at two points on the way. */
+  const drag = async (...between: (() => Promise<void>)[]): Promise<void> => {
+    const moveTo = (part: number): Promise<void> =>
+      page().mouse.move(box.x + box.width * part, box.y + box.height / 2);
+    await moveTo(0.5);
+    await page().mouse.down();
+    await moveTo(0.6);
+    await between[0]?.();
+    await moveTo(0.7);
+    await between[1]?.();
+    await moveTo(0.8);
+    await page().mouse.up();
+  };
+  await drag();
+  const pose = await page().evaluate(() => window.sinew.pose());
+  const kept = await capture(page());
+  expect(pose.joints!['joint 02']![0]).toBeGreaterThan(0.5);
+  await page().keyboard.press('Control+z');
+
+  const message = page().locator('.message');
+  await drag(
+    async () => {
+      await lose(page());
+      await expect(message).toContainText('lost');
+    },
+    async () => {
+      await restore(page());
+      await expect(message).toBeHidden();
+    },
+  );
+  expect(await page().evaluate(() => window.sinew.pose())).toEqual(pose);
+  expect(await capture(page())).toEqual(kept);
+  await page().keyboard.press('Control+z');
+});
 
 test('a restored context shows the same pixels and pose', async () => {
   const before = await capture(page());
@@ -92,44 +130,4 @@ test('a character that is dropped while the context is lost shows once it is res
   await drop(page(), madeCharacter(5, 2));
   await restore(page());
   expect(await verify(page())).toMatchObject({ identical: true });
-});
-
-test('when the context is lost during a drag, the page says so and the drag continues', async ({
-  page,
-}) => {
-  await openApp(page, 'model=tube');
-  const { slider } = await openJoint(page, 'joint 02', 'X');
-  const box = (await slider.boundingBox())!;
-  /** Drags to the right, and runs the given actions at two points on the way. */
-  const drag = async (...between: (() => Promise<void>)[]): Promise<void> => {
-    const moveTo = (part: number): Promise<void> =>
-      page.mouse.move(box.x + box.width * part, box.y + box.height / 2);
-    await moveTo(0.5);
-    await page.mouse.down();
-    await moveTo(0.6);
-    await between[0]?.();
-    await moveTo(0.7);
-    await between[1]?.();
-    await moveTo(0.8);
-    await page.mouse.up();
-  };
-  await drag();
-  const pose = await page.evaluate(() => window.sinew.pose());
-  const kept = await capture(page);
-  expect(pose.joints!['joint 02']![0]).toBeGreaterThan(0.5);
-  await page.keyboard.press('Control+z');
-
-  const message = page.locator('.message');
-  await drag(
-    async () => {
-      await lose(page);
-      await expect(message).toContainText('lost');
-    },
-    async () => {
-      await restore(page);
-      await expect(message).toBeHidden();
-    },
-  );
-  expect(await page.evaluate(() => window.sinew.pose())).toEqual(pose);
-  expect(await capture(page)).toEqual(kept);
 });

@@ -7,11 +7,13 @@ import { lightHandles } from '../src/view/light-handles.ts';
 import { pixelsIn } from '../src/view/overlay.ts';
 import { bytesOf, choose, openView } from './support/app.ts';
 import { cameraOf, typeNumber } from './support/controls.ts';
-import { sharedPage, test } from './support/test.ts';
+import { drawPlainly, sharedPage, test } from './support/test.ts';
 
-const page = sharedPage((page) => openView(page, 'model=human'));
+const page = sharedPage(async (page) => {
+  await drawPlainly(page);
+  await openView(page, 'model=human');
+});
 const [width, height] = [320, 240];
-test.describe.configure({ timeout: 90_000 });
 
 const undo = () => page().locator('[data-command="undo"]');
 const undoAll = async (): Promise<void> => {

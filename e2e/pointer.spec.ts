@@ -1,5 +1,5 @@
 import { expect } from '@playwright/test';
-import { capture, getPose, openApp, openJoint } from './support/app.ts';
+import { capture, getPose, openApp, openJoint, startOver } from './support/app.ts';
 import { find, type Over, type Place } from './support/find-limb.ts';
 import { coarse, sharedPage, test } from './support/test.ts';
 
@@ -199,7 +199,7 @@ test('a ring stops at the limits of its value, and nothing is highlighted while 
 });
 
 test('in the Mannequin workspace only bone mode poses', async () => {
-  await openApp(page(), 'model=human&workspace=mannequin');
+  await startOver(page(), 'mannequin');
   const place = await findLimb('Left upper leg', { x: 0.3, y: 0.55 });
   await click(place);
   await expect(selected()).toHaveText(/Left upper leg/);

@@ -13,12 +13,12 @@ import type { PassImageId } from '../src/view/picture/make-passes.ts';
 import { characterRay, rayThrough } from '../src/view/picking.ts';
 import { posedTriangles } from '../src/view/posed-triangles.ts';
 import { readBundled } from '../tests/support/bundled.ts';
-import { bytesOf, choose, controlRow, openView, setPose } from './support/app.ts';
+import { bytesOf, choose, controlRow, openSmallView, setPose } from './support/app.ts';
 import { expectPicture } from './support/pictures.ts';
 import { sharedPage, test } from './support/test.ts';
 
 const page = sharedPage(async (page) => {
-  await openView(page, 'model=human');
+  await openSmallView(page, 'model=human');
   await setPose(page, {});
 });
 
@@ -167,6 +167,7 @@ test('the inside of the frame is what is saved, and the same from windows of eve
 });
 
 test('a shot is moved, updated, gone back to and left; every step can be undone', async () => {
+  await resizeView(page(), 160, 120);
   const camera = (): Promise<Buffer> => captureBy(page(), { width: 40, height: 50 });
   const update = page().locator('.shot-bar [data-command="update-shot"]');
   const taken = await captureBy(page(), { shot: 1, width: 40 });
@@ -196,7 +197,7 @@ test('a picture in tiles is the picture in one piece; passes come in one archive
   for (const samples of [1, 2]) {
     const size = { width: 201, height: 134, samples };
     const whole = PNG.sync.read(await captureBy(page(), size));
-    const tiled = PNG.sync.read(await captureBy(page(), { ...size, tileLimit: 100 }));
+    const tiled = PNG.sync.read(await captureBy(page(), { ...size, tileLimit: 100 * samples }));
     expect(shareOfOthers(whole, tiled, 1), `${samples} samples`).toBeLessThanOrEqual(1e-3);
     expect(new Set(whole.data).size).toBeGreaterThan(50);
   }
@@ -209,7 +210,7 @@ test('a picture in tiles is the picture in one piece; passes come in one archive
 });
 
 test('a picture shows one moment, while the view shows the next', async () => {
-  const options = { width: 301, height: 202, tileLimit: 60 };
+  const options = { width: 151, height: 101, tileLimit: 60 };
   const before = await captureBy(page(), options);
   const buffers = await page().evaluate(() => window.sinew.liveObjects['buffer']);
   const picture = await page().evaluateHandle(async (options) => {

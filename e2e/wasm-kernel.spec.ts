@@ -5,8 +5,6 @@ import { failureTest as test } from './support/test.ts';
 import { watchWasmKernel } from './support/wasm-kernel.ts';
 
 const causes = {
-  'is missing on the server': (page) =>
-    page.route('**/*.wasm', (route) => route.fulfill({ status: 404, body: 'gone' })),
   'is not what it should be': (page) =>
     page.route('**/*.wasm', (route) => route.fulfill({ body: '<!doctype html>' })),
   'can’t run in this browser': (page) =>
