@@ -64,7 +64,6 @@ const scenes: Readonly<Record<string, Scene>> = {
   'human-hard-pose': { pose: hardPose, keys: ['Home'] },
   'human-rigid': { pose: hardPose, method: menuName(kernelById('rigid')), keys: ['Home'] },
   'human-translucent': { keys: ['s', 's', 't'] },
-  'two-methods': { pose: hardPose, keys: ['Home', 'x'] },
   'three-actors': { added: ['dog', 'insect'], time: 0.8, keys: ['s', 's', ']'] },
   'planar-shadow': { added: ['dog'], menus: { Preset: 'Noon' }, keys: ['Home'] },
   'weights-joints': { ...weights, menus: { 'Colors (v)': 'All joints' } },
@@ -88,14 +87,12 @@ const scenes: Readonly<Record<string, Scene>> = {
   'insect-boxes-skin': { model: 'insect', workspace: 'cse169', keys: ['s'] },
   'insect-textured': { model: 'insect' },
   'insect-morph': { model: 'insect', morphs: { insect_alert: 1, insect_breathe: 1 } },
-  'insect-walk-1': {
+  'insect-walk': {
     model: 'insect',
     time: 0.35,
     menus: { 'Skeleton as': 'Both' },
     keys: ['s', 's', 't'],
   },
-  'insect-walk-2': { model: 'insect', time: 0.8 },
-  'insect-walk-3': { model: 'insect', time: 1.25 },
 };
 
 const page = sharedPage(() => Promise.resolve());
