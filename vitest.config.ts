@@ -4,6 +4,7 @@ export default defineConfig({
   test: {
     environment: 'node',
     include: ['tests/**/*.test.ts'],
+    setupFiles: ['tests/support/quick-equality.ts'],
     // Modules of the product keep no state except scratch memory, so test files can share a process.
     // That halves the time, and would reveal state that leaks.
     isolate: false,

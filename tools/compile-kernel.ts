@@ -10,10 +10,7 @@ const compiler = path.join(root, 'node_modules/assemblyscript/bin/asc.js');
 /** The kernel in AssemblyScript. */
 export const kernelFile = path.join(root, 'src/skinning/wasm/kernel.as');
 
-const options = [
-  ...['--optimizeLevel', '3', '--noAssert', '--runtime', 'stub'],
-  ...['--importMemory', '--enable', 'simd'],
-];
+const plainOptions = ['--noAssert', '--runtime', 'stub', '--importMemory', '--enable', 'simd'];
 
 /**
  * Compiles the skinning kernel to WebAssembly. The result is kept in .cache under the hash of
@@ -21,10 +18,13 @@ const options = [
  * messages if the source is not valid.
  *
  * @param source the kernel's text
+ * @param optimizeLevel from 0 to 3; it changes no bit of what the kernel computes
  */
 export async function compileKernel(
   source = readFileSync(kernelFile, 'utf8'),
+  optimizeLevel = 3,
 ): Promise<Uint8Array<ArrayBuffer>> {
+  const options = ['--optimizeLevel', `${optimizeLevel}`, ...plainOptions];
   const { devDependencies } = JSON.parse(readFileSync(path.join(root, 'package.json'), 'utf8')) as {
     devDependencies: { assemblyscript: string };
   };

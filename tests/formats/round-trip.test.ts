@@ -54,7 +54,7 @@ describe('what mit writes', () => {
         expectSound(character);
         await expectRoundTrip(writeMit, character);
       }),
-      { numRuns: 300 },
+      { numRuns: 100 },
     );
   });
 });

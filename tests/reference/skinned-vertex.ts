@@ -28,7 +28,17 @@ export function influencesOf(
   return used.length > 0 ? used : [[firstRoot, 1]];
 }
 
+/** Each is computed once, although many vertices ask for it. */
+const skinningMatrices = new WeakMap<Transforms, Map<number, Matrix>>();
+
 /** M = T · B⁻¹ of a joint: from the bind pose to the pose, in the character's space. */
 export function skinningMatrix(joint: number, transforms: Transforms): Matrix {
-  return multiply(transforms.characterFromJoint[joint]!, transforms.jointFromBind[joint]!);
+  let known = skinningMatrices.get(transforms);
+  if (!known) skinningMatrices.set(transforms, (known = new Map<number, Matrix>()));
+  let matrix = known.get(joint);
+  if (!matrix) {
+    matrix = multiply(transforms.characterFromJoint[joint]!, transforms.jointFromBind[joint]!);
+    known.set(joint, matrix);
+  }
+  return matrix;
 }

@@ -94,11 +94,20 @@ const dualQuaternion: MethodOracle = {
   },
 };
 
+/** The parts of matrices that many vertices share, each computed once. */
+const knownParts = new WeakMap<Matrix, ReturnType<typeof rigidAndStretch>>();
+
+function partsOf(matrix: Matrix): ReturnType<typeof rigidAndStretch> {
+  let parts = knownParts.get(matrix);
+  if (!parts) knownParts.set(matrix, (parts = rigidAndStretch(matrix)));
+  return parts;
+}
+
 function blendedMotion(
   vertex: Vertex,
   transforms: Transforms,
 ): { motion: DualQuaternion; stretch: Matrix } | null {
-  const pivot = rigidAndStretch(skinningMatrix(heaviest(vertex, transforms), transforms));
+  const pivot = partsOf(skinningMatrix(heaviest(vertex, transforms), transforms));
   let [rotation, dual]: DualQuaternion = [
     [0, 0, 0, 0],
     [0, 0, 0, 0],
@@ -107,7 +116,7 @@ function blendedMotion(
   const used = influencesOf(vertex, transforms).filter(([, weight]) => weight > 0);
   const total = used.reduce((weights, [, weight]) => weights + weight, 0);
   for (const [joint, weight] of used) {
-    const part = rigidAndStretch(skinningMatrix(joint, transforms));
+    const part = partsOf(skinningMatrix(joint, transforms));
     const signed = inner(pivot.motion[0], part.motion[0]) < 0 ? -weight : weight;
     rotation = sum(rotation, scaled(part.motion[0], signed));
     dual = sum(dual, scaled(part.motion[1], signed));

@@ -16,8 +16,17 @@ export const catalogue = JSON.parse(
 
 export const bundledIds: readonly string[] = catalogue.characters.map(({ id }) => id);
 
+/** Characters do not change, so each is read once in a process. */
+const known = new Map<string, Promise<Character>>();
+
 /** Reads a bundled character as the page does, without its motions. */
 export function readBundled(id: string): Promise<Character> {
+  let character = known.get(id);
+  if (!character) known.set(id, (character = read(id)));
+  return character;
+}
+
+function read(id: string): Promise<Character> {
   const { files } = catalogue.characters.find((entry) => entry.id === id)!;
   const contents = files.map((file) => {
     const bytes = readFileSync(join(folder, file));

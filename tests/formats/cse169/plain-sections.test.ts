@@ -59,7 +59,7 @@ describe('plain sections of a .skin', () => {
         const tokens = changed(list);
         expect(read(tokens.join(blank))).toEqual(read(tokens.join(' /**/ ')));
       }),
-      { numRuns: 2000 },
+      { numRuns: 500 },
     );
   });
 });

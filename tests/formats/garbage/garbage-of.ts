@@ -9,9 +9,9 @@ import { expectOutcome } from '../expect-outcome.ts';
 import { formatSamples } from '../samples.ts';
 
 // `npm run test:long -- garbage --ways 2000` sets in how many ways files are changed.
-const ways = Number(process.env['GARBAGE_WAYS'] ?? 300);
-/** The long form cuts files at every byte, the short one at every seventh. */
-const cutStep = 'GARBAGE_WAYS' in process.env ? 1 : 7;
+const ways = Number(process.env['GARBAGE_WAYS'] ?? 120);
+/** The long form cuts files at every byte, the short one at every thirteenth. */
+const cutStep = 'GARBAGE_WAYS' in process.env ? 1 : 13;
 
 /** The sample with one of its files changed. */
 function withFile(contents: FileContents, name: string, bytes: Uint8Array): FileContents {

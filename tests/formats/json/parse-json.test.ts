@@ -51,7 +51,7 @@ describe('parseJson', () => {
         expect(log.failed).toBe(!accepts(text));
         if (json) expect(json.value).toEqual(JSON.parse(text));
       }),
-      { numRuns: 2000 },
+      { numRuns: 600 },
     );
   });
 

@@ -37,7 +37,7 @@ describe('random meshes', () => {
         expect(diagnostics).toEqual([]);
         expect(withoutSeams(buildMesh(value!))).toEqual(withoutSeams(mesh));
       }),
-      { numRuns: 400 },
+      { numRuns: 150 },
     );
   });
 });
@@ -79,7 +79,7 @@ describe('random characters', () => {
           character.skin.weights.every((weight) => Math.abs(weight) >= Math.fround(1e-6)),
         ).toBe(true);
       }),
-      { numRuns: 200 },
+      { numRuns: 100 },
     );
   });
 });

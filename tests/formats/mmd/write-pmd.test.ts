@@ -109,7 +109,7 @@ describe('writeMmd', () => {
           character.morphs.map(({ vertices, offsets }) => [vertices, offsets]),
         );
       }),
-      { numRuns: 150 },
+      { numRuns: 60 },
     );
   });
 
@@ -123,7 +123,7 @@ describe('writeMmd', () => {
           expect(writeMmd(again)).toEqual({ files: [{ path: 'a.pmd', bytes: first }], losses: [] });
         }
       }),
-      { numRuns: 300 },
+      { numRuns: 100 },
     );
   });
 });

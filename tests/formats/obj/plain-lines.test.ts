@@ -56,7 +56,7 @@ describe('plain lines of an OBJ', () => {
         const careful = await read(all.map((each) => `${each} #${lineEnd}`).join(''));
         expect(quick).toEqual(careful);
       }),
-      { numRuns: 1500 },
+      { numRuns: 500 },
     );
   });
 

@@ -136,14 +136,14 @@ describe('archives without a directory', () => {
     expect([paths, messages]).toEqual([['a.zip/a.obj', 'a.zip/b.skel'], []]);
   });
 
-  it('that are changed in 2,000 ways give unchanged files or a message', async () => {
+  it('that are changed in 500 ways give unchanged files or a message', async () => {
     await fc.assert(
       fc.asyncProperty(mutated(sound, ['0', 'PK']), async (bytes) => {
         const { files } = await read(bytes);
         const texts = Object.values(contents);
         for (const file of files) expect(['', ...texts]).toContain(textOf(await file.bytes()));
       }),
-      { numRuns: 2000 },
+      { numRuns: 500 },
     );
   });
 
