@@ -1,6 +1,7 @@
 import { expect, type Page, type Route } from '@playwright/test';
 import { menuName, methods } from '../src/skinning/registry.ts';
 import { choose, openSmallView, openTab, setPose, verify, vertices } from './support/app.ts';
+import { mainThreadTasks } from './support/main-thread.ts';
 import { wildPose } from './support/poses.ts';
 import { sharedPage, test } from './support/test.ts';
 
@@ -13,6 +14,7 @@ const page = sharedPage(async (page) => {
     if (held) held.push(route);
     else await route.continue();
   });
+  await mainThreadTasks(page);
   await openSmallView(page, 'model=human');
 });
 
@@ -35,7 +37,13 @@ test('centers of rotation say how far they are, are canceled, and end exact', as
   await expect(box).toContainText('Centers of rotation: 0 %. Linear blend is shown until then.');
   expect(await vertices(page(), 'cpu')).toEqual(blend);
 
-  await box.getByRole('button', { name: 'Cancel' }).click();
+  const untilFree = await page().evaluate(() => {
+    const from = performance.now();
+    document.querySelector<HTMLElement>('.preparing button')!.click();
+    return new Promise<number>((done) => setTimeout(() => done(window.workerEnded - from)));
+  });
+  expect(untilFree).toBeGreaterThanOrEqual(0);
+  expect(untilFree, 'milliseconds until the worker is free').toBeLessThan(100);
   await expect(box).toHaveCount(0);
   await expect(methodOf(page()).locator('option:checked')).toHaveText(label('linear-blend'));
   expect(await vertices(page(), 'cpu')).toEqual(blend);
@@ -53,4 +61,13 @@ test('centers of rotation say how far they are, are canceled, and end exact', as
   expect(await verify(page())).toMatchObject({ identical: true });
   const about = await vertices(page(), 'cpu');
   expect(about).not.toEqual(blend);
+
+  // A second character with the same skin has its centers at once.
+  let started = 0;
+  page().on('worker', () => started++);
+  await page().locator('[data-command="duplicate-character"]').first().dispatchEvent('click');
+  await expect.poll(() => page().evaluate(() => window.sinew.characters.length)).toBe(2);
+  await page().evaluate(() => window.sinew.settled());
+  expect(await vertices(page(), 'cpu')).toEqual(about);
+  expect(started).toBe(0);
 });
