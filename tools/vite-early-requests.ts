@@ -5,7 +5,7 @@ const readingScript = 'reading';
 
 /**
  * Lets the built page request what its first script would ask for later: the scripts that it
- * imports, the one that reads the first character, and the list of characters.
+ * imports, the one that reads the first character, what that imports, and the list of characters.
  */
 export function earlyRequests(): Plugin {
   return {
@@ -18,7 +18,8 @@ export function earlyRequests(): Plugin {
         const early = new Set(chunks.filter(({ isEntry }) => isEntry).flatMap((c) => c.imports));
         const reading = chunks.find(({ name }) => name === readingScript);
         if (!reading) throw new Error(`no script is named ${readingScript}`);
-        const scripts = [...early, reading.fileName].map((file) => ({
+        for (const file of [reading.fileName, ...reading.imports]) early.add(file);
+        const scripts = [...early].map((file) => ({
           rel: 'modulepreload',
           href: `./${file}`,
         }));
