@@ -24,7 +24,7 @@ import { defaultDeformation, kernelOf } from '../skinning/registry.ts';
 import type { MethodId } from '../skinning/method.ts';
 import { type CatalogueEntry, fetchBundled } from './catalogue.ts';
 import type { OpenedFiles } from './renewal.ts';
-import { loadReadHere, readFiles } from './read-files.ts';
+import { loadReadFirst, readFiles } from './read-files.ts';
 
 /**
  * The source of characters, which is their files if it is absent, and whether they are added to the others or replace the selected one, or
@@ -98,7 +98,7 @@ export class FileOpener {
     const isFirst = this.store.scene.value.actors.length === 0;
     const [files, readHere, poseReader] = await Promise.all([
       fetchBundled(entry, signal),
-      isFirst ? loadReadHere(entry.files) : undefined,
+      isFirst ? loadReadFirst(entry.files) : undefined,
       entry.pose === undefined ? undefined : loadPart(import('./bundled-pose.ts')),
     ]);
     const pose = files.find(({ path }) => path.endsWith('.json'));

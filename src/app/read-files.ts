@@ -32,13 +32,22 @@ export type ReadHere = (
 ) => Promise<ReadOutcome>;
 
 /**
- * Loads what reads characters on this thread: code that the page shares, and the readers that read
- * all files with these names.
+ * Loads what reads characters on this thread, which is code that the page shares. The page gets its
+ * turn between two files.
  */
-export async function loadReadHere(names: readonly string[] = []): Promise<ReadHere> {
+async function loadReadHere(): Promise<ReadHere> {
+  const { readCharacters } = await loadPart(import('../formats/read-characters.ts'));
+  return (files, onProgress) => readCharacters(files.map(asPatientEntry), onProgress);
+}
+
+/**
+ * Loads the same for the first picture, with the readers that read all files with these names. Before
+ * it, the page has nothing else to do.
+ */
+export async function loadReadFirst(names: readonly string[]): Promise<ReadHere> {
   const { loadReaders, readCharacters } = await loadPart(import('../formats/read-characters.ts'));
   await loadReaders(names.map((name) => name.replace(/\.gz$/, '')));
-  return (files, onProgress) => readCharacters(files.map(asPatientEntry), onProgress);
+  return (files, onProgress) => readCharacters(files.map(asEntry), onProgress);
 }
 
 /** A file before which the page gets its turn, so that it answers between two files. */
