@@ -26,9 +26,12 @@ export function packAttributeInfluences(
   const weights = new Float32Array((to - from) * stride);
   for (let vertex = from; vertex < to; vertex++) {
     const point = mesh.pointOf[vertex]!;
-    const row = [skin.start[point]!, skin.start[point + 1]!] as const;
-    entries.set(skin.entries.subarray(...row), (vertex - from) * stride);
-    weights.set(skin.weights.subarray(...row), (vertex - from) * stride);
+    const end = skin.start[point + 1]!;
+    let lane = (vertex - from) * stride;
+    for (let i = skin.start[point]!; i < end; i++, lane++) {
+      entries[lane] = skin.entries[i]!;
+      weights[lane] = skin.weights[i]!;
+    }
   }
   return { entries, weights };
 }
