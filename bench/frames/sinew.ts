@@ -6,11 +6,15 @@ import { Store } from '../../src/document/store.ts';
 import { Evaluations } from '../../src/evaluation/evaluations.ts';
 import { drawApart, holdMoment } from '../../src/view/picture/held-moment.ts';
 import { captureFrame } from '../../src/view/picture/make-picture.ts';
+import { refinement } from '../../src/view/refinement.ts';
 import { Viewer } from '../../src/view/viewer.ts';
 import { characterOf } from '../data/character.ts';
 import { cylinder, poseAngles } from '../data/cylinder.ts';
 import { azimuthOf, pictureHeight, pictureWidth, startCamera } from './picture.ts';
 import { createCanvas, offerFrames } from './page.ts';
+
+// Frames are measured as they are after the first one.
+await refinement.load();
 
 /** Draws with the product's viewer on a page without panels. Actors stand in a square. */
 offerFrames(({ vertexCount, jointCount, actorCount, unskinned }) => {

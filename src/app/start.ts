@@ -7,6 +7,7 @@ import { Evaluations } from '../evaluation/evaluations.ts';
 import { Kernels } from '../evaluation/kernels.ts';
 import { failureText } from '../ui/attempt.ts';
 import { guardDrops } from '../ui/guard-drops.ts';
+import { refinement } from '../view/refinement.ts';
 import { Viewer } from '../view/viewer.ts';
 import {
   type Catalogue,
@@ -73,11 +74,14 @@ export async function start(root: HTMLElement): Promise<void> {
   });
   await opened;
   viewer.waiting.value = false;
+  viewer.drawNow();
   // Without a character or a context there is no first picture to wait for; the rest of the page
   // works all the same.
   if (store.scene.value.actors.length === 0 || !viewer.available.value) firstFrameShown();
   await firstFrame;
+  const refined = refinement.load();
   const { loadWasmKernel, startInterface } = await loadPart(import('./start-interface.tsx'));
+  await refined;
   const { scenes } = await listed.catch(() => ({ scenes: [] }));
   window.sinew = startInterface(layout, opening, ready, { drafts: !isTest, scenes });
   settleReady();

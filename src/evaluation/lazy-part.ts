@@ -24,6 +24,11 @@ export class LazyPart<T> {
     return part;
   }
 
+  /** The part if it is loaded, without a request for it. Reading subscribes. */
+  get loaded(): T | undefined {
+    return this.arrived.value;
+  }
+
   /** Whether the part is still loading: it has not arrived, and loading has not failed. */
   get isPending(): boolean {
     return !this.value && !this.failed;

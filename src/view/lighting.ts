@@ -3,12 +3,14 @@ import type { Ambient, Light } from '../document/environment.ts';
 import type { Gpu } from '../gl/gpu.ts';
 import { DepthTarget } from '../gl/depth-target.ts';
 import type { UniformValue } from '../gl/program.ts';
+import { Texture } from '../gl/texture.ts';
 import type { CharacterView } from './character-view.ts';
-import { ContactShadow } from './contact-shadow.ts';
+import type { ContactShadow } from './contact-shadow.ts';
 import type { Frame } from './frame.ts';
 import { viewFromScene } from './camera.ts';
 import { lightDirection } from './light-direction.ts';
 import type { Programs } from './programs.ts';
+import { refinement } from './refinement.ts';
 import { type Subject, subjectOf } from './subject.ts';
 import { linear } from './theme.ts';
 
@@ -18,20 +20,25 @@ const contactShadowUnit = 3;
 
 /** The studio's lights and the shadows that they cast, which are redrawn only if a pose changed. */
 export class Lighting {
+  private readonly gpu: Gpu;
   private readonly gl: WebGL2RenderingContext;
   private readonly programs: Programs;
   private readonly keyShadow: DepthTarget;
-  private readonly contactShadow: ContactShadow;
+  /** Null until its code is loaded. */
+  private contactShadow: ContactShadow | null = null;
+  /** What is bound meanwhile. */
+  private readonly noShadow: Texture;
   private readonly clipFromScene = new Float32Array(16);
   private keyShadowStep = 0;
   private shown = '';
   private shownContact = '';
 
   constructor(gpu: Gpu, programs: Programs) {
+    this.gpu = gpu;
     this.gl = gpu.gl;
     this.programs = programs;
     this.keyShadow = new DepthTarget(gpu, keyShadowSize);
-    this.contactShadow = new ContactShadow(gpu, programs);
+    this.noShadow = new Texture(gpu, 'color-rgba8', 1, 1);
   }
 
   /** Draws and binds the shadows of a frame, and returns the uniforms that every pass may read. */
@@ -44,7 +51,9 @@ export class Lighting {
     ];
     const versions = frame.characters.map(({ revision }) => revision);
     const casters = showSkin && environment.shadow.kind === 'mapped' ? frame.characters : [];
-    const shadows = `${casters.length} ${key.direction.join()} ${versions.join()}`;
+    const contact = this.contact();
+    // Once refined, casters leave out other triangles.
+    const shadows = `${contact !== null} ${casters.length} ${key.direction.join()} ${versions.join()}`;
     const evaluations = frame.characters.map(({ evaluation }) => evaluation);
     if (shadows !== this.shown) {
       this.shown = shadows;
@@ -53,12 +62,12 @@ export class Lighting {
       this.keyShadowStep = (3.5 * 2 * subject.radius) / keyShadowSize;
       this.drawKeyShadow(casters);
     }
-    if (shadows !== this.shownContact && frame.detail === 'full') {
+    if (contact && shadows !== this.shownContact && frame.detail === 'full') {
       this.shownContact = shadows;
-      this.contactShadow.draw(casters, subjectOf(evaluations));
+      contact.draw(casters, subjectOf(evaluations));
     }
     this.keyShadow.bind(keyShadowUnit);
-    this.contactShadow.texture.bind(contactShadowUnit);
+    (contact?.texture ?? this.noShadow).bind(contactShadowUnit);
     return {
       keyDirection: key.direction,
       keyColor: key.color,
@@ -71,7 +80,7 @@ export class Lighting {
       keyShadowStep: this.keyShadowStep,
       keyShadow: keyShadowUnit,
       contactShadow: contactShadowUnit,
-      contactSquare: this.contactShadow.square,
+      contactSquare: contact?.square ?? [0, 0, 1],
       // A draft has no contact shadow if the pose has changed since it was drawn.
       contactStrength: this.shownContact === shadows ? 1 : 0,
     };
@@ -79,7 +88,14 @@ export class Lighting {
 
   dispose(): void {
     this.keyShadow.dispose();
-    this.contactShadow.dispose();
+    this.noShadow.dispose();
+    this.contactShadow?.dispose();
+  }
+
+  private contact(): ContactShadow | null {
+    const code = refinement.loaded;
+    if (code) this.contactShadow ??= new code.ContactShadow(this.gpu, this.programs);
+    return this.contactShadow;
   }
 
   private drawKeyShadow(casters: readonly CharacterView[]): void {

@@ -3,7 +3,7 @@ import { Buffer } from '../gl/buffer.ts';
 import type { Gpu } from '../gl/gpu.ts';
 import { Owner } from '../gl/owner.ts';
 import type { VertexStreams } from '../skinning/method.ts';
-import { closedTriangles } from './closed-triangles.ts';
+import { refinement } from './refinement.ts';
 
 /** The vertices at rest, as the skinning stage reads them. */
 export class RestBuffers {
@@ -34,25 +34,37 @@ export class RestBuffers {
 /** A mesh as its files define it, which never changes. */
 export class MeshBuffers {
   readonly rest: RestBuffers;
-  /** Those of closed surfaces come first in each submesh. */
   readonly indices: Buffer;
-  /** How many indices of each submesh belong to closed surfaces. */
-  readonly closedCounts: ReadonlyMap<Submesh, number>;
   readonly uvs: Buffer | null;
+  private readonly mesh: Mesh;
+  private closedCounts: ReadonlyMap<Submesh, number> | null = null;
   private readonly owner = new Owner();
 
   constructor(gpu: Gpu, mesh: Mesh) {
     const { owner } = this;
+    this.mesh = mesh;
     try {
       this.rest = owner.own(new RestBuffers(gpu, mesh));
-      const { indices, closedCounts } = closedTriangles(mesh);
-      this.indices = owner.own(new Buffer(gpu, 'index', indices));
-      this.closedCounts = closedCounts;
+      this.indices = owner.own(new Buffer(gpu, 'index', mesh.indices));
       this.uvs = mesh.uvs && owner.own(new Buffer(gpu, 'vertex', mesh.uvs));
     } catch (error) {
       owner.dispose();
       throw error;
     }
+  }
+
+  /**
+   * How many indices of a submesh belong to closed surfaces; these come first. None are known in the
+   * first picture.
+   */
+  closedCount(submesh: Submesh): number {
+    const code = refinement.loaded;
+    if (code && !this.closedCounts) {
+      const { indices, closedCounts } = code.closedTriangles(this.mesh);
+      this.indices.write(indices);
+      this.closedCounts = closedCounts;
+    }
+    return this.closedCounts?.get(submesh) ?? 0;
   }
 
   dispose(): void {

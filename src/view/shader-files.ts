@@ -21,7 +21,7 @@ addShaderFiles(
       '../../shaders/lib/*.glsl',
       '!**/lib/quaternions.glsl',
       '../../shaders/skinning/{stage.*,linear-blend}.glsl',
-      '../../shaders/passes/{backdrop,blur,contact-shadow,floor,key-shadow,mesh}.*.glsl',
+      '../../shaders/passes/{backdrop,floor,key-shadow,mesh}.*.glsl',
     ],
     { query: '?raw', import: 'default', eager: true },
   ),

@@ -200,7 +200,7 @@ export class SkinnedMesh {
   drawSolid(program: Program, submesh: Submesh): void {
     const { gl } = this.gpu;
     const { firstIndex, indexCount } = submesh;
-    const closed = this.shared.value.closedCounts.get(submesh) ?? 0;
+    const closed = this.shared.value.closedCount(submesh);
     this.bind(program);
     gl.enable(gl.CULL_FACE);
     this.drawRun(firstIndex, closed);

@@ -17,6 +17,7 @@ import type { Pace } from './pace.ts';
 import type { Pass } from './pass.ts';
 import { firstPasses } from './passes/first.ts';
 import { sceneBounds } from '../evaluation/scene-bounds.ts';
+import { refinement } from './refinement.ts';
 import { Renderer } from './renderer.ts';
 import { type RenderView, sideBySide, type ViewContent } from './render-view.ts';
 import type { LayoutChoice } from './skinned-mesh.ts';
@@ -296,6 +297,7 @@ export class Viewer {
       methods: this.contents.map(({ overrides }) =>
         this.evaluations.visible(overrides).map(({ method }) => method),
       ),
+      refined: refinement.loaded,
       device: session.skinDevice.value,
       options: viewOptionsOf(session, this.store.scene.value),
       theme: this.theme.value,

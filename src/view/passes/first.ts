@@ -10,11 +10,4 @@ export const firstPasses: readonly Pass[] = [floorPass, backdropPass, meshPass];
  * The programs of the first picture, which are compiled while its character is read. Other programs
  * are compiled for the first picture that they are in.
  */
-export const firstPrograms: readonly string[] = [
-  'key-shadow',
-  'contact-shadow',
-  'blur',
-  'floor',
-  'backdrop',
-  'mesh',
-];
+export const firstPrograms: readonly string[] = ['key-shadow', 'floor', 'backdrop', 'mesh'];
