@@ -53,6 +53,7 @@ test('the first picture needs at most 60 KB of gzipped scripts', async () => {
   expect(sizes.filter(([name]) => name.includes('.wasm'))).toEqual([
     [expect.stringMatching(/\.wasm \(later\)$/), expect.any(Number)],
   ]);
+  expect(sizes.map(([name]) => name)).toContainEqual(expect.stringMatching(/^refined.*\(later\)$/));
   expect(total).toBeLessThanOrEqual(60 * kilobyte);
   expect(sizes.length, 'the panels come later').toBeGreaterThan(early.length);
 });
