@@ -48,7 +48,7 @@ function stripOf(
   const { methods, base, size, actor } = suite;
   const [{ width: side }] = drawn.get(rows[0]!) as [Picture];
   const rowHeight = labelHeight + side + figureHeight + gap;
-  const blockWidth = methods.length * (side + gap) + gap;
+  const blockWidth = methods.length * (side + gap) + 2 * gap;
   // Several poses beside each other, so that the picture fits a page.
   const across = Math.max(1, Math.round(Math.sqrt((rows.length * rowHeight) / (1.4 * blockWidth))));
   const down = Math.ceil(rows.length / across);
@@ -75,7 +75,7 @@ function stripOf(
     const top = margin + head + (at % down) * rowHeight;
     context.fillStyle = colors.text;
     const label = stressLabel(actor.character.skeleton, row.pose);
-    write(label, left, top + 28, '600 18px', blockWidth - 2 * gap);
+    write(label, left, top + 28, '600 18px', blockWidth - 3 * gap);
     methods.forEach((method, index) => {
       const x = left + index * (side + gap);
       context.fillStyle = colors.text;

@@ -11,7 +11,7 @@ import { poseView } from './pose-picture.ts';
 /** The least and the most that is shown around a joint, in heights of the character. */
 const [nearest, farthest] = [0.06, 0.4];
 /** The room around what bends with a joint, as a factor. */
-const margin = 1.6;
+const margin = 1.4;
 /** How much a profile is seen from the preferred side, and how far an eye rises, in radians. */
 const [tilt, highest] = [0.5, 1.1];
 /** So near to the middle of the scene, a joint is on no side. */
