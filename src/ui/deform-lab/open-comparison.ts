@@ -40,8 +40,8 @@ export async function toggleComparison(editor: Looking & Telling): Promise<void>
 async function openComparison(editor: Looking & Telling): Promise<void> {
   const { store, session, evaluations, notice } = editor;
   const actor = selectedActor(store, session);
-  if (!actor) {
-    notice.value = 'There is no character whose methods could be compared';
+  if (!actor || actor.character.mesh.pointCount === 0) {
+    notice.value = 'There is no character with a mesh whose methods could be compared';
     return;
   }
   const blends = actor.method === 'linear-blend';

@@ -96,7 +96,7 @@ export class SweepLab {
   /** Sweeps from the pose that is shown now. */
   sweep(): void {
     const [actor, range, ids] = [this.actor.peek(), this.range.peek(), this.chosen.peek()];
-    if (!actor || !range || ids.length === 0) {
+    if (!actor?.character.mesh.pointCount || !range || ids.length === 0) {
       this.measurement.cancel();
       return;
     }

@@ -5,12 +5,16 @@ import { goToSection } from '../toggle-lab.ts';
 
 /** Closes the inspector, or opens it at a vertex that tells much. */
 export async function toggleInspector(editor: Editor): Promise<void> {
-  const { session, tab } = editor;
+  const { session, tab, notice } = editor;
   if (session.inspectedPoint.value !== null && tab.value === 'deform') {
     session.inspectedPoint.value = null;
     return;
   }
   session.inspectedPoint.value ??= tellingPoint(editor);
+  if (session.inspectedPoint.value === null) {
+    notice.value = 'There is no character with a mesh whose vertices could be inspected';
+    return;
+  }
   await goToSection(editor, 'deform', 'vertex-inspector');
 }
 

@@ -9,7 +9,7 @@ import {
   setInfluencesOf,
 } from '../../document/skin-edits.ts';
 import type { Gesture } from '../../document/store.ts';
-import type { Looking } from '../editor.ts';
+import type { Looking, Telling } from '../editor.ts';
 
 /** The inspected vertex, with its weights as they are edited. */
 export interface EditedVertex {
@@ -44,15 +44,19 @@ export function setRow(
   else store.dispatch(edit);
 }
 
-export function canNormalize({ row }: EditedVertex): boolean {
+function canNormalize({ row }: EditedVertex): boolean {
   const sum = sumOf(row);
   return Math.abs(sum) > 1e-6 && Math.abs(sum - 1) > 1e-6;
 }
 
 /** Divides the vertex's weights by their sum. */
-export function normalizeVertex(editor: Looking): void {
+export function normalizeVertex(editor: Looking & Telling): void {
   const vertex = editedVertex(editor);
-  if (!vertex || !canNormalize(vertex)) return;
+  if (!vertex) return;
+  if (!canNormalize(vertex)) {
+    editor.notice.value = 'The weights of this vertex sum to 1 already, or to 0';
+    return;
+  }
   const sum = sumOf(vertex.row);
   const row = vertex.row.map(({ entry, weight }) => ({ entry, weight: weight / sum }));
   setRow(editor, vertex, row, `Normalize the weights of vertex ${vertex.point}`);

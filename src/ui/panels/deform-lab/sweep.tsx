@@ -21,7 +21,10 @@ export function Sweep({ editor }: { readonly editor: Editor }) {
   const { measurement } = lab;
   const [progress, sweep] = [measurement.progress.value, measurement.result.value];
   const [actor, joint, range] = [lab.actor.value, lab.joint.value, lab.range.value];
-  if (!actor || joint === null || !range) return <p class="hint">No joint of it can turn.</p>;
+  if (!actor || actor.character.mesh.pointCount === 0) {
+    return <p class="hint">Select a character with a mesh.</p>;
+  }
+  if (joint === null || !range) return <p class="hint">No joint of it can turn.</p>;
   const { skeleton } = actor.character;
   const savePicture = (): void => {
     const elements = [volumes.current, sections.current].filter((element) => element !== null);
