@@ -1,13 +1,22 @@
 import { readFileSync } from 'node:fs';
 import { expect } from '@playwright/test';
 import { PNG } from 'pngjs';
-import { capture, choose, getPose, openApp, openTab, setPose, startOver } from './support/app.ts';
+import {
+  capture,
+  chooseFromMenu,
+  getPose,
+  openApp,
+  openTab,
+  setPose,
+  startOver,
+} from './support/app.ts';
 import { onlyColors, violations } from './support/axe.ts';
 import { countedUser } from './support/counted-user.ts';
 import { courseCharacter } from './support/course-character.ts';
-import { find } from './support/find-limb.ts';
+import type { Place } from './support/find-limb.ts';
 import { expectPicture } from './support/pictures.ts';
 import { sharedPage, test } from './support/test.ts';
+import { touchUser } from './support/touch-user.ts';
 
 test.use({ viewport: { width: 900, height: 560 } });
 const page = sharedPage((page) => openApp(page, 'model=human'));
@@ -17,6 +26,12 @@ const canvas = () => page().locator('canvas.scene');
 const offered = (name: string) => page().locator('.comparison-foot').getByRole('button', { name });
 const mark = () => page().getByRole('button', { name: /^Largest difference of/ });
 const wipe = () => page().getByRole('slider', { name: /^Wipe between/ });
+const ring = () => page().locator('.worst-mark .ring');
+const explained = (name: string) =>
+  page().locator('.vertex-inspector').getByRole('region', { name });
+/** What changes the comparison, over the view. */
+const change = (command: string) =>
+  page().locator(`.change-comparison [data-command="${command}"]`);
 const settled = () => page().evaluate(() => window.sinew.settled());
 const small = { width: 320, height: 320 };
 
@@ -40,37 +55,76 @@ async function seen(): Promise<PNG> {
   return PNG.sync.read(bytes);
 }
 
-/** The view as the page shows it, with what is drawn over the scene. */
-async function shown(): Promise<Buffer> {
-  return PNG.sync.write(await seen());
+/** Compares the view with what the lab shows over it, without the tools and hints that others have. */
+async function expectWalked(name: string): Promise<void> {
+  await settled();
+  const others = '.overlay > :not(.compared, .worst-mark, .wipe, .comparison-foot)';
+  const show = (visibility: string) =>
+    page().evaluate(
+      ([others, visibility]) => {
+        for (const each of document.querySelectorAll<HTMLElement>(others!)) {
+          each.style.visibility = visibility!;
+        }
+        (document.activeElement as HTMLElement | null)?.blur();
+        return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+      },
+      [others, visibility],
+    );
+  await show('hidden');
+  expectPicture(name, await canvas().screenshot());
+  await show('');
+}
+
+async function drag(from: Place, toX: number, toY: number): Promise<void> {
+  await page().mouse.move(from.x, from.y);
+  await page().mouse.down();
+  await page().mouse.move((from.x + toX) / 2, (from.y + toY) / 2);
+  await page().mouse.move(toX, toY);
+  await page().mouse.up();
 }
 
 /** Columns of pixels, which are parts of the width, in one list. */
 function columns({ data, width, height }: PNG, from: number, to: number): Buffer {
-  const [left, right] = [Math.ceil(from * width) + 3, Math.floor(to * width) - 3];
+  const [left, right] = [from, to].map((part) => Math.round(part * width));
   return Buffer.concat(
-    Array.from({ length: height - 6 }, (_, y) =>
-      data.subarray(((y + 3) * width + left) * 4, ((y + 3) * width + right) * 4),
+    Array.from({ length: height }, (_, y) =>
+      data.subarray((y * width + left!) * 4, (y * width + right!) * 4),
     ),
   );
 }
 
-test('x shows where two methods differ most, in a pose that tells it, and gives all back', async () => {
+const middleOf = ({ x, width }: { readonly x: number; readonly width: number }) => x + width / 2;
+
+test('four actions lead from x to the reason of the largest difference, and back', async () => {
   await setPose(page(), {});
   const [before, plain] = [await getPose(page()), await capture(page(), 'png', small)];
+  // A key that is pressed twice before the lab is there closes it again.
+  await press('x');
+  await page().keyboard.press('x');
+  await settled();
+  await expect(page().locator('.compared')).toHaveCount(0);
+
   await press('x');
   await expect(page().locator('.offered')).toContainText('hardly differ');
-  await settled();
-  expectPicture('lab-at-rest', await capture(page(), 'png', small));
+  await expectWalked('lab-at-rest');
+
   await offered('Twist the forearm').click();
-  await settled();
   await expect(mark()).toHaveText(/^0\.\d+ \([1-9](\.\d+)? %\)$/);
   await expect(page().locator('.offered')).toHaveCount(0);
   await expect(page().locator('.compared')).toHaveText('Linear blend (SSD)Dual quaternions');
-  expectPicture('lab-wipe', await capture(page(), 'png', small));
+  const [wiped, marked] = await Promise.all([wipe().boundingBox(), ring().boundingBox()]);
+  expect(Math.abs(middleOf(wiped!) - middleOf(marked!)), 'the wipe is at the place').toBeLessThan(
+    2,
+  );
+  await expectWalked('lab-wipe');
+
   await mark().click();
   await expect(mark()).toHaveAttribute('aria-pressed', 'true');
-  await press('x');
+  await expect(explained('w·T·B⁻¹·p, and their sum: the vertex')).toBeVisible();
+  await expect(explained('That motion of p: the vertex')).toBeVisible();
+  await expectWalked('lab-inspector');
+
+  await press('Escape');
   await expect(mark()).toHaveCount(0);
   expect(await getPose(page())).toEqual(before);
   expect((await capture(page(), 'png', small)).equals(plain), 'the camera is back').toBe(true);
@@ -90,8 +144,6 @@ test('a click on the mark explains the vertex by both methods, and its weights a
   await expect(place).toHaveText(/^Σ(-?\d\.\d{4}){3}$/);
   await expect(last('That motion of p: the vertex')).toBeVisible();
   expect(await violations(page())).toEqual([]);
-  await settled();
-  expectPicture('lab-inspector', await shown());
   const [vertex, before] = [await number.inputValue(), await place.textContent()];
   const slider = inspector.getByRole('slider').first();
   await slider.fill('0.9');
@@ -119,51 +171,28 @@ test('a click on the mark explains the vertex by both methods, and its weights a
   await startOver(page());
 });
 
-test('each part is the picture of its method there, pixel for pixel', async () => {
-  await setPose(page(), {});
-  await press('x');
-  await offered('Bend the elbow').click();
-  const bent = await getPose(page());
-  // A camera that the user has moved stays where it is at the end; the offered pose does not.
-  await press('ArrowRight');
-  const at = await wipe().boundingBox();
-  await wipe().focus();
-  for (const key of ['ArrowRight', 'ArrowRight', 'ArrowLeft']) await page().keyboard.press(key);
-  expect((await wipe().boundingBox())!.x).toBeGreaterThan(at!.x);
-  const place = Number(await wipe().getAttribute('aria-valuenow')) / 100;
-  await openTab(page(), 'deform');
-  const wiped = await seen();
-  await choose(page(), 'Compare with', 'Nothing');
-  await setPose(page(), bent);
-  const linear = await seen();
-  await choose(page(), 'Method', 'Dual quaternions · dqs');
-  const dual = await seen();
-  const [left, right] = [place - 0.01, place + 0.01];
-  expect(columns(linear, 0, 1).equals(columns(dual, 0, 1))).toBe(false);
-  expect(columns(wiped, 0, left).equals(columns(linear, 0, left)), 'left').toBe(true);
-  expect(columns(wiped, right, 1).equals(columns(dual, right, 1)), 'right').toBe(true);
-  await startOver(page());
-});
-
-test('in each part the pointer lights limbs, and undo and the camera work', async () => {
+test('in each part poses are dragged, and undo and the camera work', async () => {
+  test.setTimeout(60_000);
   await setPose(page(), {});
   await press('x');
   await offered('Twist the forearm').click();
   const twisted = await getPose(page());
-  await openTab(page(), 'deform');
-  await page().locator('.deform-lab').getByRole('button', { name: 'Side by side' }).click();
+  await change('comparison-layout').click();
   const { x, y, width, height } = (await canvas().boundingBox())!;
   for (const part of [0, 1]) {
     const middle = { x: x + ((part + 0.5) * width) / 2, y: y + height / 2 };
-    const near = 0.12 * width;
-    const from = { x: middle.x - near, y: middle.y - near };
-    const to = { x: middle.x + near, y: middle.y + near };
-    await find(page(), from, to, 16, { limb: 'Right forearm' });
+    const marked = (await ring().nth(part).boundingBox())!;
+    const arm = { x: middleOf(marked), y: marked.y + marked.height / 2 };
+    await page().mouse.click(arm.x, arm.y);
+    // The drag ends in the other part, as if its own went on there.
+    await drag(arm, middle.x + (part === 0 ? width / 2 : -width / 2), arm.y - 30);
+    const dragged = await getPose(page());
+    expect(dragged, 'a drag poses').not.toEqual(twisted);
+    await page().locator('.top [data-command="undo"]').click();
+    expect(await getPose(page())).toEqual(twisted);
     const seenBefore = await capture(page(), 'png', small);
-    await page().mouse.move(middle.x, y + height - 30);
-    await page().mouse.down();
-    await page().mouse.move(middle.x + 20, y + height - 30, { steps: 2 });
-    await page().mouse.up();
+    const free = { x: middle.x, y: y + height - 30 };
+    await drag(free, free.x + 20, free.y);
     expect((await capture(page(), 'png', small)).equals(seenBefore)).toBe(false);
   }
   await page().locator('.top [data-command="undo"]').click();
@@ -172,15 +201,40 @@ test('in each part the pointer lights limbs, and undo and the camera work', asyn
   expect(await getPose(page())).toEqual(twisted);
 });
 
+test('a wipe is moved by a finger and by keys, and stays at its part of another window', async () => {
+  await change('comparison-layout').click();
+  const place = async () => Number(await wipe().getAttribute('aria-valuenow'));
+  await wipe().focus();
+  await page().keyboard.press('Home');
+  expect(await place()).toBe(0);
+  for (const key of ['ArrowRight', 'ArrowUp', 'ArrowLeft']) await page().keyboard.press(key);
+  expect(await place()).toBe(2);
+  const grip = (await wipe().boundingBox())!;
+  const { width } = (await canvas().boundingBox())!;
+  const { stroke } = await touchUser(page());
+  await stroke({ x: middleOf(grip), y: grip.y + grip.height / 2 }, 0.5 * width, 3);
+  expect(Math.abs((await place()) - 52)).toBeLessThanOrEqual(1);
+  await page().setViewportSize({ width: 560, height: 760 });
+  await settled();
+  const [moved, view] = await Promise.all([wipe().boundingBox(), canvas().boundingBox()]);
+  expect(Math.abs((middleOf(moved!) - view!.x) / view!.width - 0.52)).toBeLessThan(0.01);
+  await page().setViewportSize({ width: 900, height: 560 });
+});
+
 test('the lab has its numbers in colors and in a table that can be read aloud', async () => {
   const lab = page().locator('.deform-lab');
+  await openTab(page(), 'deform');
   await lab.getByRole('button', { name: 'Differences in color' }).click();
   await lab.getByRole('button', { name: 'Side by side' }).click();
   await settled();
   await expect(page().getByRole('region', { name: 'Legend of the differences' })).toContainText(
     '%',
   );
-  expectPicture('lab-heat', await capture(page(), 'png', small));
+  const [saved] = await Promise.all([
+    page().waitForEvent('download'),
+    lab.locator('[data-command="save-picture"]').click(),
+  ]);
+  expectPicture('lab-saved', readFileSync(await saved.path()));
   const row = lab.getByRole('row', { name: /^dqs/ });
   await expect(row).toContainText(/0\.0\d+/);
   // Times come when the page was quiet for a moment.
@@ -220,4 +274,65 @@ test('an engineer compares methods on own file and pose, and saves numbers and p
   }
   expect(user.presses).toBe(6);
   await press('x');
+});
+
+test('a teacher shows the twisted tube under three methods: 5 presses', async () => {
+  await chooseFromMenu(page(), 'New');
+  const user = countedUser(page());
+  await user.click(page().getByRole('button', { name: 'Add…' }));
+  const gallery = page().getByRole('dialog');
+  await user.click(gallery.getByRole('button', { name: 'Twisting tube', exact: true }));
+  await expect(page().locator('header.subject')).toContainText('tube');
+  await settled();
+  await user.click(page().getByRole('button', { name: /^Compare skinning methods/ }));
+  await expect(page().locator('.compared')).toContainText('Dual quaternions');
+  await user.click(change('compare-one-more'));
+  await expect(page().locator('.compared')).toContainText('Centers of rotation');
+  await user.click(change('comparison-layout'));
+  await settled();
+  expect(user.presses).toBeLessThanOrEqual(5);
+  await expectWalked('lab-tube');
+});
+
+test('two, three and four parts, and those of a wipe, are the pictures there, pixel for pixel', async () => {
+  test.setTimeout(60_000);
+  const { width, height } = PNG.sync.read(await canvas().screenshot());
+  const methods = ['linear-blend', 'dual-quaternion', 'centers-of-rotation', 'delta-mush'] as const;
+  /** One method as if it had the whole view, or a part of that width. */
+  const single = async (index: number, size: { readonly width: number }): Promise<PNG> =>
+    PNG.sync.read(await capture(page(), 'png', { height, ...size }, [{ method: methods[index]! }]));
+  const expectParts = async (count: number): Promise<void> => {
+    const parts = await seen();
+    const each = Math.floor(width / count);
+    for (let index = 0; index < count; index++) {
+      const from = index * each;
+      const part = { width: index === count - 1 ? width - from : each };
+      const [shown, expected] = [
+        columns(parts, from / width, (from + part.width) / width),
+        columns(await single(index, part), 0, 1),
+      ];
+      expect(shown.equals(expected), `part ${index + 1} of ${count}`).toBe(true);
+    }
+  };
+  await expectParts(3);
+  await change('compare-one-more').click();
+  await expect(page().locator('.compared')).toContainText('Delta mush');
+  await expectParts(4);
+  await change('comparison-layout').click();
+  const wiped = await seen();
+  const wholes = await Promise.all([0, 1, 2, 3].map((index) => single(index, { width })));
+  for (const [index, whole] of wholes.entries()) {
+    // Parts of a wipe begin at even pixels.
+    const [from, to] = [index, index + 1].map((i) => (2 * Math.round((i / 8) * width)) / width);
+    const part = [from!, to!] as const;
+    expect(columns(wiped, ...part).equals(columns(whole, ...part)), `wipe ${index}`).toBe(true);
+  }
+  await openTab(page(), 'deform');
+  for (const name of ['Delta mush', 'Centers of rotation']) {
+    await page()
+      .getByRole('button', { name: `Compare without ${name}` })
+      .click();
+  }
+  await change('comparison-layout').click();
+  await expectParts(2);
 });

@@ -38,7 +38,7 @@ export function MethodChoices({ editor }: { readonly editor: Looking }) {
           >
             <option value={method}>
               {menuName(kernel)}
-              {method === 'own' && ' (its own)'}
+              {method === 'own' && ' (own)'}
             </option>
             {!methods.includes('own') && <option value="own">Its own</option>}
             {furtherKernels(editor).map((each) => (

@@ -24,27 +24,30 @@ export function WorstMark({ editor, compared, columns }: WorstMarkProperties) {
   const text = differenceText(worst!.difference.largest, size);
   const { inspectedPoint } = session;
   const isOpen = inspectedPoint.value === place.point;
+  const [from, to] = [place.base, place.other].map((each) => {
+    const [x, y] = viewPlace(camera, viewer.aspect, each);
+    return [x * 100, y * 100] as const;
+  });
+  if (to!.some((each) => each < 0 || each > 100)) return null;
   return (
     <>
       {Array.from({ length: columns }, (_, column) => {
-        const [from, to] = [place.base, place.other].map((each) => {
-          const [x, y] = viewPlace(camera, viewer.aspect, each);
-          return [((x + column) / columns) * 100, y * 100] as const;
-        });
-        const isIn = to![0] > (column / columns) * 100 && to![0] < ((column + 1) / columns) * 100;
-        if (!isIn || to![1] < 0 || to![1] > 100) return null;
+        const view = {
+          left: `${(column / columns) * 100}%`,
+          width: `${100 / columns}%`,
+        };
         return (
-          <div key={column} class="worst-mark">
+          <div key={column} class="worst-mark" style={view}>
             <svg aria-hidden="true">
               <line x1={`${from![0]}%`} y1={`${from![1]}%`} x2={`${to![0]}%`} y2={`${to![1]}%`} />
               <circle cx={`${from![0]}%`} cy={`${from![1]}%`} r="3" />
               <circle cx={`${to![0]}%`} cy={`${to![1]}%`} r="8" class="ring" />
             </svg>
-            {(columns === 1 || compared.rows[column] === worst) && (
+            {(columns === 1 || compared.rows[column]!.method === worst!.method) && (
               <button
                 type="button"
-                class={to![0] / 100 > (column + 0.6) / columns ? 'to-left' : ''}
-                style={{ left: `${to![0]}%`, top: `${to![1]}%` }}
+                class={to![0] > 60 ? 'to-left' : ''}
+                style={{ '--x': `${to![0]}%`, top: `${to![1]}%` }}
                 aria-pressed={isOpen}
                 aria-label={`Largest difference of ${worst!.kernel.label} from ${base.kernel.label}: ${text}, vertex ${place.point}. Inspect it`}
                 title={`Vertex #${place.point}: inspect it`}
