@@ -14,6 +14,7 @@ import { addShot } from '../../src/document/shots.ts';
 import { Store } from '../../src/document/store.ts';
 import { comparisonOf } from '../../src/document/comparison.ts';
 import { cuttingSettings } from '../../src/ui/deform-lab/cutting-settings.ts';
+import { showsStressSheet } from '../../src/ui/deform-lab/measures-open.ts';
 import type { Figure } from '../../src/ui/deform-lab/figure-paths.ts';
 import { Evaluations } from '../../src/evaluation/evaluations.ts';
 import { Transport } from '../../src/document/transport.ts';
@@ -167,7 +168,8 @@ describe('the palette', () => {
     session.selectedKeys.value = keys;
     copiedKeys.value = copyKeys(clips[clip ?? 0]!, keys);
     for (const id of listed()) seen.add(id);
-    // Two methods are compared, and a plane cuts the character.
+    // Two methods are compared, a plane cuts the character, and the stress suite has run.
+    showsStressSheet.value = true;
     session.comparison.value = comparisonOf(['linear-blend', 'rigid']);
     cuttingSettings(session).figure.value = {} as Figure;
     for (const id of listed()) seen.add(id);
