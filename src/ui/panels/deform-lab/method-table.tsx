@@ -80,5 +80,7 @@ export function MethodTable({ editor, compared }: MethodTableProperties) {
 /** @param time in milliseconds; null where the device does not compute the method */
 function timeText(time: number | null | undefined): string {
   if (time === undefined) return '…';
-  return time === null ? '–' : time.toFixed(time < 1 ? 2 : 1);
+  if (time === null) return '–';
+  // Clocks of browsers have steps of a tenth of a millisecond.
+  return time < 0.1 ? '< 0.1' : time.toFixed(1);
 }
