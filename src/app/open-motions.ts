@@ -1,4 +1,7 @@
 import type { Diagnostic } from '../core/diagnostics.ts';
+import type { ClipParts } from '../core/motion/clip-parts.ts';
+import { bindClip } from '../document/edits.ts';
+import type { Actor } from '../document/scene.ts';
 import { baseName, extensionOf } from '../formats/file-entry.ts';
 import type { FileEntry } from '../formats/format.ts';
 import { openMotion } from '../ui/open-motion.ts';
@@ -22,10 +25,9 @@ export async function motionsAmong(
   { selected, openedFiles }: FileOpener,
   problems: Diagnostic[],
 ): Promise<Sorted> {
-  const areAlone = parts.every(({ path }) => extensionOf(path) === '.anim');
   const complete = hasClipFiles(openedFiles?.character.meta.format);
   const isPosable = (selected?.character.skeleton.jointCount ?? 0) > 0;
-  if (parts.length === 0 || !areAlone || complete || !isPosable) return { motions, parts };
+  if (!areMotions(parts) || complete || !isPosable) return { motions, parts };
   const read: PoseFile[] = [];
   for (const file of parts) {
     const bytes = await readBytes(file, problems);
@@ -48,6 +50,30 @@ export function openMotions(
     openMotion({ store, session }, baseName(path), bytes, problems),
   );
   return said.at(-1);
+}
+
+/** Whether nothing but `.anim` files came. */
+export function areMotions(parts: readonly FileEntry[]): boolean {
+  return parts.length > 0 && parts.every(({ path }) => extensionOf(path) === '.anim');
+}
+
+/** The clip of the last file, if the character did not have it before. */
+export function clipOfLast(
+  parts: readonly FileEntry[],
+  { clips }: Partial<Pick<Actor, 'clips'>>,
+  before: Pick<Actor, 'clips'>,
+): ClipParts | undefined {
+  const clip = clips?.find(({ file }) => file === baseName(parts.at(-1)!.path));
+  return before.clips.some(({ name }) => name === clip?.name) ? undefined : clip;
+}
+
+/** Lets the selected character show the start of a clip that came for it. */
+export function showClip({ store, session, selected }: FileOpener, clip: ClipParts): void {
+  if (!selected) return;
+  session.playing.value = false;
+  session.clipIndex.value = selected.clips.indexOf(clip);
+  session.clipTime.value = clip.start;
+  store.amend(bindClip(selected.id, session.clipIndex.value));
 }
 
 /** Whether a character of this format comes with files of clips. */

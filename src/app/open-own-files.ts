@@ -1,5 +1,5 @@
 import type { Character } from '../core/character.ts';
-import type { Diagnostic } from '../core/diagnostics.ts';
+import { type Diagnostic, printable } from '../core/diagnostics.ts';
 import { setPoseAndShape } from '../document/saved-poses.ts';
 import { restPose, type Pose } from '../core/pose.ts';
 import { sourceOf } from '../document/scene.ts';
@@ -9,7 +9,7 @@ import { poseFormatOf } from '../formats/pose-formats.ts';
 import type { ReadCharacter, ReadProgress } from '../formats/read-characters.ts';
 import { areImages, coverWithImage } from './dropped-image.ts';
 import type { FileOpener, OpenOutcome } from './open-files.ts';
-import { motionsAmong, openMotions } from './open-motions.ts';
+import { areMotions, clipOfLast, motionsAmong, openMotions, showClip } from './open-motions.ts';
 import { loadBytes } from './read-bytes.ts';
 import { readFiles } from './read-files.ts';
 import {
@@ -88,15 +88,21 @@ export async function openOwnFiles(
     character && shown && (await readPoses({ poses, notes }, character, shown, problems));
   if (isOver()) return undefined;
   problems.push(...notes.flatMap(({ log }) => log.diagnostics));
+  const kept = first && renewed ? keptState(renewed, first.character) : undefined;
+  const newClip = kept && areMotions(parts) ? clipOfLast(parts, kept, renewed!) : undefined;
   if (first && renewed) {
-    const kept = keptState(renewed, first.character);
     opener.renew(first, renewed, {
       source: sourceOf(first.files),
       ...kept,
       ...(pose && { ...pose, clip: null }),
     });
-  } else if (first) opener.showAll(characters, { add }, pose);
-  else if (pose && opener.selected) {
+    if (newClip) showClip(opener, newClip);
+  } else if (first) {
+    opener.showAll(characters, { add }, pose);
+    const { showSkeleton } = opener.session;
+    // Whatever is switched on, something of a new character is seen.
+    showSkeleton.value ||= characters.every(({ character: { mesh } }) => mesh.pointCount === 0);
+  } else if (pose && opener.selected) {
     const { id, morphWeights } = opener.selected;
     opener.store.dispatch(setPoseAndShape(id, { morphWeights, ...pose }, 'Open a pose'));
   }
@@ -107,7 +113,11 @@ export async function openOwnFiles(
     found: characters,
     opened: first?.character ?? null,
     ...(first &&
-      renewed && { kept: `pose and camera kept${weightsText(renewed, first.character)}` }),
+      renewed && {
+        kept: newClip
+          ? `its motion ${printable(newClip.name, 40)} is shown`
+          : `pose and camera kept${weightsText(renewed, first.character)}`,
+      }),
     posed: pose !== undefined,
     ...(motion !== undefined && { motion }),
     ...(cover !== undefined && { cover }),

@@ -1,5 +1,6 @@
 import { printable } from '../core/diagnostics.ts';
 import { loadPart } from '../core/failure.ts';
+import type { Extrapolation } from '../core/motion/clip-parts.ts';
 import { setMethod } from '../document/edits.ts';
 import { setEnvironment } from '../document/environment-edits.ts';
 import { lightPresets } from '../document/light-presets.ts';
@@ -11,6 +12,7 @@ import { attempt } from './attempt.ts';
 import { type Command, keyName, runCommand } from './commands/command.ts';
 import { contexts } from './commands/contexts.ts';
 import { commandGroups } from './commands/registry.ts';
+import { continueCurves, continuedCurves, extrapolations } from './curve-editor/continue-curves.ts';
 import type { Editor } from './editor.ts';
 import { numberedNames } from './numbered-names.ts';
 import { otherPoseFormats } from './pose-files.ts';
@@ -39,6 +41,7 @@ export function paletteEntries(editor: Editor): readonly PaletteEntry[] {
     ),
     ...tabEntries(editor),
     ...workspaceEntries(editor),
+    ...curveEntries(editor),
     ...methodEntries(editor),
     ...characterEntries(editor),
     ...actorEntries(editor),
@@ -84,6 +87,21 @@ function tabEntries(editor: Editor): PaletteEntry[] {
 function workspaceEntries(editor: Editor): PaletteEntry[] {
   return editor.workspaces.map(({ id, label }) =>
     dataEntry('Looks', `look ${id}`, `${label} look`, () => editor.setWorkspace(id)),
+  );
+}
+
+/** How the curves of the selected keys, or the chosen curve, go on at each end. */
+function curveEntries(editor: Editor): PaletteEntry[] {
+  if (continuedCurves(editor).length === 0) return [];
+  return (['before', 'after'] as const).flatMap((end) =>
+    (Object.keys(extrapolations) as Extrapolation[]).map((rule) =>
+      dataEntry(
+        'Curves',
+        `continue ${end} ${rule}`,
+        `Continue the curves ${end} their keys: ${extrapolations[rule]}`,
+        () => continueCurves(editor, end, rule),
+      ),
+    ),
   );
 }
 

@@ -59,7 +59,7 @@ export function addKeyPointer(element: HTMLElement, shown: ShownRows): () => voi
             if (isDragged) return;
             press?.abort();
             selectAtMenu(shown, hit);
-            shown.openMenu(event.clientX, event.clientY);
+            shown.openMenu(event.clientX, event.clientY, true);
           }, longPress)
         : 0;
     const listening = { signal: press.signal };
@@ -106,6 +106,9 @@ export function addKeyPointer(element: HTMLElement, shown: ShownRows): () => voi
     );
   };
   element.addEventListener('pointerdown', onDown, { signal });
+  // A browser gives a touch to something near that listens to clicks, unless this does so too: the
+  // keys at the start of a clip would be hidden behind the names of their rows.
+  element.addEventListener('mousedown', () => undefined, { signal });
   element.addEventListener(
     'contextmenu',
     (event) => {
@@ -113,7 +116,7 @@ export function addKeyPointer(element: HTMLElement, shown: ShownRows): () => voi
       // A long press opened it already, and chose what it is for.
       if (event instanceof PointerEvent && event.pointerType === 'touch') return;
       selectAtMenu(shown, hitAt(shown, ...placeOf(event), reach.mouse));
-      shown.openMenu(event.clientX, event.clientY);
+      shown.openMenu(event.clientX, event.clientY, false);
     },
     { signal },
   );

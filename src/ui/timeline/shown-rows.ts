@@ -25,7 +25,8 @@ export interface ShownRows {
   /** Gives a row the focus, and reads its key at a time. */
   readonly focus: (row: TimelineRow, time: number | null) => void;
   showBox(box: KeyBox | null): void;
-  openMenu(x: number, y: number): void;
+  /** @param isHeld whether a finger that opens it is still down */
+  openMenu(x: number, y: number, isHeld: boolean): void;
   scroll(pixels: number): void;
 }
 

@@ -13,6 +13,8 @@ interface TimeHandleProperties {
   readonly class: string;
   /** In seconds. */
   readonly time: number;
+  /** Where it stands, in CSS pixels, if not at its time. */
+  readonly x?: number;
   /** Begins to change the time. */
   readonly begin: () => TimeDrag;
 }
@@ -73,7 +75,7 @@ export function TimeHandle(properties: TimeHandleProperties) {
       aria-valuenow={time}
       aria-valuetext={timeText(time, clip.fps, timeUnit.value)}
       title={label}
-      style={{ transform: `translateX(${xOfTime(timeWindow, width, time)}px)` }}
+      style={{ transform: `translateX(${properties.x ?? xOfTime(timeWindow, width, time)}px)` }}
       onPointerDown={onDown}
       onKeyDown={onKey}
     />

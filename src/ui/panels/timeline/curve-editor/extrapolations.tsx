@@ -1,16 +1,9 @@
 import { printable } from '../../../../core/diagnostics.ts';
 import type { Extrapolation } from '../../../../core/motion/clip-parts.ts';
 import { setExtrapolation } from '../../../../core/motion/edit/extrapolation.ts';
+import { extrapolations } from '../../../curve-editor/continue-curves.ts';
 import type { CurveModel } from '../../../curve-editor/curve-model.ts';
 import type { ShownCurve } from '../../../curve-editor/shown-curves.ts';
-
-const rules: Readonly<Record<Extrapolation, string>> = {
-  constant: 'constant',
-  linear: 'linear',
-  cycle: 'cycle',
-  cycle_offset: 'cycle with offset',
-  bounce: 'bounce',
-};
 
 const sides = { before: 'Before', after: 'After' } as const;
 
@@ -32,12 +25,12 @@ export function Extrapolations({ model, curve }: ExtrapolationsProperties) {
             value={curve.channel[side]}
             onChange={({ currentTarget }) => {
               const rule = currentTarget.value as Extrapolation;
-              model.edit(`Continue ${side} the keys: ${rules[rule]}`, (clip) =>
+              model.edit(`Continue ${side} the keys: ${extrapolations[rule]}`, (clip) =>
                 setExtrapolation(clip, curve.key, side, rule),
               );
             }}
           >
-            {Object.entries(rules).map(([rule, label]) => (
+            {Object.entries(extrapolations).map(([rule, label]) => (
               <option key={rule} value={rule}>
                 {label}
               </option>

@@ -22,6 +22,7 @@ import { pan } from './plot-window.ts';
 const [leastDrag, leastTouchDrag] = [3, 8];
 /** From how far a key or a handle is met, in pixels. */
 const [reach, touchReach] = [7, 22];
+const longPress = 500; // milliseconds
 
 /** A press of the pointer on the plot, until it is released. */
 interface Press {
@@ -46,6 +47,7 @@ interface Act {
 export function listenToPlot(view: PlotView): () => void {
   const { canvas, model, editor } = view;
   let press: Press | null = null;
+  let timer = 0;
   const placeOf = ({ clientX, clientY }: MouseEvent): Place => {
     const { left, top } = canvas.getBoundingClientRect();
     return { x: clientX - left, y: clientY - top };
@@ -58,6 +60,7 @@ export function listenToPlot(view: PlotView): () => void {
   });
   const stop = (): void => {
     press = null;
+    window.clearTimeout(timer);
     edges.end();
     window.removeEventListener('keydown', onKey, true);
   };
@@ -87,6 +90,22 @@ export function listenToPlot(view: PlotView): () => void {
     canvas.setPointerCapture(event.pointerId);
     window.addEventListener('keydown', onKey, true);
     choose(editor, model, press);
+    window.clearTimeout(timer);
+    if (!isTouch) return;
+    timer = window.setTimeout(() => {
+      if (press?.id !== id || press.act) return;
+      stop();
+      view.openMenu(event.clientX, event.clientY, true);
+    }, longPress);
+  };
+  /** Opens the menu of what is under the pointer, or of all that is selected if that is part of it. */
+  const onMenu = (event: MouseEvent): void => {
+    event.preventDefault();
+    // A long press opened it already.
+    if (event instanceof PointerEvent && event.pointerType === 'touch') return;
+    const hit = hitAt(view.shown(), placeOf(event), reach);
+    choose(editor, model, { hit, shift: false });
+    view.openMenu(event.clientX, event.clientY, false);
   };
   const onMove = (event: PointerEvent): void => {
     const to = placeOf(event);
@@ -111,11 +130,16 @@ export function listenToPlot(view: PlotView): () => void {
   canvas.addEventListener('pointermove', onMove);
   canvas.addEventListener('pointerup', onUp);
   canvas.addEventListener('pointercancel', cancel);
+  canvas.addEventListener('contextmenu', onMenu);
   return cancel;
 }
 
 /** Selects what is pressed, unless it is selected already and may be dragged with the others. */
-function choose({ session }: Editor, model: CurveModel, { hit, shift }: Press): void {
+function choose(
+  { session }: Editor,
+  model: CurveModel,
+  { hit, shift }: Pick<Press, 'hit' | 'shift'>,
+): void {
   if (hit.of !== 'nothing') model.fieldsAt.value = null;
   if (hit.of === 'line' || hit.of === 'key') model.chosen.value = hit.line.key;
   if (hit.of !== 'key') return;

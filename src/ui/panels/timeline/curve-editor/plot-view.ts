@@ -13,4 +13,10 @@ export interface PlotView {
   readonly shown: () => Shown;
   /** The rectangle by which keys are being selected, or null. */
   readonly chosenBox: Signal<Box | null>;
+  /**
+   * Opens the menu of the selected keys at a place of the page.
+   *
+   * @param isHeld whether a finger that opens it is still down
+   */
+  openMenu(x: number, y: number, isHeld: boolean): void;
 }

@@ -9,6 +9,7 @@ import type { ValueUnit } from '../../../curve-editor/value-axis.ts';
 import type { Editor } from '../../../editor.ts';
 import { timeUnit } from '../../../timeline/timeline-state.ts';
 import { onceAFrame } from '../../../once-a-frame.ts';
+import { KeyMenu, openMenuOfKeys } from '../dope-sheet/key-menu.tsx';
 import { drawPlot } from './draw-plot.ts';
 import { readColors } from './plot-colors.ts';
 import { listenToPlot } from './plot-pointer.ts';
@@ -25,13 +26,16 @@ interface PlotProperties {
 export function Plot({ editor, model, label }: PlotProperties) {
   const canvas = useRef<HTMLCanvasElement>(null);
   const probe = useRef<HTMLSpanElement>(null);
+  const menu = useRef<HTMLDivElement>(null);
   const size = useMemo(() => signal({ width: 1, height: 1 }), []);
   const chosenBox = useMemo(() => signal<Box | null>(null), []);
   const shown = (): Shown => shownOf(model, size.value);
 
   useEffect(() => {
     const element = canvas.current!;
-    const view: PlotView = { canvas: element, editor, model, shown, chosenBox };
+    const openMenu = (x: number, y: number, isHeld: boolean): void =>
+      openMenuOfKeys(menu.current!, x, y, isHeld);
+    const view: PlotView = { canvas: element, editor, model, shown, chosenBox, openMenu };
     const observer = new ResizeObserver(([entry]) => {
       const { width, height } = entry!.contentRect;
       size.value = { width: Math.max(1, width), height: Math.max(1, height) };
@@ -90,6 +94,7 @@ export function Plot({ editor, model, label }: PlotProperties) {
       <p class="telling" aria-hidden="true">
         {model.telling.value}
       </p>
+      <KeyMenu editor={editor} element={menu} />
     </div>
   );
 }

@@ -9,7 +9,7 @@ import { showsAllJoints } from '../../../timeline/timeline-state.ts';
 import { unkeyedRows } from '../../../timeline/unkeyed-rows.ts';
 import type { TimelineViewProperties } from '../../../timeline/views.ts';
 import { KeyCanvas } from './key-canvas.tsx';
-import { openKeyMenu, KeyMenu } from './key-menu.tsx';
+import { KeyMenu, openMenuOfKeys } from './key-menu.tsx';
 import { RowNames } from './row-names.tsx';
 import { ScaleBox } from './scale-box.tsx';
 import { walkRows } from './walk-rows.ts';
@@ -46,7 +46,7 @@ export function DopeSheet({ editor, actor, clip, timeWindow, width }: TimelineVi
       rowElement(names.current!, row.id)?.focus({ preventScroll: true });
     },
     showBox: setBox,
-    openMenu: (x, y) => openKeyMenu(menu.current!, x, y),
+    openMenu: (x, y, isHeld) => openMenuOfKeys(menu.current!, x, y, isHeld),
     scroll: (pixels) => (names.current!.scrollTop += pixels),
   };
   // Listeners stay while what is shown changes.

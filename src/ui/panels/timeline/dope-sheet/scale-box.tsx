@@ -14,7 +14,10 @@ interface ScaleBoxProperties {
   readonly width: number;
 }
 
-/** A band from the first selected key to the last one; each end scales the keys about the other. */
+/**
+ * A band from the first selected key to the last one; each end scales the keys about the other. An
+ * end out of view has its handle at the edge.
+ */
 export function ScaleBox({ editor, clip, timeWindow, width }: ScaleBoxProperties) {
   const span = spanOfKeys(clip, editor.session.selectedKeys.value);
   if (!span || span[1] - span[0] < keyGap) return null;
@@ -38,6 +41,7 @@ export function ScaleBox({ editor, clip, timeWindow, width }: ScaleBoxProperties
     number,
     number,
   ];
+  if (right < 0 || left > width) return null;
   const shared = { editor, clip, timeWindow, width };
   return (
     <>
@@ -50,6 +54,7 @@ export function ScaleBox({ editor, clip, timeWindow, width }: ScaleBoxProperties
         class="scale-start"
         label="First selected key: scales the others about the last one"
         time={first}
+        x={Math.max(left, 0)}
         begin={begin(first, last)}
       />
       <TimeHandle
@@ -57,6 +62,7 @@ export function ScaleBox({ editor, clip, timeWindow, width }: ScaleBoxProperties
         class="scale-end"
         label="Last selected key: scales the others about the first one"
         time={last}
+        x={Math.min(right, width)}
         begin={begin(last, first)}
       />
     </>
