@@ -22,8 +22,8 @@ function angle(joint: number, axis: 0 | 1 | 2, rule: Extrapolation = 'constant')
     keys: [0, 0.4, 1].map((time, at) => ({
       time,
       value: rest + Math.sin(at + axis) * 0.6,
-      tangentIn: 'auto',
-      tangentOut: 'auto',
+      tangentIn: 'auto' as const,
+      tangentOut: 'auto' as const,
     })),
   };
 }
