@@ -230,7 +230,9 @@ test('the plot is as expected, in light and dark colors that a checker accepts',
   // Whatever came before, all keys fill the plot and the list shows the row of the curve.
   await page().locator('.plot').focus();
   await page().keyboard.press('Control+a');
-  await timeline().locator('.curve-editor [data-command="frame-keys"]').click();
+  await timeline()
+    .getByRole('button', { name: 'Frame the selected keys, or all', exact: true })
+    .click();
   await timeline()
     .getByRole('button', { name: 'arm X', exact: true })
     .evaluate((row) => row.scrollIntoView({ block: 'end' }));

@@ -6,10 +6,11 @@ import { sweep as sweepCommand } from '../src/cli/sweep.ts';
 import { choose, openApp, openTab, setPose } from './support/app.ts';
 import { onlyColors, violations } from './support/axe.ts';
 import { expectPicture } from './support/pictures.ts';
-import { sharedPage, test } from './support/test.ts';
+import { drawPlainly, sharedPage, test } from './support/test.ts';
 
 test.use({ viewport: { width: 960, height: 900 } });
 const page = sharedPage(async (page) => {
+  await drawPlainly(page);
   await openApp(page, 'model=tube');
   await setPose(page, { joints: { '#2': [1.9, 0, 0] } });
 });

@@ -15,11 +15,14 @@ import { countedUser } from './support/counted-user.ts';
 import { courseCharacter } from './support/course-character.ts';
 import type { Place } from './support/find-limb.ts';
 import { expectPicture } from './support/pictures.ts';
-import { sharedPage, test } from './support/test.ts';
+import { drawPlainly, sharedPage, test } from './support/test.ts';
 import { touchUser } from './support/touch-user.ts';
 
 test.use({ viewport: { width: 900, height: 560 } });
-const page = sharedPage((page) => openApp(page, 'model=human'));
+const page = sharedPage(async (page) => {
+  await drawPlainly(page);
+  await openApp(page, 'model=human');
+});
 
 const canvas = () => page().locator('canvas.scene');
 /** A pose that is offered over the view; the Deform tab offers them as well. */
@@ -131,7 +134,6 @@ test('four actions lead from x to the reason of the largest difference, and back
 });
 
 test('a click on the mark explains the vertex by both methods, and its weights are edited there', async () => {
-  test.setTimeout(60_000);
   await setPose(page(), {});
   await press('x');
   await offered('Twist the forearm').click();
@@ -172,7 +174,6 @@ test('a click on the mark explains the vertex by both methods, and its weights a
 });
 
 test('in each part poses are dragged, and undo and the camera work', async () => {
-  test.setTimeout(60_000);
   await setPose(page(), {});
   await press('x');
   await offered('Twist the forearm').click();
@@ -295,7 +296,6 @@ test('a teacher shows the twisted tube under three methods: 5 presses', async ()
 });
 
 test('two, three and four parts, and those of a wipe, are the pictures there, pixel for pixel', async () => {
-  test.setTimeout(60_000);
   const { width, height } = PNG.sync.read(await canvas().screenshot());
   const methods = ['linear-blend', 'dual-quaternion', 'centers-of-rotation', 'delta-mush'] as const;
   /** One method as if it had the whole view, or a part of that width. */

@@ -83,6 +83,8 @@ test('natural joints keep the elbow in its plane, with ranges to edit', async ()
     await page().mouse.move(hand.x, hand.y);
     await page().mouse.down();
     await page().mouse.move(hand.x - 60, hand.y + 50, { steps: 2 });
+    // The pose goes on to the target for a few frames.
+    await page().evaluate(() => window.sinew.settled());
     await page().mouse.up();
     const { value } = poseFromJson('pose', JSON.parse(await pose()), skeleton);
     await page().keyboard.press('Control+z');

@@ -14,8 +14,9 @@ import { coarse, test } from './support/test.ts';
 import { touchUser } from './support/touch-user.ts';
 
 // What people come for, with the presses and drags that it may cost. By touch and by keyboard alone
-// the same can be done, at any cost.
+// the same can be done, at any cost; `npm run test:long -- jobs` does it so as well.
 test.use({ ...coarse, viewport: { width: 960, height: 540 } });
+const ways = process.env['JOBS_WAYS'] ?? 'pointer';
 
 const arm = 'Right forearm';
 const selected = (page: Page) => page.locator('[role=treeitem][aria-selected=true]');
@@ -105,6 +106,14 @@ async function expectAccessible(page: Page): Promise<void> {
   expect(await violations(page, { within })).toEqual([]);
   await page.emulateMedia({ colorScheme: 'dark' });
   expect(await violations(page, { within, ...onlyColors })).toEqual([]);
+}
+
+function asUploads() {
+  return courseCharacter().map(({ name, content }) => ({
+    name,
+    mimeType: 'application/octet-stream',
+    buffer: Buffer.from(content),
+  }));
 }
 
 test('a student drops a character, turns its elbow and saves the picture: 8 presses', async ({
@@ -235,226 +244,222 @@ test('a rigger finds the joint that owns a vertex, keeps four influences and rea
   expect(user.presses).toBeLessThanOrEqual(8);
 });
 
-test.describe('by touch', () => {
-  test.use({ ...coarse, viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+if (ways.includes('touch'))
+  test.describe('by touch', () => {
+    test.use({ ...coarse, viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
 
-  test('a student, a newcomer, a collector and a sharer reach their aims on a phone', async ({
-    page,
-  }) => {
-    await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
-    await visit(page);
-    const panels = page.getByRole('navigation', { name: 'Panels' });
+    test('a student, a newcomer, a collector and a sharer reach their aims on a phone', async ({
+      page,
+    }) => {
+      await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
+      await visit(page);
+      const panels = page.getByRole('navigation', { name: 'Panels' });
 
-    await test.step('the sharer', async () => {
-      await page.getByRole('button', { name: 'File', exact: true }).tap();
-      await page.getByRole('menuitem', { name: 'Copy link' }).tap();
-      await expect(page.locator('.status')).toContainText('Link copied');
+      await test.step('the sharer', async () => {
+        await page.getByRole('button', { name: 'File', exact: true }).tap();
+        await page.getByRole('menuitem', { name: 'Copy link' }).tap();
+        await expect(page.locator('.status')).toContainText('Link copied');
+      });
+
+      await test.step('the newcomer', async () => {
+        const { tap, stroke } = await touchUser(page);
+        const pose = await getPose(page);
+        await stroke(await partOfView(page, 0.46, 0.53), 12, 3);
+        expect(await getPose(page)).toEqual(pose);
+        const place = await findArm(page, ...firstArm);
+        await tap(place);
+        await expect(selected(page)).toHaveText(new RegExp(arm));
+        await stroke(place, 2, -24);
+        expect((await getPose(page)).joints![arm]).not.toEqual(pose.joints![arm]);
+        await page.getByRole('button', { name: 'Undo' }).tap();
+        expect(await getPose(page)).toEqual(pose);
+      });
+
+      await test.step('the collector', async () => {
+        await panels.getByText('Characters').tap();
+        for (const { label } of collected) {
+          await page.getByRole('button', { name: 'Add…' }).tap();
+          await page.getByRole('dialog').getByRole('button', { name: label, exact: true }).tap();
+          await expect(page.getByRole('dialog')).toHaveCount(0);
+        }
+        await expectCollected(page, 2);
+      });
+
+      await test.step('the student', async () => {
+        const chooser = page.waitForEvent('filechooser');
+        await page.getByRole('button', { name: 'File', exact: true }).tap();
+        await page.getByRole('menuitem', { name: 'Add files…' }).tap();
+        await (await chooser).setFiles(asUploads());
+        await page.getByRole('treeitem', { name: 'Right elbow' }).tap();
+        await panels.getByText('Pose').tap();
+        const field = page.locator('input[aria-label="Right elbow Z"]:visible');
+        await field.tap();
+        await field.fill('1.57');
+        await field.press('Enter');
+        await expectElbowTurned(page);
+        const download = page.waitForEvent('download');
+        await page.getByRole('button', { name: 'Save a picture' }).tap();
+        expect((await download).suggestedFilename()).toBe('course.png');
+      });
     });
 
-    await test.step('the newcomer', async () => {
+    const panelsOf = (page: Page) => page.getByRole('navigation', { name: 'Panels' });
+    /** Opens a character instead of the first scene, and leaves the sheet open. */
+    async function begin(page: Page, name: string): Promise<void> {
+      await visit(page);
+      await panelsOf(page).getByText('Characters').tap();
+      await page.getByRole('button', { name: 'Add…' }).tap();
+      await page.getByRole('dialog').getByRole('button', { name, exact: true }).tap();
+      await expect.poll(() => names(page)).toEqual([name.toLowerCase()]);
+    }
+
+    test('an artist reaches their aim on a phone', async ({ page }) => {
+      await begin(page, 'Human');
       const { tap, stroke } = await touchUser(page);
-      const pose = await getPose(page);
-      await stroke(await partOfView(page, 0.46, 0.53), 12, 3);
-      expect(await getPose(page)).toEqual(pose);
-      const place = await findArm(page, ...firstArm);
-      await tap(place);
-      await expect(selected(page)).toHaveText(new RegExp(arm));
-      await stroke(place, 2, -24);
-      expect((await getPose(page)).joints![arm]).not.toEqual(pose.joints![arm]);
-      await page.getByRole('button', { name: 'Undo' }).tap();
-      expect(await getPose(page)).toEqual(pose);
-    });
-
-    await test.step('the collector', async () => {
-      await panels.getByText('Characters').tap();
-      for (const { label } of collected) {
-        await page.getByRole('button', { name: 'Add…' }).tap();
-        await page.getByRole('dialog').getByRole('button', { name: label, exact: true }).tap();
-        await expect(page.getByRole('dialog')).toHaveCount(0);
+      const panels = panelsOf(page);
+      await tap(page.getByRole('button', { name: 'Duplicate the character' }));
+      await tap(panels.getByText('Characters'));
+      await tap(page.getByRole('button', { name: 'Frame the character' }));
+      await page.evaluate(() => window.sinew.settled());
+      const [before] = await turned(page);
+      for (const [right, down] of artistsArms) {
+        const place = await findArm(page, right, down);
+        await tap(place);
+        await expect(selected(page)).toHaveText(new RegExp(arm));
+        await stroke(place, 2, -24);
       }
-      await expectCollected(page, 2);
-    });
-
-    await test.step('the student', async () => {
-      const chooser = page.waitForEvent('filechooser');
-      await page.getByRole('button', { name: 'File', exact: true }).tap();
-      await page.getByRole('menuitem', { name: 'Add files…' }).tap();
-      await (await chooser).setFiles(asUploads());
-      await page.getByRole('treeitem', { name: 'Right elbow' }).tap();
-      await panels.getByText('Pose').tap();
-      const field = page.locator('input[aria-label="Right elbow Z"]:visible');
-      await field.tap();
-      await field.fill('1.57');
-      await field.press('Enter');
-      await expectElbowTurned(page);
+      for (const now of await turned(page)) expect(now).not.toEqual(before);
+      await tap(panels.getByText('Pose'));
+      await tap(page.locator('.lil-title').filter({ hasText: 'Light and floor' }));
+      const preset = page.locator('select[aria-label="Preset of light and floor"]');
+      await tap(preset);
+      await preset.selectOption('Low sun');
+      await tap(panels.getByText('Pose'));
+      await tap(page.getByRole('button', { name: 'Keep this view as a shot' }).first());
+      await page.locator('.shot-bar select').selectOption('4:5');
       const download = page.waitForEvent('download');
-      await page.getByRole('button', { name: 'Save a picture' }).tap();
-      expect((await download).suggestedFilename()).toBe('course.png');
+      await tap(page.getByRole('button', { name: 'Save a picture' }));
+      await expectPortrait(download);
+    });
+
+    test('a rigger reaches their aim on a phone', async ({ page }) => {
+      await begin(page, 'Dog');
+      const { tap } = await touchUser(page);
+      const panels = panelsOf(page);
+      await tap(panels.getByText('Characters'));
+      await tap(page.getByRole('button', { name: 'Show the weights in color' }));
+      await tap(await partOfView(page, 0.5, 0.5));
+      await expect(owner(page)).toHaveText(/^Chest\d\.\d{4}$/);
+      await tap(panels.getByText('Deform'));
+      await keep(page).selectOption('4');
+      await expect(weights(page)).toContainText(error);
+      await expect(owner(page), 'is still in sight').toBeInViewport();
     });
   });
 
-  const panelsOf = (page: Page) => page.getByRole('navigation', { name: 'Panels' });
-  /** Opens a character instead of the first scene, and leaves the sheet open. */
-  async function begin(page: Page, name: string): Promise<void> {
-    await visit(page);
-    await panelsOf(page).getByText('Characters').tap();
-    await page.getByRole('button', { name: 'Add…' }).tap();
-    await page.getByRole('dialog').getByRole('button', { name, exact: true }).tap();
-    await expect.poll(() => names(page)).toEqual([name.toLowerCase()]);
-  }
+if (ways.includes('keys'))
+  test.describe('by keyboard', () => {
+    test('by keyboard alone, a student, a newcomer, a collector and a sharer reach their aims', async ({
+      page,
+    }) => {
+      await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
+      await visit(page);
+      const { keyboard } = page;
+      const { command, tabTo } = keyboardUser(page);
 
-  test('an artist reaches their aim on a phone', async ({ page }) => {
-    await begin(page, 'Human');
-    const { tap, stroke } = await touchUser(page);
-    const panels = panelsOf(page);
-    await tap(page.getByRole('button', { name: 'Duplicate the character' }));
-    await tap(panels.getByText('Characters'));
-    await tap(page.getByRole('button', { name: 'Frame the character' }));
-    await page.evaluate(() => window.sinew.settled());
-    const [before] = await turned(page);
-    for (const [right, down] of artistsArms) {
-      const place = await findArm(page, right, down);
-      await tap(place);
-      await expect(selected(page)).toHaveText(new RegExp(arm));
-      await stroke(place, 2, -24);
-    }
-    for (const now of await turned(page)) expect(now).not.toEqual(before);
-    await tap(panels.getByText('Pose'));
-    await tap(page.locator('.lil-title').filter({ hasText: 'Light and floor' }));
-    const preset = page.locator('select[aria-label="Preset of light and floor"]');
-    await tap(preset);
-    await preset.selectOption('Low sun');
-    await tap(panels.getByText('Pose'));
-    await tap(page.getByRole('button', { name: 'Keep this view as a shot' }).first());
-    await page.locator('.shot-bar select').selectOption('4:5');
-    const download = page.waitForEvent('download');
-    await tap(page.getByRole('button', { name: 'Save a picture' }));
-    await expectPortrait(download);
+      await test.step('the sharer', async () => {
+        await command('Copy a link of the scene');
+        await expect(page.locator('.status')).toContainText('Link copied');
+      });
+
+      await test.step('the newcomer', async () => {
+        const [pose, first] = [await getPose(page), await capture(page)];
+        await keyboard.press('ArrowLeft');
+        expect((await capture(page)).equals(first), 'the camera turned').toBe(false);
+        await command(`Select ${arm}`);
+        await expect(page.getByRole('slider', { name: `${arm} X` })).toBeFocused();
+        await keyboard.press('PageUp');
+        expect((await getPose(page)).joints![arm]).not.toEqual(pose.joints![arm]);
+        await keyboard.press('ControlOrMeta+z');
+        expect(await getPose(page)).toEqual(pose);
+      });
+
+      await test.step('the collector', async () => {
+        for (const { label } of collected) {
+          await command('Add a character');
+          await expect(
+            page.getByRole('dialog').getByRole('button', { name: label }),
+          ).not.toHaveCount(0);
+          await tabTo(label);
+          await keyboard.press('Enter');
+          await expect(page.getByRole('dialog')).toHaveCount(0);
+        }
+        await expectCollected(page, 2);
+      });
+
+      await test.step('the student', async () => {
+        const chooser = page.waitForEvent('filechooser');
+        await command('Add files to the scene');
+        await (await chooser).setFiles(asUploads());
+        await expect.poll(async () => (await names(page)).includes('course')).toBe(true);
+        await command('Select Right elbow');
+        await expect(page.getByRole('slider', { name: 'Right elbow X' })).toBeFocused();
+        await tabTo('Right elbow Z');
+        if ((await page.evaluate(() => document.activeElement?.tagName)) !== 'INPUT') {
+          await keyboard.press('Tab');
+          await tabTo('Right elbow Z');
+        }
+        await keyboard.press('ControlOrMeta+a');
+        await keyboard.type('1.57');
+        await keyboard.press('Enter');
+        await expectElbowTurned(page);
+        const download = page.waitForEvent('download');
+        await command('Save a picture');
+        expect((await download).suggestedFilename()).toBe('course.png');
+      });
+    });
+
+    test('by keyboard alone, an artist and a rigger reach their aims', async ({ page }) => {
+      await visit(page);
+      const { keyboard } = page;
+      const { command } = keyboardUser(page);
+
+      await test.step('the artist', async () => {
+        await command('Open Human');
+        await expect.poll(() => names(page)).toEqual(['human']);
+        await keyboard.press('ControlOrMeta+d');
+        await expect.poll(() => names(page)).toHaveLength(2);
+        await keyboard.press('Home');
+        const [before] = await turned(page);
+        for (const name of ['human', 'human 2']) {
+          await command(`Select the character ${name}`);
+          await command(`Select ${arm}`);
+          await expect(page.getByRole('slider', { name: `${arm} X` })).toBeFocused();
+          await keyboard.press('PageUp');
+        }
+        for (const now of await turned(page)) expect(now).not.toEqual(before);
+        await command('Light: Low sun');
+        await command('Keep this view as a shot');
+        for (const aspect of ['1:1', '4:5']) {
+          await command(`Aspect of the shot: ${aspect}`);
+          await expect(page.locator('.shot-bar select')).toHaveValue(aspect);
+        }
+        const download = page.waitForEvent('download');
+        await command('Save a picture');
+        await expectPortrait(download);
+      });
+
+      await test.step('the rigger', async () => {
+        await command('Open Dog');
+        await expect.poll(() => names(page)).toContain('dog');
+        await command('Show the weights in color');
+        await command('Mark a vertex by its number');
+        await expect(page.getByRole('spinbutton', { name: 'Vertex number' })).toBeFocused();
+        await keyboard.type('4453');
+        await expect(owner(page)).toHaveText(/^Neck 60\.\d{4}$/);
+        await command('Keep influences: 4');
+        await expect(weights(page)).toContainText(error);
+        await expectAccessible(page);
+      });
+    });
   });
-
-  test('a rigger reaches their aim on a phone', async ({ page }) => {
-    await begin(page, 'Dog');
-    const { tap } = await touchUser(page);
-    const panels = panelsOf(page);
-    await tap(panels.getByText('Characters'));
-    await tap(page.getByRole('button', { name: 'Show the weights in color' }));
-    await tap(await partOfView(page, 0.5, 0.5));
-    await expect(owner(page)).toHaveText(/^Chest\d\.\d{4}$/);
-    await tap(panels.getByText('Deform'));
-    await keep(page).selectOption('4');
-    await expect(weights(page)).toContainText(error);
-    await expect(owner(page), 'is still in sight').toBeInViewport();
-  });
-});
-
-test('by keyboard alone, a student, a newcomer, a collector and a sharer reach their aims', async ({
-  page,
-}) => {
-  await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
-  await visit(page);
-  const { keyboard } = page;
-  const { command, tabTo } = keyboardUser(page);
-
-  await test.step('the sharer', async () => {
-    await command('Copy a link of the scene');
-    await expect(page.locator('.status')).toContainText('Link copied');
-  });
-
-  await test.step('the newcomer', async () => {
-    const [pose, first] = [await getPose(page), await capture(page)];
-    await keyboard.press('ArrowLeft');
-    expect((await capture(page)).equals(first), 'the camera turned').toBe(false);
-    await command(`Select ${arm}`);
-    await expect(page.getByRole('slider', { name: `${arm} X` })).toBeFocused();
-    await keyboard.press('PageUp');
-    expect((await getPose(page)).joints![arm]).not.toEqual(pose.joints![arm]);
-    await keyboard.press('ControlOrMeta+z');
-    expect(await getPose(page)).toEqual(pose);
-  });
-
-  await test.step('the collector', async () => {
-    for (const { label } of collected) {
-      await command('Add a character');
-      await expect(page.getByRole('dialog').getByRole('button', { name: label })).not.toHaveCount(
-        0,
-      );
-      await tabTo(label);
-      await keyboard.press('Enter');
-      await expect(page.getByRole('dialog')).toHaveCount(0);
-    }
-    await expectCollected(page, 2);
-  });
-
-  await test.step('the student', async () => {
-    const chooser = page.waitForEvent('filechooser');
-    await command('Add files to the scene');
-    await (await chooser).setFiles(asUploads());
-    await expect.poll(async () => (await names(page)).includes('course')).toBe(true);
-    await command('Select Right elbow');
-    await expect(page.getByRole('slider', { name: 'Right elbow X' })).toBeFocused();
-    await tabTo('Right elbow Z');
-    if ((await page.evaluate(() => document.activeElement?.tagName)) !== 'INPUT') {
-      await keyboard.press('Tab');
-      await tabTo('Right elbow Z');
-    }
-    await keyboard.press('ControlOrMeta+a');
-    await keyboard.type('1.57');
-    await keyboard.press('Enter');
-    await expectElbowTurned(page);
-    const download = page.waitForEvent('download');
-    await command('Save a picture');
-    expect((await download).suggestedFilename()).toBe('course.png');
-  });
-});
-
-test('by keyboard alone, an artist and a rigger reach their aims', async ({ page }) => {
-  await visit(page);
-  const { keyboard } = page;
-  const { command } = keyboardUser(page);
-
-  await test.step('the artist', async () => {
-    await command('Open Human');
-    await expect.poll(() => names(page)).toEqual(['human']);
-    await keyboard.press('ControlOrMeta+d');
-    await expect.poll(() => names(page)).toHaveLength(2);
-    await keyboard.press('Home');
-    const [before] = await turned(page);
-    for (const name of ['human', 'human 2']) {
-      await command(`Select the character ${name}`);
-      await command(`Select ${arm}`);
-      await expect(page.getByRole('slider', { name: `${arm} X` })).toBeFocused();
-      await keyboard.press('PageUp');
-    }
-    for (const now of await turned(page)) expect(now).not.toEqual(before);
-    await command('Light: Low sun');
-    await command('Keep this view as a shot');
-    for (const aspect of ['1:1', '4:5']) {
-      await command(`Aspect of the shot: ${aspect}`);
-      await expect(page.locator('.shot-bar select')).toHaveValue(aspect);
-    }
-    const download = page.waitForEvent('download');
-    await command('Save a picture');
-    await expectPortrait(download);
-  });
-
-  await test.step('the rigger', async () => {
-    await command('Open Dog');
-    await expect.poll(() => names(page)).toContain('dog');
-    await command('Show the weights in color');
-    await command('Mark a vertex by its number');
-    await expect(page.getByRole('spinbutton', { name: 'Vertex number' })).toBeFocused();
-    await keyboard.type('4453');
-    await expect(owner(page)).toHaveText(/^Neck 60\.\d{4}$/);
-    await command('Keep influences: 4');
-    await expect(weights(page)).toContainText(error);
-    await expectAccessible(page);
-  });
-});
-
-function asUploads() {
-  return courseCharacter().map(({ name, content }) => ({
-    name,
-    mimeType: 'application/octet-stream',
-    buffer: Buffer.from(content),
-  }));
-}

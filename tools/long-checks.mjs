@@ -91,6 +91,21 @@ export const longChecks = [
     },
   },
   {
+    name: 'jobs',
+    what: 'what people come for, by pointer, by touch on a phone and by keyboard alone',
+    kind: 'browser',
+    tests: 'e2e/jobs.spec.ts',
+    reads: 'e2e/jobs.spec.ts',
+    options: {
+      ways: {
+        variable: 'JOBS_WAYS',
+        usual: 'touch,keys',
+        form: /^(pointer|touch|keys)(,(pointer|touch|keys))*$/,
+        what: 'the ways beside the pointer',
+      },
+    },
+  },
+  {
     name: 'million',
     what: 'a character of a million vertices in the built page, and its main thread meanwhile',
     kind: 'browser',
