@@ -116,6 +116,6 @@ export function expectNoLeak(resting: Resting, recentDownloads: number): void {
   expect(listeners, 'listeners on the window, the document and the canvas').toBeLessThan(60);
   expect(workers, 'workers').toBe(0);
   expect(urls, 'addresses of objects').toBeLessThanOrEqual(recentDownloads);
-  expect(nodes, 'nodes, in the page and out of it').toBeLessThan(2500);
+  expect(nodes, 'nodes, in the page and out of it').toBeLessThan(4000);
   expect(heap, 'bytes of the JavaScript heap').toBeLessThan(64e6);
 }
