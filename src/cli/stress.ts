@@ -1,5 +1,5 @@
 import type { Skeleton } from '../core/skeleton.ts';
-import { createActor, skinInUse } from '../document/scene.ts';
+import { skinInUse } from '../document/scene.ts';
 import { stressOf, type StressSuite } from '../evaluation/comparison/stress.ts';
 import { stressPoses, usualRanges } from '../evaluation/comparison/stress-poses.ts';
 import { stressLabel, stressRows } from '../evaluation/comparison/stress-rows.ts';
@@ -7,10 +7,8 @@ import { rounded } from '../evaluation/truncation.ts';
 import { writeCsv } from '../formats/csv/write-csv.ts';
 import { aligned } from './aligned.ts';
 import type { Command } from './command.ts';
+import { comparedActor, finished, preparedPool } from './compared-actor.ts';
 import { comparedOptions, comparedUsage } from './compared-options.ts';
-import { givenSettings } from './method-settings.ts';
-import { createPool, plainCharacter } from './posed-evaluation.ts';
-import { readPosed } from './read-posed.ts';
 import { UsageError } from './usage-error.ts';
 import { writeText } from './write-text.ts';
 
@@ -25,27 +23,19 @@ export const stress: Command = {
   usage: `stress FILES [--bend DEGREES] [--twist DEGREES] ${comparedUsage}`,
   summary: `Compares skinning methods in a stress suite: each joint of one character that deforms its mesh, one at a time, turned to both ends of its range, from the file's pose or from that of --pose. A hinge with limits has these for its range. A joint that turns freely bends about two axes across its bone by --bend (${bend} if absent) and twists about it by --twist (${twist}), each way; the joints of a body turn no farther than such joints do. Prints for each pose how far a method puts the points from where the base does, at most and in the mean, and the volume against that at rest. The other options are those of compare.`,
   async run(words) {
-    const { further, ...options } = comparedOptions(words, ['bend', 'twist']);
-    const { files, pose, methods, base, set, normalize, csv } = options;
+    const options = comparedOptions(words, ['bend', 'twist']);
+    const { methods, base, csv, further } = options;
     const ranges = {
       bend: angleOf('--bend', further['bend'], usualRanges.bend),
       twist: angleOf('--twist', further['twist'], usualRanges.twist),
     };
-    const methodSettings = await givenSettings(methods, set);
-    const posed = await readPosed(files, pose);
-    if (!posed) return 1;
-    const pool = await createPool();
-    const character = plainCharacter(posed.character);
-    const kept = { ...posed.pose, normalizeWeights: normalize, methodSettings };
-    const actor = createActor(1, character, base.id, kept);
+    const actor = await comparedActor(options);
+    if (!actor) return 1;
+    const { skeleton } = actor.character;
+    const poses = stressPoses(actor.character, skinInUse(actor), actor.q, ranges);
     const ids = methods.map(({ id }) => id);
-    for (const method of ids) await pool.kernels.loadFor({ ...actor, method });
-    const poses = stressPoses(character, skinInUse(actor), actor.q, ranges);
-    const work = stressOf(pool, actor, ids, methods.indexOf(base), poses);
-    let result = work.next();
-    while (!result.done) result = work.next();
-    const { skeleton } = character;
-    const suite = result.value;
+    const pool = await preparedPool(actor, methods);
+    const suite = finished(stressOf(pool, actor, ids, methods.indexOf(base), poses));
     if (csv !== undefined && !writeText(csv, writeCsv(stressRows(skeleton, suite)))) return 1;
     console.log(
       stressLines(

@@ -1,7 +1,6 @@
 import { parseArgs } from 'node:util';
 import { printable } from '../core/diagnostics.ts';
 import type { Character } from '../core/character.ts';
-import { createActor } from '../document/scene.ts';
 import { sweepOf, type Sweep } from '../evaluation/comparison/sweep.ts';
 import { sweepRows } from '../evaluation/comparison/sweep-rows.ts';
 import { type TurnRange, turnRanges } from '../evaluation/comparison/turn-range.ts';
@@ -9,11 +8,9 @@ import { writeCsv } from '../formats/csv/write-csv.ts';
 import { findJoint } from '../formats/pose-json.ts';
 import { aligned } from './aligned.ts';
 import type { Command } from './command.ts';
-import { givenSettings } from './method-settings.ts';
+import { comparedActor, finished, preparedPool } from './compared-actor.ts';
 import { methodNames, methodsNamed } from './named-methods.ts';
 import { joinValue, parseWords } from './parse-words.ts';
-import { createPool, plainCharacter } from './posed-evaluation.ts';
-import { readPosed } from './read-posed.ts';
 import { UsageError } from './usage-error.ts';
 import { writeText } from './write-text.ts';
 
@@ -28,22 +25,15 @@ export const sweep: Command = {
   summary: `Turns a joint of one character about one axis over its range (its limits, or half a turn each way) in ${defaultSteps} steps or as many as --steps says, and prints what skinning methods do to the volume and to the cross-section, as parts of those at rest. The section is the outline of the skin that the plane through the joint, perpendicular to its bone, cuts at rest; it moves with the skin, and its area is measured. "–" is printed where the mesh encloses no volume or the joint is not inside it. --set, which may be repeated, sets a parameter of a method, such as blend=0.5.`,
   async run(words) {
     const options = parseOptions(words);
-    const methodSettings = await givenSettings(options.methods, options.set);
-    const posed = await readPosed(options.files, options.pose);
-    if (!posed) return 1;
-    const character = plainCharacter(posed.character);
-    const range = rangeOf(character, options.joint, options.axis);
-    const pool = await createPool();
-    const kept = { ...posed.pose, normalizeWeights: options.normalize, methodSettings };
-    const actor = createActor(1, character, 'linear-blend', kept);
+    const actor = await comparedActor(options);
+    if (!actor) return 1;
+    const range = rangeOf(actor.character, options.joint, options.axis);
     const ids = options.methods.map(({ id }) => id);
-    for (const method of ids) await pool.kernels.loadFor({ ...actor, method });
-    const work = sweepOf(pool, actor, ids, range, options.steps);
-    let result = work.next();
-    while (!result.done) result = work.next();
+    const pool = await preparedPool(actor, options.methods);
+    const swept = finished(sweepOf(pool, actor, ids, range, options.steps));
     const { csv } = options;
-    if (csv !== undefined && !writeText(csv, writeCsv(sweepRows(result.value)))) return 1;
-    console.log(sweepLines(result.value).join('\n'));
+    if (csv !== undefined && !writeText(csv, writeCsv(sweepRows(swept)))) return 1;
+    console.log(sweepLines(swept).join('\n'));
     return 0;
   },
 };

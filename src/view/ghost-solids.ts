@@ -1,27 +1,20 @@
 import type { Gpu } from '../gl/gpu.ts';
 import type { CharacterView } from './character-view.ts';
 import type { Frame } from './frame.ts';
-import { InstancedSolid, instanceSize } from './instanced-solid.ts';
+import { type InstancedSolid, instanceSize } from './instanced-solid.ts';
+import { LimbSolids } from './limb-solids.ts';
 import type { Programs } from './programs.ts';
 import { boneInstances, boxInstances, jointInstances, keyOf, noMarks } from './solid-instances.ts';
-import { cube, cylinder, sphere } from './solid-shapes.ts';
 
 /** Where the color of an instance begins. */
 const colorAt = instanceSize - 3;
 
 /** The ghosts of bones, each in one color: those of characters whose skin is not seen. */
 export class GhostSolids {
-  private readonly programs: Programs;
-  private readonly joints: InstancedSolid;
-  private readonly bones: InstancedSolid;
-  private readonly boxes: InstancedSolid;
+  private readonly solids: LimbSolids;
 
   constructor(gpu: Gpu, programs: Programs) {
-    this.programs = programs;
-    const program = programs.pass('solid');
-    this.joints = new InstancedSolid(gpu, program, sphere());
-    this.bones = new InstancedSolid(gpu, program, cylinder());
-    this.boxes = new InstancedSolid(gpu, program, cube());
+    this.solids = new LimbSolids(gpu, programs);
   }
 
   /** Takes the bones of the next ghost, in linear light. */
@@ -34,25 +27,19 @@ export class GhostSolids {
         isShown ? colored(instancesOf(view, noMarks), color) : new Float32Array(0),
       ]);
     };
-    update(this.joints, style !== 'boxes', jointInstances);
-    update(this.bones, style !== 'boxes', boneInstances);
-    update(this.boxes, style === 'boxes' || style === 'both', boxInstances);
+    const { joints, bones, boxes } = this.solids;
+    update(joints, style !== 'boxes', jointInstances);
+    update(bones, style !== 'boxes', boneInstances);
+    update(boxes, style === 'boxes' || style === 'both', boxInstances);
   }
 
   draw(frame: Frame, opacity: number): void {
-    const program = this.programs.pass('solid');
-    program.use();
-    program.set(frame.uniforms);
-    program.set({ opacity, rim: 0 });
-    this.joints.draw();
-    this.bones.draw();
-    this.boxes.draw();
+    const { joints, bones, boxes } = this.solids;
+    this.solids.draw(frame, { opacity, rim: 0 }, joints, bones, boxes);
   }
 
   dispose(): void {
-    this.joints.dispose();
-    this.bones.dispose();
-    this.boxes.dispose();
+    this.solids.dispose();
   }
 }
 

@@ -1,9 +1,8 @@
-import type { Gpu } from '../../gl/gpu.ts';
 import type { CharacterView } from '../character-view.ts';
 import type { Frame } from '../frame.ts';
-import { InstancedSolid } from '../instanced-solid.ts';
+import type { InstancedSolid } from '../instanced-solid.ts';
+import { LimbSolids } from '../limb-solids.ts';
 import type { Pass } from '../pass.ts';
-import type { Programs } from '../programs.ts';
 import {
   boneInstances,
   boxInstances,
@@ -12,7 +11,6 @@ import {
   keyOf,
   marksOf,
 } from '../solid-instances.ts';
-import { cube, cylinder, sphere } from '../solid-shapes.ts';
 
 /** The opacity of a bone that shows through an opaque skin. */
 const throughSkin = 0.55;
@@ -28,11 +26,11 @@ export const skeletonPass: Pass = {
   isShown: ({ showSkeleton }) => showSkeleton,
   isMirrored: true,
   create(gpu, programs) {
-    const solids = new SkeletonSolids(gpu, programs);
+    const solids = new LimbSolids(gpu, programs);
     return {
       draw(frame) {
-        solids.drawSticks(frame, 1);
-        if (!frame.options.showSkin) solids.drawBoxes(frame, 1);
+        drawSticks(solids, frame, 1);
+        if (!frame.options.showSkin) drawBoxes(solids, frame, 1);
       },
       dispose: () => solids.dispose(),
     };
@@ -49,17 +47,17 @@ export const hiddenSkeletonPass: Pass = {
   isMirrored: true,
   create(gpu, programs) {
     const { gl } = gpu;
-    const solids = new SkeletonSolids(gpu, programs);
+    const solids = new LimbSolids(gpu, programs);
     return {
       draw(frame) {
         gl.depthMask(false);
         gl.enable(gl.BLEND);
         gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
         gl.depthFunc(gl.GREATER);
-        if (!frame.options.translucent) solids.drawSticks(frame, throughSkin);
+        if (!frame.options.translucent) drawSticks(solids, frame, throughSkin);
         gl.depthFunc(gl.ALWAYS);
         gl.enable(gl.CULL_FACE);
-        solids.drawBoxes(frame, glass);
+        drawBoxes(solids, frame, glass);
         gl.disable(gl.CULL_FACE);
         gl.disable(gl.BLEND);
         gl.depthMask(true);
@@ -70,50 +68,19 @@ export const hiddenSkeletonPass: Pass = {
   },
 };
 
-/** All solids that represent joints and bones. */
-class SkeletonSolids {
-  private readonly programs: Programs;
-  private readonly joints: InstancedSolid;
-  private readonly bones: InstancedSolid;
-  private readonly boxes: InstancedSolid;
+function drawSticks(solids: LimbSolids, frame: Frame, opacity: number): void {
+  const { joints, bones } = solids;
+  const views = frame.characters.filter((view) => showsSticks(view, frame));
+  update(joints, views, frame, jointInstances);
+  update(bones, views, frame, boneInstances);
+  solids.draw(frame, { opacity, rim: 1 }, joints, bones);
+}
 
-  constructor(gpu: Gpu, programs: Programs) {
-    this.programs = programs;
-    const program = programs.pass('solid');
-    this.joints = new InstancedSolid(gpu, program, sphere());
-    this.bones = new InstancedSolid(gpu, program, cylinder());
-    this.boxes = new InstancedSolid(gpu, program, cube());
-  }
-
-  drawSticks(frame: Frame, opacity: number): void {
-    const views = frame.characters.filter((view) => showsSticks(view, frame));
-    update(this.joints, views, frame, jointInstances);
-    update(this.bones, views, frame, boneInstances);
-    this.useProgram(frame, { opacity, rim: 1 });
-    this.joints.draw();
-    this.bones.draw();
-  }
-
-  drawBoxes(frame: Frame, opacity: number): void {
-    const views = frame.characters.filter((view) => showsBoxes(view, frame));
-    update(this.boxes, views, frame, boxInstances);
-    // Faces are flat, so a rim would make all of a slanted one dark.
-    this.useProgram(frame, { opacity, rim: 0 });
-    this.boxes.draw();
-  }
-
-  private useProgram(frame: Frame, look: { opacity: number; rim: number }): void {
-    const program = this.programs.pass('solid');
-    program.use();
-    program.set(frame.uniforms);
-    program.set(look);
-  }
-
-  dispose(): void {
-    this.joints.dispose();
-    this.bones.dispose();
-    this.boxes.dispose();
-  }
+function drawBoxes(solids: LimbSolids, frame: Frame, opacity: number): void {
+  const views = frame.characters.filter((view) => showsBoxes(view, frame));
+  update(solids.boxes, views, frame, boxInstances);
+  // Faces are flat, so a rim would make all of a slanted one dark.
+  solids.draw(frame, { opacity, rim: 0 }, solids.boxes);
 }
 
 /** A character without boxes shows sticks instead. */
