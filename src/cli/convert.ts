@@ -16,7 +16,7 @@ import { writeConvertedMotion } from '../formats/write-converted-motion.ts';
 import type { Command } from './command.ts';
 import { printDiagnostics, readFiles, unwritable, userPath } from './files.ts';
 import { parseWords } from './parse-words.ts';
-import { readMotionFile } from './read-motion-file.ts';
+import { readMotionFile, unusedMotion } from './read-motion-file.ts';
 import { formatOfPose, givenPose } from './read-pose-file.ts';
 import { UsageError } from './usage-error.ts';
 
@@ -44,6 +44,7 @@ export const convert: Command = {
     found.push(...motion.diagnostics);
     if (!character || !pose || hasErrors(found)) {
       printDiagnostics(found);
+      if (hasErrors(motion.diagnostics)) console.error(unusedMotion);
       return 1;
     }
     const converted = convertCharacter(character, options.to, pose);

@@ -24,6 +24,7 @@ import { printDiagnostics, readFiles, unwritable, userPath } from './files.ts';
 import { givenSettings } from './method-settings.ts';
 import { joinValue, parseWords } from './parse-words.ts';
 import { motionOf } from './motion-of.ts';
+import { unusedMotion } from './read-motion-file.ts';
 import { givenPose } from './read-pose-file.ts';
 import { UsageError } from './usage-error.ts';
 import { wasmKernel } from './wasm-kernel.ts';
@@ -61,6 +62,7 @@ export const pose: Command = {
         : { diagnostics: [] };
     found.push(...motion.diagnostics);
     printDiagnostics(found);
+    if (hasErrors(motion.diagnostics)) console.error(unusedMotion);
     if (characters.length > 1) throw new UsageError('expected the files of one character');
     if (!character || character.mesh.pointCount === 0 || !posed || hasErrors(found)) {
       if (character?.mesh.pointCount === 0) console.error('error: there is no mesh to pose');

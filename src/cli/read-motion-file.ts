@@ -1,9 +1,9 @@
 import { readFileSync } from 'node:fs';
 import type { Diagnostic, Parsed } from '../core/diagnostics.ts';
-import type { ClipParts } from '../core/motion/clip-parts.ts';
 import type { AnimatedThing } from '../core/motion/targets.ts';
 import { readAnim } from '../formats/cse169/anim.ts';
 import { baseName, extensionOf } from '../formats/file-entry.ts';
+import type { BoundMotion } from '../formats/motion/bind-motion.ts';
 import { readBoundMotion } from '../formats/motion/read-bound-motion.ts';
 import { readMotion } from '../formats/motion/read-motion.ts';
 import {
@@ -13,6 +13,12 @@ import {
 } from '../formats/motion/sampled-channels.ts';
 import { existingPath } from './existing-path.ts';
 import { readFiles, unreadable, userPath } from './files.ts';
+
+/**
+ * Each channel with an error moves nothing, but a part of a motion is nothing to write in a script that
+ * nobody watches.
+ */
+export const unusedMotion = 'error: nothing is written, because the motion has errors';
 
 /**
  * Reads the channels of a MOTION.json or an `.anim`, which no character is needed for, by their
@@ -34,10 +40,7 @@ export async function readChannels(
 }
 
 /** Reads a motion for a character. */
-export async function readMotionFile(
-  path: string,
-  thing: AnimatedThing,
-): Promise<Parsed<ClipParts>> {
+export async function readMotionFile(path: string, thing: AnimatedThing): Promise<BoundMotion> {
   const { bytes, diagnostics } = await bytesOf(path);
   return bytes ? readBoundMotion(baseName(path), bytes, thing) : { diagnostics };
 }

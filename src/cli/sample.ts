@@ -24,7 +24,7 @@ export const sample: Command = {
     if (!channels) return 1;
     const sampled =
       typeof channel === 'number' ? channels[channel] : channelNamed(channels, channel);
-    if (!sampled) throw new UsageError(unknownChannel(channel, channels));
+    if (!sampled) return tellUnknown(channel, channels);
     const values = times.map((time) => sampled.valueAt(time));
     if (json) console.log(JSON.stringify({ channel, times, values }, null, 2));
     else times.forEach((time, index) => console.log(`${time}\t${String(values[index])}`));
@@ -35,13 +35,26 @@ export const sample: Command = {
 /** Names in a usage error; a clip may have thousands. */
 const mostNames = 40;
 
-function unknownChannel(
+/** Says that there is no such channel: the file is to blame for one that it has, otherwise the user. */
+function tellUnknown(
+  channel: number | string,
+  channels: readonly (SampledChannel | undefined)[],
+): number {
+  const usable = channels.filter((each) => each !== undefined);
+  const isOfFile = typeof channel === 'number' && channel < channels.length;
+  if (!isOfFile && usable.length > 0) throw new UsageError(expectedChannel(channel, channels));
+  if (isOfFile) console.error(`error: channel ${channel} cannot be used`);
+  else if (channels.length > 0) console.error('error: no channel of the motion can be used');
+  else console.error('error: the motion has no channels');
+  return 1;
+}
+
+function expectedChannel(
   channel: number | string,
   channels: readonly (SampledChannel | undefined)[],
 ): string {
   const found = typeof channel === 'number' ? channel : `"${printable(channel, 80)}"`;
   const usable = channels.filter((each) => each !== undefined);
-  if (usable.length === 0) return `expected a channel, found a motion without any`;
   const names = usable.slice(0, mostNames).map(({ names: [name] }) => printable(name!, 80));
   const more = usable.length - names.length;
   const list = `${names.join(', ')}${more > 0 ? ` and ${more} more` : ''}`;

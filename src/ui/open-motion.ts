@@ -30,7 +30,7 @@ export function openMotion(
   if (!actor || actor.character.skeleton.jointCount === 0) {
     return 'There is no character with joints to move';
   }
-  const { value: clip, diagnostics } = readBoundMotion(file, bytes, actor.character);
+  const { value: clip, diagnostics, pinPlaces } = readBoundMotion(file, bytes, actor.character);
   problems.push(...diagnostics);
   if (!clip || (clip.channels.length === 0 && clip.unread !== undefined)) {
     return 'The motion was not opened; Problems says why';
@@ -40,7 +40,7 @@ export function openMotion(
     return `The motion was not opened: it has ${clip.channels.length} channels, not ${needed} as for ${printable(actor.name, 40)}`;
   }
   const pinned = actor.pins.map(({ joint }) => joint);
-  const { pins, diagnostics: ofPins } = pinsToMake(clip, actor.character, pinned);
+  const { pins, diagnostics: ofPins } = pinsToMake(clip, actor.character, pinned, pinPlaces);
   problems.push(...ofPins);
   batch(() => {
     session.playing.value = false;

@@ -77,11 +77,25 @@ describe('sample of a MOTION.json', () => {
       expect(await runCommand('sample', contents, ...words).code).toBe(0);
       expect(out.at(-1)).toBe(`0\t${value}`);
     }
-    for (const channel of ['0', '-1']) {
+    for (const channel of ['3', '-1']) {
       const words = ['m.json', '--channel', channel, '--times', '0'];
       await expect(runCommand('sample', contents, ...words).code).rejects.toThrow(
         'expected --channel from 0 to 2 or a name',
       );
+    }
+  });
+
+  it('ends with 1 where the file is to blame for a channel that cannot be used', async () => {
+    const channels = [{ target: { light: 'sun' }, keys: [] }];
+    for (const [contents, channel, message] of [
+      [{ channels }, '0', 'error: channel 0 cannot be used'],
+      [{ channels }, 'sun', 'error: no channel of the motion can be used'],
+      [{ channels: [] }, '0', 'error: the motion has no channels'],
+    ] as const) {
+      const words = ['m.json', '--channel', channel, '--times', '0'];
+      const files = { 'm.json': JSON.stringify(contents) };
+      expect(await runCommand('sample', files, ...words).code).toBe(1);
+      expect(errors.at(-1)).toBe(message);
     }
   });
 
@@ -181,10 +195,35 @@ describe('pose with a motion', () => {
     const words = ['a.skel', 'a.skin', '--motion', 'm.json', '--time', '0', '--out', 'o.obj'];
     expect(await runCommand('pose', { ...leg, 'm.json': wrong }, ...words).code).toBe(1);
     expect(errors.join()).toContain('found "elbow"');
+    expect(errors.at(-1)).toBe('error: nothing is written, because the motion has errors');
+  });
+
+  it('writes with defaults for a rate and a range that cannot be used', async () => {
+    const wrong = kneeMotion.replace('[0,1]', '"all"').replace('{', '{"fps":0,');
+    const words = ['a.skel', 'a.skin', '--motion', 'm.json', '--time', '0', '--out', 'o.obj'];
+    expect(await runCommand('pose', { ...leg, 'm.json': wrong }, ...words).code).toBe(0);
+    const own = errors.filter((line) => line.includes('m.json'));
+    expect(own).toHaveLength(2);
+    expect(own[0]).toMatch(/^warning: m.json:1:8 \(fps\): .*; 30 are used$/);
+  });
+
+  it('says where an incomplete pin is', async () => {
+    const channels = [{ target: { pin: 'foot', value: 'x' }, keys: [[0, 1]] }];
+    const files = { ...leg, 'm.json': JSON.stringify({ channels }) };
+    const words = ['a.skel', 'a.skin', '--motion', 'm.json', '--time', '0', '--out', 'o.obj'];
+    expect(await runCommand('pose', files, ...words).code).toBe(0);
+    expect(errors.join()).toContain('m.json:1:31 (channels[0].target.pin): expected a pin at');
   });
 });
 
 describe('convert with a motion', () => {
+  it('writes nothing where a channel is wrong', async () => {
+    const files = { ...leg, 'm.json': kneeMotion.replace('knee', 'elbow') };
+    const words = ['a.skel', 'a.skin', '--to', 'cse169', '--out', 'new', '--motion', 'm.json'];
+    expect(await runCommand('convert', files, ...words).code).toBe(1);
+    expect(errors.at(-1)).toBe('error: nothing is written, because the motion has errors');
+  });
+
   async function converted(to: string, motion: string, name = 'bend.motion.json', extra = {}) {
     const contents = { ...leg, ...extra, [name]: motion };
     const words = ['a.skel', 'a.skin', '--to', to, '--out', 'new', '--motion', name];

@@ -37,9 +37,9 @@ describe('opening a motion', () => {
     const before = store.scene.value;
     const said = open('wave.motion.json', JSON.stringify(wave));
     expect(said).toBe('Motion wave opened: 5 channels, 2 s; Problems says what was not used');
-    expect(problems.map(({ code, found }) => [code, found])).toEqual([
-      ['motion/unknown-joint', 'wing'],
-      ['motion/missing', 'x'],
+    expect(problems.map(({ code, found, line, path }) => [code, found, line, path])).toEqual([
+      ['motion/unknown-joint', 'wing', 1, 'channels[1].target.joint'],
+      ['motion/missing', 'x', 1, 'channels[5].target.pin'],
     ]);
     const { clips, clip, pins, character } = actor();
     expect([clips.length, clip, clips[0]!.name, clips[0]!.unread?.length]).toEqual([

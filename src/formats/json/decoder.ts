@@ -4,6 +4,7 @@ import type {
   DiagnosticKind,
   DiagnosticLog,
   Place,
+  Severity,
 } from '../../core/diagnostics.ts';
 
 /** A value and, if it was read from a text, the offsets of it and of its key in code units. */
@@ -21,6 +22,8 @@ export interface JsonSource {
   readonly area: DiagnosticArea;
   /** The consequence of an error in a value. */
   readonly effect: string;
+  /** 'warning' where a default takes the place of a wrong value; an error if absent. */
+  readonly severity?: Severity;
   /** Converts an offset in the text to a place; absent for values that scripts pass. */
   readonly placeOf?: (at: number) => Place;
 }
@@ -56,7 +59,7 @@ export class JsonValue {
   }
 
   /** The same value, whose errors are reported in another way. */
-  reporting(change: Partial<Pick<JsonSource, 'log' | 'effect'>>): JsonValue {
+  reporting(change: Partial<Pick<JsonSource, 'log' | 'effect' | 'severity'>>): JsonValue {
     return new JsonValue(this.node, { ...this.source, ...change }, this.path);
   }
 
@@ -103,7 +106,8 @@ export class JsonValue {
   }
 
   fail(kind: DiagnosticKind, expected: string, found = display(this.value)): void {
-    this.report('error', this.node.at, kind, expected, found, this.source.effect);
+    const { severity = 'error', effect } = this.source;
+    this.report(severity, this.node.at, kind, expected, found, effect);
   }
 
   /** Reports an error about the name of this value. */
@@ -112,29 +116,32 @@ export class JsonValue {
   }
 
   warn(kind: DiagnosticKind, expected: string, found: string, effect: string): void {
-    this.report('warn', this.node.at, kind, expected, found, effect);
+    this.report('warning', this.node.at, kind, expected, found, effect);
+  }
+
+  /** Where the value is in its text, as far as that is known. */
+  get place(): Place {
+    return this.placeOf(this.node.at);
+  }
+
+  private placeOf(at: number | undefined): Place {
+    const place = at === undefined ? undefined : this.source.placeOf?.(at);
+    return { ...place, ...(this.path !== '' && { path: this.path }) };
   }
 
   private report(
-    severity: 'error' | 'warn',
+    severity: Severity,
     at: number | undefined,
     kind: DiagnosticKind,
     expected: string,
     found: string,
     effect: string,
   ): void {
-    const { log, area, placeOf } = this.source;
-    const place = at === undefined ? undefined : placeOf?.(at);
-    const path = this.path === '' ? undefined : { path: this.path };
-    const details: DiagnosticDetails = {
-      code: `${area}/${kind}`,
-      ...place,
-      ...path,
-      expected,
-      found,
-      effect,
-    };
-    log[severity](details);
+    const { log, area } = this.source;
+    const code = `${area}/${kind}` as const;
+    const details: DiagnosticDetails = { code, ...this.placeOf(at), expected, found, effect };
+    if (severity === 'error') log.error(details);
+    else log.warn(details);
   }
 }
 

@@ -1,4 +1,4 @@
-import { DiagnosticLog, type Parsed } from '../../core/diagnostics.ts';
+import { DiagnosticLog, type Parsed, type Place } from '../../core/diagnostics.ts';
 import type {
   ChannelParts,
   ChannelTarget,
@@ -11,14 +11,20 @@ import { DofKind } from '../../core/skeleton.ts';
 import type { Motion, MotionChannel, NamedCurve } from './motion.ts';
 import { kept } from './read-channel.ts';
 
+export interface BoundMotion extends Parsed<ClipParts> {
+  /** Where the file first moves the pin of a joint, by the joint's file index, for messages. */
+  readonly pinPlaces?: ReadonlyMap<number, Place>;
+}
+
 /**
  * Finds what a motion moves in a character. A channel whose target the character does not have is
  * reported and kept for saving.
  */
-export function bindMotion(motion: Motion, thing: AnimatedThing): Parsed<ClipParts> {
+export function bindMotion(motion: Motion, thing: AnimatedThing): BoundMotion {
   const { file, name, start, end, fps } = motion;
   const log = new DiagnosticLog(file);
   const unread = [...motion.unread];
+  const pinPlaces = new Map<number, Place>();
   const found = new Map<string, { channel: MotionChannel; parts: ChannelParts }>();
   for (const channel of motion.channels) {
     const place = channel.place.reporting({ log, effect: kept });
@@ -26,6 +32,9 @@ export function bindMotion(motion: Motion, thing: AnimatedThing): Parsed<ClipPar
     if (!target || !channel.target.check(thing, place)) {
       unread.push(channel.raw);
       continue;
+    }
+    if (target.of === 'pin' && !pinPlaces.has(target.joint)) {
+      pinPlaces.set(target.joint, place.member('pin').place);
     }
     const key = channelKey(target);
     const earlier = found.get(key)?.channel.target.names[0];
@@ -46,6 +55,7 @@ export function bindMotion(motion: Motion, thing: AnimatedThing): Parsed<ClipPar
   return {
     value: { file, name, start, end, fps, channels, ...(unread.length > 0 && { unread }) },
     diagnostics: log.diagnostics,
+    pinPlaces,
   };
 }
 

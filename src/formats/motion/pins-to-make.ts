@@ -1,4 +1,4 @@
-import type { Diagnostic } from '../../core/diagnostics.ts';
+import type { Diagnostic, Place } from '../../core/diagnostics.ts';
 import { channelFor, evaluateChannel } from '../../core/motion/channel.ts';
 import {
   type ClipParts,
@@ -20,11 +20,13 @@ export interface MissingPin {
  * of one without them move nothing, which is reported.
  *
  * @param pinned the joints that have pins
+ * @param places where the file first moves the pin of a joint, by the joint's file index
  */
 export function pinsToMake(
   { file, start, channels }: ClipParts,
   { skeleton }: AnimatedThing,
   pinned: readonly number[],
+  places?: ReadonlyMap<number, Place>,
 ): { readonly pins: readonly MissingPin[]; readonly diagnostics: readonly Diagnostic[] } {
   const curves = new Map<number, Partial<Record<string, ScalarChannelParts>>>();
   for (const channel of channels) {
@@ -43,16 +45,25 @@ export function pinsToMake(
     if (of['x'] && of['y'] && of['z']) {
       const weight = Math.min(Math.max(at('weight', 1), 0), 1);
       pins.push({ joint, place: [at('x', 0), at('y', 0), at('z', 0)], weight });
-    } else diagnostics.push(incomplete(file, skeleton.names[joint]!, Object.keys(of)));
+    } else {
+      const place = places?.get(skeleton.sourceIndex[joint]!) ?? {};
+      diagnostics.push(incomplete(file, place, skeleton.names[joint]!, Object.keys(of)));
+    }
   }
   return { pins, diagnostics };
 }
 
-function incomplete(file: string, joint: string, found: readonly string[]): Diagnostic {
+function incomplete(
+  file: string,
+  place: Place,
+  joint: string,
+  found: readonly string[],
+): Diagnostic {
   return {
     severity: 'warning',
     code: 'motion/missing',
     file,
+    ...place,
     expected: `a pin at "${joint}", or ${pinValues.slice(0, 3).join(', ')} to make one`,
     found: found.join(', '),
     effect: 'they move nothing until the joint is pinned',

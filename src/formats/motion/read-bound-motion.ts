@@ -1,10 +1,9 @@
-import type { Diagnostic, Parsed } from '../../core/diagnostics.ts';
-import type { ClipParts } from '../../core/motion/clip-parts.ts';
+import type { Diagnostic } from '../../core/diagnostics.ts';
 import { type AnimatedThing, slotOf } from '../../core/motion/targets.ts';
 import { readAnim } from '../cse169/anim.ts';
 import { bindChannels } from '../cse169/bind-channels.ts';
 import { extensionOf } from '../file-entry.ts';
-import { bindMotion } from './bind-motion.ts';
+import { bindMotion, type BoundMotion } from './bind-motion.ts';
 import { readMotion } from './read-motion.ts';
 import { type ReorderedAngles, reorderAngles } from './reorder-angles.ts';
 
@@ -13,7 +12,7 @@ export function readBoundMotion(
   file: string,
   bytes: Uint8Array,
   thing: AnimatedThing,
-): Parsed<ClipParts> {
+): BoundMotion {
   if (extensionOf(file) === '.anim') return readBoundAnim(file, bytes, thing);
   const read = readMotion(file, bytes);
   if (!read.value) return { diagnostics: read.diagnostics };
@@ -21,7 +20,7 @@ export function readBoundMotion(
   return { ...bound, diagnostics: [...read.diagnostics, ...bound.diagnostics] };
 }
 
-function readBoundAnim(file: string, bytes: Uint8Array, thing: AnimatedThing): Parsed<ClipParts> {
+function readBoundAnim(file: string, bytes: Uint8Array, thing: AnimatedThing): BoundMotion {
   const read = readAnim(file, bytes);
   if (!read.value) return { diagnostics: read.diagnostics };
   const bound = bindChannels(read.value, thing.skeleton.jointCount);

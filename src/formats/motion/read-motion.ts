@@ -65,13 +65,14 @@ function readFps(json: JsonValue | undefined): number {
   if (typeof value === 'number' && value >= slowest && value <= fastest) return value;
   const kind = typeof value === 'number' ? 'range' : 'json';
   const expected = `frames a second from ${slowest} to ${fastest}`;
-  json.reporting({ effect: `${defaultFps} are used` }).fail(kind, expected);
+  json.reporting({ effect: `${defaultFps} are used`, severity: 'warning' }).fail(kind, expected);
   return defaultFps;
 }
 
 function readRange(json: JsonValue | undefined): readonly [number, number] | undefined {
   if (!json) return undefined;
-  const part = json.reporting({ effect: 'the range of the keys is used' });
+  const effect = 'the range of the keys is used';
+  const part = json.reporting({ effect, severity: 'warning' });
   if (!part.numbers([2], 'a range as [start, end]')) return undefined;
   const [start, end] = [0, 1].map((at) =>
     numberIn(part.member(at), largestTime, 'a time in seconds'),

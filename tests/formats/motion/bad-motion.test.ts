@@ -68,19 +68,19 @@ const rows: readonly (readonly [title: string, text: string, message: string, le
   [
     '0 frames a second',
     `{"fps": 0, "channels": [${used}]}`,
-    'error: m.json:1:9 (fps): expected frames a second from 1 to 1000, found "0" [motion/range]; 30 are used',
+    'warning: m.json:1:9 (fps): expected frames a second from 1 to 1000, found "0" [motion/range]; 30 are used',
     [1, 0],
   ],
   [
     'fewer than 0 frames a second',
     `{"fps": -24, "channels": [${used}]}`,
-    'error: m.json:1:9 (fps): expected frames a second from 1 to 1000, found "-24" [motion/range]; 30 are used',
+    'warning: m.json:1:9 (fps): expected frames a second from 1 to 1000, found "-24" [motion/range]; 30 are used',
     [1, 0],
   ],
   [
     'a word for the rate',
     `{"fps": "24", "channels": [${used}]}`,
-    'error: m.json:1:9 (fps): expected frames a second from 1 to 1000, found ""24"" [motion/json]; 30 are used',
+    'warning: m.json:1:9 (fps): expected frames a second from 1 to 1000, found ""24"" [motion/json]; 30 are used',
     [1, 0],
   ],
   [
@@ -92,7 +92,7 @@ const rows: readonly (readonly [title: string, text: string, message: string, le
   [
     'a range of one number',
     `{"range": [2], "channels": [${used}]}`,
-    'error: m.json:1:11 (range): expected a range as [start, end], found "[2]" [motion/json]; the range of the keys is used',
+    'warning: m.json:1:11 (range): expected a range as [start, end], found "[2]" [motion/json]; the range of the keys is used',
     [1, 0],
   ],
   [
