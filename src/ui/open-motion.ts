@@ -55,7 +55,7 @@ export function openMotion(
   return `Motion ${printable(clip.name, 40)} opened: ${channels}, ${length} s${remark}`;
 }
 
-/** Whether a JSON text describes a motion. */
+/** Whether a JSON text describes a motion, by which of the names of its forms comes first in it. */
 export function isMotionText(text: string): boolean {
-  return /"channels"\s*:/.test(text) && !/"(joints|actors)"\s*:/.test(text);
+  return /"(channels|joints|actors)"\s*:/.exec(text)?.[1] === 'channels';
 }

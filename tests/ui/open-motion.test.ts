@@ -102,6 +102,7 @@ describe('opening a motion', () => {
 describe('a JSON text', () => {
   it('is a motion if it has channels', () => {
     expect(isMotionText(JSON.stringify(wave))).toBe(true);
+    expect(isMotionText('{"channels": [{"target": {"joints": ["a"]}, "keys": []}]}')).toBe(true);
     expect(isMotionText('{"joints": {"channels": [0, 0, 0]}}')).toBe(false);
     expect(isMotionText('{"root": [0, 0, 0]}')).toBe(false);
   });

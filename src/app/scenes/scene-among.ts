@@ -81,6 +81,7 @@ async function ofText(
 
 /** Whether a text is a scene, and not the pose that pictures and other files have. */
 function isScene(text: string): boolean {
+  if (!text.includes('"actors"')) return false; // most texts, and parsing long ones takes a while
   try {
     const value: unknown = JSON.parse(text);
     return typeof value === 'object' && value !== null && 'actors' in value;

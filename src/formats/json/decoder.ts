@@ -13,7 +13,7 @@ export interface JsonNode {
   readonly at?: number | undefined;
   readonly keyAt?: number | undefined;
   /** The values within it: those of an object by name, those of a list in order. */
-  readonly inner?: ReadonlyMap<string, JsonNode> | readonly JsonNode[];
+  readonly inner?: ReadonlyMap<string, JsonNode> | readonly JsonNode[] | undefined;
 }
 
 /** Information that all values of a text share, for messages. */
@@ -33,6 +33,32 @@ function innerAt(inner: JsonNode['inner'], key: string | number): JsonNode | und
   return inner[Number(key)];
 }
 
+/** Where a value stands in its text. It is asked for only by messages. */
+interface Origin {
+  node(): Omit<JsonNode, 'value'>;
+  path(): string;
+}
+
+/** The place of a value within another. */
+class Inner implements Origin {
+  private readonly outer: Origin;
+  private readonly key: string | number;
+
+  constructor(outer: Origin, key: string | number) {
+    this.outer = outer;
+    this.key = key;
+  }
+
+  node(): Omit<JsonNode, 'value'> {
+    const { at, inner } = this.outer.node();
+    return innerAt(inner, this.key) ?? { at };
+  }
+
+  path(): string {
+    return pathOf(this.outer.path(), this.key);
+  }
+}
+
 /**
  * A value of a JSON text, or one that a script passed. Its accessors check the value and report
  * errors.
@@ -40,27 +66,28 @@ function innerAt(inner: JsonNode['inner'], key: string | number): JsonNode | und
 export class JsonValue {
   readonly value: unknown;
   readonly source: JsonSource;
-  private readonly node: JsonNode;
-  private readonly path: string;
+  private readonly origin: Origin;
 
-  constructor(node: JsonNode, source: JsonSource, path = '') {
+  /** @param origin is the node of the value itself, if absent */
+  constructor(
+    node: JsonNode,
+    source: JsonSource,
+    origin: Origin = { node: () => node, path: () => '' },
+  ) {
     this.value = node.value;
-    this.node = node;
     this.source = source;
-    this.path = path;
+    this.origin = origin;
   }
 
   /** The value at a name or index; a missing one has the place of this value. */
   member(key: string | number): JsonValue {
-    const { at, inner } = this.node;
     const value = (this.value as Record<string | number, unknown>)[key];
-    const node = innerAt(inner, key) ?? { value, at };
-    return new JsonValue(node, this.source, pathOf(this.path, key));
+    return new JsonValue({ value }, this.source, new Inner(this.origin, key));
   }
 
   /** The same value, whose errors are reported in another way. */
   reporting(change: Partial<Pick<JsonSource, 'log' | 'effect' | 'severity'>>): JsonValue {
-    return new JsonValue(this.node, { ...this.source, ...change }, this.path);
+    return new JsonValue(this, { ...this.source, ...change }, this.origin);
   }
 
   /** The values of an object by name. */
@@ -107,26 +134,27 @@ export class JsonValue {
 
   fail(kind: DiagnosticKind, expected: string, found = display(this.value)): void {
     const { severity = 'error', effect } = this.source;
-    this.report(severity, this.node.at, kind, expected, found, effect);
+    this.report(severity, this.origin.node().at, kind, expected, found, effect);
   }
 
   /** Reports an error about the name of this value. */
   failName(kind: DiagnosticKind, expected: string, found: string): void {
-    this.report('error', this.node.keyAt, kind, expected, found, this.source.effect);
+    this.report('error', this.origin.node().keyAt, kind, expected, found, this.source.effect);
   }
 
   warn(kind: DiagnosticKind, expected: string, found: string, effect: string): void {
-    this.report('warning', this.node.at, kind, expected, found, effect);
+    this.report('warning', this.origin.node().at, kind, expected, found, effect);
   }
 
   /** Where the value is in its text, as far as that is known. */
   get place(): Place {
-    return this.placeOf(this.node.at);
+    return this.placeOf(this.origin.node().at);
   }
 
   private placeOf(at: number | undefined): Place {
     const place = at === undefined ? undefined : this.source.placeOf?.(at);
-    return { ...place, ...(this.path !== '' && { path: this.path }) };
+    const path = this.origin.path();
+    return { ...place, ...(path !== '' && { path }) };
   }
 
   private report(

@@ -1,5 +1,6 @@
 import { defaultLimits } from '../../core/limits.ts';
 import { type JsonNode, type JsonSource, JsonValue, pathOf } from './decoder.ts';
+import { plainJson } from './plain-json.ts';
 import { JsonFault, JsonScanner } from './json-scanner.ts';
 import { TextPlaces } from './text-places.ts';
 
@@ -16,14 +17,46 @@ export function parseJson(
   const content = text.replace(/^\uFEFF/, '');
   const places = new TextPlaces(content);
   const placed = { ...source, placeOf: (at: number) => places.place(at) };
+  const plain = content.length < long ? undefined : plainJson(content, depth);
+  if (plain) {
+    const document = (): JsonNode => new JsonParser(content, placed, depth).document();
+    return new JsonValue(new LaterNode(plain.value, document), placed);
+  }
   const parser = new JsonParser(content, placed, depth);
   try {
     return new JsonValue(parser.document(), placed);
   } catch (fault) {
     if (!(fault instanceof JsonFault)) throw fault;
     const { at, kind, expected, found } = fault;
-    new JsonValue({ value: undefined, at }, placed, parser.path).fail(kind, expected, found);
+    placedAt({ value: undefined, at }, placed, parser.path).fail(kind, expected, found);
     return undefined;
+  }
+}
+
+/** In code units. The places in a longer text are found when a message needs the first one. */
+const long = 100_000;
+
+/** The node of a document whose places are not known yet. */
+class LaterNode implements JsonNode {
+  readonly value: unknown;
+  private readonly find: () => JsonNode;
+  private found: JsonNode | undefined;
+
+  constructor(value: unknown, find: () => JsonNode) {
+    this.value = value;
+    this.find = find;
+  }
+
+  get at(): number | undefined {
+    return this.node.at;
+  }
+
+  get inner(): JsonNode['inner'] {
+    return this.node.inner;
+  }
+
+  private get node(): JsonNode {
+    return (this.found ??= this.find());
   }
 }
 
@@ -115,11 +148,16 @@ class JsonParser {
 
   private warnOfDuplicate(name: string, keyAt: number): void {
     const node = { value: name, at: keyAt };
-    new JsonValue(node, this.source, pathOf(this.path, name)).warn(
+    placedAt(node, this.source, pathOf(this.path, name)).warn(
       'duplicate',
       'each name once in an object',
       name,
       'the last of its values counts',
     );
   }
+}
+
+/** A value by the path that leads to it. */
+function placedAt(node: JsonNode, source: JsonSource, path: string): JsonValue {
+  return new JsonValue(node, source, { node: () => node, path: () => path });
 }

@@ -31,6 +31,10 @@ export function numberIn(json: JsonValue, largest: number, expected: string): nu
   return undefined;
 }
 
+export function isWithin(value: unknown, largest: number): value is number {
+  return typeof value === 'number' && Math.abs(value) <= largest;
+}
+
 /** Reports the fields of an object that its form does not have. */
 export function warnOfOthers(
   fields: ReadonlyMap<string, JsonValue>,

@@ -3,8 +3,8 @@ import { sameTime } from '../../core/motion/edit/keys.ts';
 import { defaultLimits } from '../../core/limits.ts';
 import { quaternionOf } from '../ball-values.ts';
 import type { JsonValue } from '../json/decoder.ts';
-import { numberIn } from './fields.ts';
-import { readTangent } from './read-tangent.ts';
+import { isWithin, numberIn } from './fields.ts';
+import { plainTangent, readTangent } from './read-tangent.ts';
 
 /** A limit that no real motion reaches. */
 const mostKeys = 1_000_000;
@@ -14,7 +14,7 @@ export const largestTime = 1e9;
 /** Reads the keys of a number: `[t, v]` or `[t, v, in, out]`. */
 export function readNumberKeys(json: JsonValue): readonly KeyParts[] | undefined {
   const expected = 'a key as [time, value] or [time, value, in, out]';
-  return readAll(json, [2, 3, 4], expected, (key, time) => {
+  return readAll(json, { lengths: [2, 3, 4], expected, plain: plainKey }, (key, time) => {
     const value = numberIn(key.member(1), defaultLimits.coordinate, 'a value');
     const tangentIn = tangentOf(key, 2);
     const tangentOut = tangentOf(key, 3);
@@ -24,6 +24,14 @@ export function readNumberKeys(json: JsonValue): readonly KeyParts[] | undefined
   });
 }
 
+/** A key whose tangents are no lists, which most are. Values that report faults are made for others. */
+function plainKey([time, value, tangentIn, tangentOut]: readonly unknown[]): KeyParts | undefined {
+  const [before, after] = [plainTangent(tangentIn), plainTangent(tangentOut)];
+  const isPlain = isWithin(time, largestTime) && isWithin(value, defaultLimits.coordinate);
+  if (!isPlain || before === undefined || after === undefined) return undefined;
+  return { time, value, tangentIn: before, tangentOut: after };
+}
+
 function tangentOf(key: JsonValue, at: number) {
   const isThere = at < (key.value as readonly unknown[]).length;
   return isThere ? readTangent(key.member(at)) : 'auto';
@@ -31,7 +39,8 @@ function tangentOf(key: JsonValue, at: number) {
 
 /** Reads the keys of a rotation: `[t, [x, y, z, w]]`, whose quaternions are normalized. */
 export function readTurnKeys(json: JsonValue): readonly RotationKeyParts[] | undefined {
-  return readAll(json, [2], 'a key as [time, [x, y, z, w]]', (key, time) => {
+  const form: Form<RotationKeyParts> = { lengths: [2], expected: 'a key as [time, [x, y, z, w]]' };
+  return readAll(json, form, (key, time) => {
     const value = readQuaternion(key.member(1));
     return value && { time, value };
   });
@@ -51,11 +60,18 @@ function readQuaternion(json: JsonValue): Quaternion | undefined {
   return undefined;
 }
 
+interface Form<Key> {
+  /** How many items a key may have, and what is expected of others. */
+  readonly lengths: readonly number[];
+  readonly expected: string;
+  /** Reads most keys that have nothing wrong. */
+  readonly plain?: (key: readonly unknown[]) => Key | undefined;
+}
+
 /** Reads all keys and sorts them, or reports the first that is wrong. */
 function readAll<Key extends { readonly time: number }>(
   json: JsonValue,
-  lengths: readonly number[],
-  expected: string,
+  { lengths, expected, plain }: Form<Key>,
   read: (key: JsonValue, time: number) => Key | undefined,
 ): readonly Key[] | undefined {
   if (!Array.isArray(json.value)) {
@@ -69,6 +85,12 @@ function readAll<Key extends { readonly time: number }>(
   }
   const keys: Key[] = [];
   for (let at = 0; at < length; at++) {
+    const item: unknown = json.value[at];
+    const known = Array.isArray(item) && lengths.includes(item.length) ? plain?.(item) : undefined;
+    if (known) {
+      keys.push(known);
+      continue;
+    }
     const key = json.member(at);
     if (!Array.isArray(key.value) || !lengths.includes(key.value.length)) {
       key.fail('json', expected);

@@ -1,10 +1,16 @@
 import type { Tangent, Tcb } from '../../core/motion/clip-parts.ts';
 import { defaultLimits } from '../../core/limits.ts';
 import type { JsonValue } from '../json/decoder.ts';
-import { numberIn } from './fields.ts';
+import { isWithin, numberIn } from './fields.ts';
 
 const rules = ['flat', 'linear', 'smooth', 'auto', 'stepped'] as const;
 const expected = `a slope, one of ${rules.join(', ')}, or ["tcb", T, C, B]`;
+
+/** A slope or the name of a rule; auto, if it is absent. Nothing for others, as by TCB. */
+export function plainTangent(value: unknown = 'auto'): Tangent | undefined {
+  if (isWithin(value, defaultLimits.coordinate)) return value;
+  return rules.find((word) => word === value);
+}
 
 /** Reads the tangent on one side of a key: a slope in value per second, or a rule. */
 export function readTangent(json: JsonValue): Tangent | undefined {

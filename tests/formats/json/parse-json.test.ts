@@ -1,6 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { DiagnosticLog } from '../../../src/core/diagnostics.ts';
+import type { JsonValue } from '../../../src/formats/json/decoder.ts';
 import { parseJson } from '../../../src/formats/json/parse-json.ts';
 import { said } from '../../support/diagnose.ts';
 
@@ -116,6 +117,47 @@ describe('parseJson', () => {
       'warning: a.json:1:24 (b.c): expected each name once in an object, found "c" [pose/duplicate]',
       'warning: a.json:2:2 (a): expected each name once in an object, found "a" [pose/duplicate]',
     ]);
+  });
+
+  describe('of a long text, whose places are found later', () => {
+    const longer = (text: string): string => text + '\n'.repeat(100_000);
+
+    /** The places of all values, in their order. */
+    function placesIn(json: JsonValue): readonly unknown[] {
+      const { value } = json;
+      if (typeof value !== 'object' || value === null) return [json.place];
+      const keys = Array.isArray(value) ? [...value.keys()] : Object.keys(value);
+      return [json.place, ...keys.map((key) => placesIn(json.member(key)))];
+    }
+
+    it('gives the same values, messages and places as of a short one', () => {
+      const names = fc.constantFrom('"a"', '"b"', '"\\u0061"', '"a:\\""', '"__proto__"');
+      const { value: texts } = fc.letrec<{ value: string }>((tie) => ({
+        value: fc.oneof(
+          { maxDepth: 4 },
+          fc.constantFrom('1', '-0', '"é骨🦴:"', 'true', 'null', '\n2'),
+          fc.array(tie('value'), { maxLength: 4 }).map((all) => `[${all.join(',\n')}]`),
+          fc
+            .array(fc.tuple(names, tie('value')), { maxLength: 4 })
+            .map((all) => `{${all.map((pair) => pair.join(': ')).join(', ')}}`),
+        ),
+      }));
+      fc.assert(
+        fc.property(texts, (text) => {
+          const [short, long] = [parsed(text), parsed(longer(text))];
+          expect(long.json!.value).toEqual(short.json!.value);
+          expect(long.messages).toEqual(short.messages);
+          expect(placesIn(long.json!)).toEqual(placesIn(short.json!));
+        }),
+      );
+    });
+
+    it('refuses the same', () => {
+      for (const text of ['{"a":1,}', '[1 2]', '{"a":'.repeat(3000), '['.repeat(1025)]) {
+        expect(parsed(longer(text)).messages).toEqual(parsed(text + '\n').messages);
+      }
+      expect(parsed(longer('[{"a":[[]]}]'), 3).messages[0]).toContain('[pose/depth]');
+    });
   });
 
   it('treats "__proto__" like any other name', () => {
