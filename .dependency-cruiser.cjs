@@ -16,7 +16,7 @@ const layers = {
     ...['core', 'formats', 'skinning', 'posing', 'document', 'evaluation'],
     ...['gl', 'view', 'ui', 'workers'],
   ],
-  workers: ['core', 'formats', 'skinning', 'posing'],
+  workers: ['core', 'formats', 'skinning', 'posing', 'document', 'evaluation'],
   cli: ['core', 'formats', 'skinning', 'posing', 'document', 'evaluation'],
 };
 

@@ -224,6 +224,11 @@ export function createEditor(
       notice.value = 'Posed mesh saved as OBJ';
     },
 
+    async measure(input, control) {
+      const { measureInWorker } = await loadPart(import('./measure-in-worker.ts'));
+      return measureInWorker(input, control);
+    },
+
     async saveComparison() {
       await evaluations.settled();
       const { saveComparison } = await loadPart(import('./save-comparison.ts'));

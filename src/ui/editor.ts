@@ -6,7 +6,13 @@ import type { ActorId } from '../document/scene.ts';
 import type { Session } from '../document/session.ts';
 import type { Store } from '../document/store.ts';
 import type { Transport } from '../document/transport.ts';
+import type {
+  MeasurementInput,
+  MeasurementKind,
+  MeasurementResult,
+} from '../evaluation/comparison/measurement.ts';
 import type { Evaluations } from '../evaluation/evaluations.ts';
+import type { PrepareControl } from '../evaluation/preparation.ts';
 import type { ConvertTarget, FormatId } from '../formats/registry.ts';
 import type { FileEntry } from '../formats/format.ts';
 import type { PoseFormat } from '../formats/pose-formats.ts';
@@ -277,6 +283,11 @@ export interface Actions {
   /** Saves the character in a course's format, converted as far as that format allows. */
   saveAs(format: ConvertTarget): Promise<void>;
   exportMesh(): Promise<void>;
+  /** Measures what methods do, on another thread; undefined if the signal ended it. */
+  measure<Kind extends MeasurementKind>(
+    input: MeasurementInput<Kind>,
+    control: PrepareControl,
+  ): Promise<MeasurementResult<Kind> | undefined>;
   /** Saves the numbers of the comparison that is shown, as CSV. */
   saveComparison(): Promise<void>;
   /**

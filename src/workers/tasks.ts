@@ -1,3 +1,8 @@
+import type {
+  MeasurementInput,
+  MeasurementKind,
+  MeasurementResult,
+} from '../evaluation/comparison/measurement.ts';
 import type { PrepareInput } from './prepare-method-task.ts';
 import type { LooseFile, LooseOutcome } from './read-characters-task.ts';
 
@@ -7,6 +12,10 @@ import type { LooseFile, LooseOutcome } from './read-characters-task.ts';
  */
 export interface TaskTypes {
   'read-characters': { readonly input: readonly LooseFile[]; readonly output: LooseOutcome };
+  measure: {
+    readonly input: MeasurementInput;
+    readonly output: MeasurementResult<MeasurementKind>;
+  };
   'prepare-method': { readonly input: PrepareInput; readonly output: unknown };
 }
 

@@ -40,10 +40,13 @@ export function weldedCorners(positions: Float32Array, indices: Uint32Array): Ui
   const corners = new Uint32Array(indices.length);
   let count = 0;
   for (let at = 0; at < indices.length; at += 3) {
-    const [a, b, c] = [0, 1, 2].map((corner) => first[indices[at + corner]!]!);
+    const a = first[indices[at]!]!;
+    const b = first[indices[at + 1]!]!;
+    const c = first[indices[at + 2]!]!;
     if (a === b || b === c || c === a) continue;
-    corners.set([a!, b!, c!], count);
-    count += 3;
+    corners[count++] = a;
+    corners[count++] = b;
+    corners[count++] = c;
   }
   return corners.subarray(0, count);
 }
@@ -65,20 +68,26 @@ function edgeComponents(corners: Uint32Array): Uint32Array[] {
   for (let corner = 0; corner < corners.length; corner++) {
     const edge = first[corner]!;
     balance[edge]! += directions[corner]!;
-    const [a, b] = [rootOf(owner, third(corner)), rootOf(owner, third(edge))];
+    const a = rootOf(owner, third(corner));
+    const b = rootOf(owner, third(edge));
     owner[Math.max(a, b)] = Math.min(a, b);
   }
-  const open = new Set<number>();
-  balance.forEach((sum, edge) => sum !== 0 && open.add(rootOf(owner, third(edge))));
-  const parts = new Map<number, number[]>();
+  const isOpen = new Uint8Array(owner.length);
+  for (let edge = 0; edge < balance.length; edge++) {
+    if (balance[edge] !== 0) isOpen[rootOf(owner, third(edge))] = 1;
+  }
+  const counts = new Uint32Array(owner.length);
+  for (let triangle = 0; triangle < owner.length; triangle++) counts[rootOf(owner, triangle)]!++;
+  const parts = new Map<number, Uint32Array>();
+  const next = new Uint32Array(owner.length);
   for (let triangle = 0; triangle < owner.length; triangle++) {
     const root = rootOf(owner, triangle);
-    if (open.has(root)) continue;
-    const part = parts.get(root) ?? [];
-    parts.set(root, part);
-    part.push(...corners.subarray(triangle * 3, triangle * 3 + 3));
+    if (isOpen[root] === 1) continue;
+    let part = parts.get(root);
+    if (!part) parts.set(root, (part = new Uint32Array(counts[root]! * 3)));
+    for (let i = 0; i < 3; i++) part[next[root]!++] = corners[triangle * 3 + i]!;
   }
-  return [...parts.values()].map((part) => Uint32Array.from(part));
+  return [...parts.values()];
 }
 
 function third(corner: number): number {

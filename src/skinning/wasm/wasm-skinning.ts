@@ -12,10 +12,11 @@ type SkinCopies = Map<WasmPlan['rows'], WasmSkin | null>;
  * with the skin.
  */
 export class WasmSkinning {
-  private readonly module: WebAssembly.Module;
+  /** It can be passed to other threads. */
+  readonly module: WebAssembly.Module;
   private readonly copies = new WeakMap<Skin, SkinCopies>();
 
-  private constructor(module: WebAssembly.Module) {
+  constructor(module: WebAssembly.Module) {
     this.module = module;
   }
 

@@ -1,14 +1,18 @@
 import { type ReadonlySignal, signal } from '@preact/signals-core';
 import type { Actor } from '../../document/scene.ts';
 import { createActor } from '../../document/scene.ts';
-import { EvaluationPool } from '../../evaluation/evaluation-pool.ts';
+import {
+  measurementInput,
+  type MeasurementKind,
+  type MeasurementPlan,
+  type MeasurementResult,
+} from '../../evaluation/comparison/measurement.ts';
 import type { MethodId } from '../../skinning/method.ts';
 import { methods } from '../../skinning/registry.ts';
 import { failureText } from '../attempt.ts';
-import type { Looking, Telling } from '../editor.ts';
-import { inSlices } from './in-slices.ts';
+import type { Actions, Looking, Telling } from '../editor.ts';
 
-type MeasuringEditor = Looking & Telling;
+type MeasuringEditor = Looking & Telling & Pick<Actions, 'measure'>;
 
 /** No actor of a scene has it. */
 const measuredId = -2;
@@ -49,11 +53,18 @@ export class Measurement<T> {
     this.state.value = null;
   }
 
-  /** Starts in place of what is being measured. */
-  async start(
+  /**
+   * Starts in place of what is being measured.
+   *
+   * @param planOf what is measured, of the character as it is measured
+   * @param complete adds to a result what belongs to it
+   */
+  async start<Kind extends MeasurementKind>(
+    kind: Kind,
     actor: Actor,
     ids: readonly MethodId[],
-    work: (pool: EvaluationPool, plain: Actor) => Generator<number, T>,
+    planOf: (plain: Actor) => MeasurementPlan<Kind>,
+    complete: (result: MeasurementResult<Kind>, plain: Actor) => T,
   ): Promise<void> {
     this.cancel();
     const { signal: stopped } = (this.stop = new AbortController());
@@ -68,12 +79,13 @@ export class Measurement<T> {
         if (stopped.aborted) return;
       }
       const onProgress = (part: number): void => {
-        this.state.value = { text: 'Measuring', part };
+        if (!stopped.aborted) this.state.value = { text: 'Measuring', part };
       };
       onProgress(0);
-      const result = await inSlices(work(new EvaluationPool(kernels), plain), stopped, onProgress);
-      if (result === undefined) return;
-      this.found.value = result;
+      const input = measurementInput(kind, planOf(plain), plain, ids, kernels);
+      const result = await this.editor.measure(input, { signal: stopped, onProgress });
+      if (result === undefined || stopped.aborted) return;
+      this.found.value = complete(result, plain);
       this.state.value = null;
     } catch (error) {
       if (stopped.aborted) return;

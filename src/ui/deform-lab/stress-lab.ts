@@ -1,16 +1,15 @@
 import { computed, signal } from '@preact/signals-core';
 import { comparisonOf, mostMethods } from '../../document/comparison.ts';
 import { setPose } from '../../document/edits.ts';
-import { type Actor, actorById, skinInUse } from '../../document/scene.ts';
+import { type Actor, actorById } from '../../document/scene.ts';
 import { selectedActor } from '../../document/selected-actor.ts';
 import type { Session } from '../../document/session.ts';
 import {
-  stressOf,
   type StressRow,
   type StressSuite,
   worstFirst,
 } from '../../evaluation/comparison/stress.ts';
-import { stressPoses } from '../../evaluation/comparison/stress-poses.ts';
+import { usualRanges } from '../../evaluation/comparison/stress-poses.ts';
 import { stressLabel, stressRows } from '../../evaluation/comparison/stress-rows.ts';
 import { writeCsv } from '../../formats/csv/write-csv.ts';
 import type { MethodId } from '../../skinning/method.ts';
@@ -118,12 +117,13 @@ export class StressLab {
     const { character, id, name } = actor;
     const fromShown = this.fromShown.peek();
     const before = this.measurement.result.peek();
-    await this.measurement.start(actor, ids, function* (pool, plain) {
-      const q = fromShown ? plain.q : character.skeleton.qRest;
-      const poses = stressPoses(character, skinInUse(plain), q);
-      const suite = yield* stressOf(pool, plain, ids, 0, poses);
-      return { ...suite, actor: plain, id, name };
+    const planOf = ({ q }: Actor) => ({
+      q: fromShown ? q : character.skeleton.qRest,
+      ranges: usualRanges,
+      base: 0,
     });
+    const complete = (suite: StressSuite, plain: Actor) => ({ ...suite, actor: plain, id, name });
+    await this.measurement.start('stress', actor, ids, planOf, complete);
     const suite = this.measurement.result.peek();
     if (suite && suite !== before) {
       await this.pictures.draw(suite, suite.actor, this.pictureCount.peek());

@@ -6,10 +6,9 @@ import {
   worstFirst,
 } from '../../evaluation/comparison/stress.ts';
 import type { Evaluation } from '../../evaluation/evaluation.ts';
-import { actorPicture } from '../../view/picture/pose-picture.ts';
 import type { Picture } from '../../view/picture/encode-picture.ts';
+import { pictureInTurns } from '../../view/picture/picture-in-turns.ts';
 import { jointCamera } from '../../view/picture/joint-camera.ts';
-import { turnOfPage } from '../../view/turn-of-page.ts';
 import type { Camera } from '../../document/camera.ts';
 import type { Looking } from '../editor.ts';
 
@@ -36,8 +35,8 @@ export class StressPictures {
   }
 
   /**
-   * Draws the worst poses anew, with one camera for all methods of a pose. The page goes on between
-   * pictures.
+   * Draws the worst poses anew, with one camera for all methods of a pose. The page goes on
+   * meanwhile.
    *
    * @param actor as it was measured
    * @param count of poses
@@ -55,15 +54,17 @@ export class StressPictures {
       const pictures = new Map<string, Picture>();
       for (const method of ids) {
         this.part.value = done++ / (chosen.length * ids.length);
-        await turnOfPage();
+        const posed = { ...actor, method, q: row.pose.q };
+        const cameraOf = (still: Evaluation): Camera => (camera ??= jointCamera(still, row.pose));
+        const picture = viewer.available.value
+          ? await pictureInTurns(viewer, posed, cameraOf, side, stopped)
+          : null;
         if (stopped.aborted) return;
-        if (!viewer.available.value) {
+        if (!picture) {
           this.cancel();
           return;
         }
-        const posed = { ...actor, method, q: row.pose.q };
-        const cameraOf = (still: Evaluation): Camera => (camera ??= jointCamera(still, row.pose));
-        pictures.set(method, actorPicture(viewer, posed, cameraOf, side));
+        pictures.set(method, picture);
       }
       const inOrder = methods.map((method) => pictures.get(method)!);
       this.drawn.value = new Map(this.drawn.peek()).set(row, inOrder);

@@ -4,7 +4,7 @@ import type { Skeleton } from '../../core/skeleton.ts';
 import type { Actor } from '../../document/scene.ts';
 import { selectedActor } from '../../document/selected-actor.ts';
 import { tellingJoint } from '../../posing/telling-poses.ts';
-import { type Sweep, sweepOf } from '../../evaluation/comparison/sweep.ts';
+import type { Sweep } from '../../evaluation/comparison/sweep.ts';
 import { sweepRows } from '../../evaluation/comparison/sweep-rows.ts';
 import { type TurnRange, turnRanges } from '../../evaluation/comparison/turn-range.ts';
 import { writeCsv } from '../../formats/csv/write-csv.ts';
@@ -106,9 +106,9 @@ export class SweepLab {
       joint: nameOf(skeleton, range.joint),
       axis: axisNames[range.axis],
     };
-    const work = this.measurement.start(actor, ids, function* (pool, plain) {
-      return { ...names, ...(yield* sweepOf(pool, plain, ids, range, steps)) };
-    });
+    const plan = { range, steps };
+    const complete = (sweep: Sweep): NamedSweep => ({ ...names, ...sweep });
+    const work = this.measurement.start('sweep', actor, ids, () => plan, complete);
     attempt(this.editor, work);
   }
 

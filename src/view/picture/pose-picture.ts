@@ -3,9 +3,11 @@ import { type Bounds, emptyBounds, includePositions } from '../../core/bounds.ts
 import type { Camera } from '../../document/camera.ts';
 import { studio } from '../../document/environment.ts';
 import { type Actor, createActor } from '../../document/scene.ts';
-import type { Evaluation } from '../../evaluation/evaluation.ts';
+import type { Evaluation, StillEvaluation } from '../../evaluation/evaluation.ts';
 import { sceneBounds } from '../../evaluation/scene-bounds.ts';
 import { frameBox, startCamera } from '../camera.ts';
+import type { Frame } from '../frame.ts';
+import type { Renderer } from '../renderer.ts';
 import type { ViewOptions } from '../view-options.ts';
 import type { Viewer } from '../viewer.ts';
 import { averageSamples } from './average-samples.ts';
@@ -46,22 +48,24 @@ export function posePicture(
   joints: readonly number[],
   side: number,
 ): Picture {
-  const cameraOf = (still: Evaluation): Camera =>
-    poseCamera(joints.length > 0 ? partBounds(still, joints) : sceneBounds([still]));
-  return actorPicture(viewer, actor, cameraOf, side);
+  const held = holdAlone(viewer, actor);
+  const { still } = held;
+  try {
+    const camera = poseCamera(joints.length > 0 ? partBounds(still, joints) : sceneBounds([still]));
+    return averaged(drawAlone(viewer, still, camera, side, captureFrame), side);
+  } finally {
+    held.release();
+  }
 }
 
-/**
- * Draws the same from another camera.
- *
- * @param cameraOf gives the camera for the character as it is drawn
- */
-export function actorPicture(
-  viewer: Viewer,
-  actor: Actor,
-  cameraOf: (still: Evaluation) => Camera,
-  side: number,
-): Picture {
+/** A character alone, which keeps its objects on the GPU until it is released. */
+export interface HeldAlone {
+  readonly still: StillEvaluation;
+  release(): void;
+}
+
+/** @param actor in the pose; its place in the scene does not count */
+export function holdAlone(viewer: Viewer, actor: Actor): HeldAlone {
   const { character, method, q, morphWeights, methodSettings } = actor;
   const { normals, normalizeWeights, influences, skin } = actor;
   const look = { ...actor.look, visible: true };
@@ -70,19 +74,33 @@ export function actorPicture(
   });
   const still = viewer.evaluations.of(alone).still();
   viewer.held.add(still);
-  try {
-    const viewport = { x: 0, y: 0, width: side * samples, height: side * samples };
-    const options = plainOptions(character.mesh.pointCount > 0);
-    const view = { camera: cameraOf(still), viewport, overrides: {} };
-    const pixels = drawApart(viewer, view, [still], options, captureFrame);
-    const goal = { width: side, height: side, pixels: new Uint8ClampedArray(side * side * 4) };
-    averageSamples({ ...viewport, pixels }, samples, goal, 0, 0);
-    return goal;
-  } finally {
+  const release = (): void => {
     viewer.held.delete(still);
     still.dispose();
     viewer.requestFrame(); // drawing of any kind empties the canvas
-  }
+  };
+  return { still, release };
+}
+
+/** Draws what is held as `posePicture` does, with as many samples as `averaged` takes. */
+export function drawAlone<Result>(
+  viewer: Viewer,
+  still: StillEvaluation,
+  camera: Camera,
+  side: number,
+  draw: (renderer: Renderer, frame: Frame) => Result,
+): Result {
+  const viewport = { x: 0, y: 0, width: side * samples, height: side * samples };
+  const options = plainOptions(still.state.character.mesh.pointCount > 0);
+  return drawApart(viewer, { camera, viewport, overrides: {} }, [still], options, draw);
+}
+
+/** The picture of a square's samples. */
+export function averaged(pixels: Uint8Array, side: number): Picture {
+  const size = side * samples;
+  const goal = { width: side, height: side, pixels: new Uint8ClampedArray(side * side * 4) };
+  averageSamples({ width: size, height: size, pixels }, samples, goal, 0, 0);
+  return goal;
 }
 
 /** How much of a character's height is shown around the joints of a part. */

@@ -1,5 +1,4 @@
 import { describe, expect, it } from 'vitest';
-import { inSlices } from '../../../src/ui/deform-lab/in-slices.ts';
 import { linesOf, plotOf, plotSize } from '../../../src/ui/deform-lab/sweep-plot.ts';
 
 describe('the plot of a sweep', () => {
@@ -28,41 +27,5 @@ describe('the plot of a sweep', () => {
     const plot = plotOf([0, 4], [50, 100]);
     const lines = linesOf(plot, [0, 1, 2, 3, 4], [100, 50, null, null, 50]);
     expect(lines.map((line) => line.split(' ').length)).toEqual([2, 1]);
-  });
-});
-
-describe('work in slices', () => {
-  it('gives the page turns, says how much is done, and returns the result', async () => {
-    function* work(): Generator<number, string> {
-      for (let i = 1; i <= 3; i++) {
-        const end = performance.now() + 15; // longer than a slice
-        while (performance.now() < end);
-        yield i / 3;
-      }
-      return 'done';
-    }
-    const parts: number[] = [];
-    let turns = 0;
-    const timer = setInterval(() => turns++, 0);
-    const result = await inSlices(work(), new AbortController().signal, (part) => parts.push(part));
-    clearInterval(timer);
-    expect(result).toBe('done');
-    expect(parts).toEqual([1 / 3, 2 / 3, 1]);
-    expect(turns).toBeGreaterThan(0);
-  });
-
-  it('lets go of everything when it is stopped', async () => {
-    let isOver = false;
-    const stop = new AbortController();
-    function* work(): Generator<number, string> {
-      try {
-        for (;;) yield 0.5;
-      } finally {
-        isOver = true;
-      }
-    }
-    const result = await inSlices(work(), stop.signal, () => stop.abort());
-    expect(result).toBeUndefined();
-    expect(isOver).toBe(true);
   });
 });
