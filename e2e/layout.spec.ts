@@ -62,6 +62,11 @@ test.describe('by touch', () => {
       for (const name of ['Characters', 'Pose', 'Deform', 'Animate']) {
         const button = panels.getByText(name);
         await button.tap();
+        // Its first press is for the timeline.
+        if (name === 'Animate') {
+          await expectGoodBoxes(page, `${size.width} timeline`, touchTarget);
+          await button.tap();
+        }
         await expect(page.locator('[data-section]:not([hidden]):empty')).toHaveCount(0);
         for (const end of [0, 1e6]) {
           await scrollPanels(page, end);

@@ -61,6 +61,28 @@ test('curves are pinched, and continued by the menu of a long press', async () =
   await expect(undo()).toHaveAttribute('title', /Continue after the keys: bounce/);
   await user.tap(undo());
   await expect(undo()).toBeDisabled();
+  await page().evaluate(() => window.sinew.seek(0.37));
+  await user.tap(timeline().locator('[data-command=insert-curve-key]'));
+  await expect(undo()).toHaveAttribute('title', /Insert a key/);
+  await user.tap(undo());
+});
+
+test('a tab of the phone opens the timeline first, then its sheet, then neither', async () => {
+  const user = await touchUser(page());
+  const animate = page().locator('.phone').getByRole('tab', { name: 'Animate' });
+  const curves = timeline().getByRole('button', { name: 'Curves', exact: true });
+  const joint = page().getByRole('button', { name: 'Next joint' });
+  await user.tap(page().locator('.phone').getByRole('tab', { name: 'Pose' }));
+  await expect(joint).toBeInViewport();
+  await user.tap(animate);
+  await expect(joint).toBeHidden();
+  await expect(curves).toBeInViewport();
+  await expect(animate).toHaveAttribute('aria-selected', 'true');
+  await user.tap(animate);
+  await expect(joint).toBeInViewport();
+  await expect(curves).toBeHidden();
+  await user.tap(animate);
+  await expect(curves).toBeInViewport();
 });
 
 test('a motion that is pasted as text becomes a clip of the character', async () => {

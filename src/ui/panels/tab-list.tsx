@@ -3,7 +3,7 @@ import { tabs } from '../tabs.ts';
 
 interface TabListProperties {
   readonly editor: Editor;
-  /** Whether a press on the tab that is open closes its sheet, as on a phone. */
+  /** Whether its sheet opens and closes by presses on the tab, as on a phone. */
   readonly folds?: boolean;
 }
 
@@ -22,8 +22,10 @@ export function TabList({ editor, folds = false }: TabListProperties) {
   };
   return (
     <div role="tablist" aria-label="Tasks" onKeyDown={onKeyDown}>
-      {tabs.map(({ id, label }) => {
-        const isOpen = tab.value === id && (!folds || drawer.value === 'right');
+      {tabs.map(({ id, label, isTimeline = false }) => {
+        const isChosen = tab.value === id;
+        const hasSheet = isChosen && drawer.value === 'right';
+        const isOpen = isChosen && (!folds || hasSheet || (isTimeline && drawer.value === null));
         return (
           <button
             key={id}
@@ -32,10 +34,10 @@ export function TabList({ editor, folds = false }: TabListProperties) {
             data-tab={id}
             aria-selected={isOpen}
             aria-controls="inspector"
-            tabIndex={tab.value === id ? 0 : -1}
+            tabIndex={isChosen ? 0 : -1}
             onClick={() => {
               tab.value = id;
-              if (folds) drawer.value = isOpen ? null : 'right';
+              if (folds) drawer.value = hasSheet || (isTimeline && !isOpen) ? null : 'right';
             }}
           >
             {label}
