@@ -1,7 +1,8 @@
 import { expect, type Page } from '@playwright/test';
-import { drop, type NamedFile, openApp } from './support/app.ts';
+import { drop, type NamedFile, openApp, openTab } from './support/app.ts';
 import { onlyColors, violations } from './support/axe.ts';
 import { catalogue, scenes } from './support/catalogue.ts';
+import { cameraOf } from './support/controls.ts';
 import { madeCharacter } from './support/made-character.ts';
 import { coarse, sharedPage, test } from './support/test.ts';
 
@@ -69,6 +70,7 @@ test('the gallery has no violations in light and dark colors, and fits a phone',
   }
   await page().keyboard.press('Escape');
   await page().emulateMedia({ colorScheme: 'light' });
+  await openTab(page(), 'pose');
   await page().setViewportSize(size);
 });
 
@@ -119,6 +121,24 @@ test('a scene opens in place of all characters, as one step of undo', async () =
   expect(await poses()).toEqual(posed);
   await page().keyboard.press('Control+Shift+z');
   expect(await names(page())).toEqual(['human', 'dog']);
+
+  // Who kneels gets up to walk, and the camera steps back for the head, until the user has moved it.
+  await page().setViewportSize({ width: 1300, height: 500 });
+  await page().locator('.actors .name', { hasText: 'human' }).click();
+  await page().keyboard.press('Home');
+  const { distance } = await cameraOf(page());
+  await page().keyboard.press('p');
+  await expect.poll(async () => (await cameraOf(page())).distance).toBeGreaterThan(distance);
+  await page().keyboard.press('p');
+  await openTab(page(), 'animate');
+  await page().getByRole('button', { name: 'Release the clip' }).click();
+  await page().keyboard.press('ArrowLeft');
+  const turned = await cameraOf(page());
+  await page().keyboard.press('p');
+  await page().evaluate(() => window.sinew.settled());
+  expect(await cameraOf(page())).toEqual(turned);
+  await page().keyboard.press('p');
+  await page().setViewportSize(size);
 });
 
 declare global {

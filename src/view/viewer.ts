@@ -140,10 +140,7 @@ export class Viewer {
     this.canvas.width = width;
     this.canvas.height = height;
     this.size.value = { width, height };
-    // What was in the picture stays in it, unless the user has moved the camera since. A shot is the
-    // same at every size.
-    if (this.framed?.camera === this.camera.value && !this.framing.value)
-      this.frame(this.framed.box);
+    if (this.isFramed) this.frame(this.framed!.box);
     // Resizing empties the canvas, and it would stay empty until the next frame.
     this.show();
   }
@@ -151,6 +148,14 @@ export class Viewer {
   /** Changes the camera's distance and target so that all characters are in the picture. */
   frameAll(): void {
     this.frame(sceneBounds(this.evaluations.visible()));
+  }
+
+  /**
+   * Whether what was framed is to stay in the picture: the user has not moved the camera since, and
+   * it is not that of a shot, which is the same at every size.
+   */
+  get isFramed(): boolean {
+    return this.framed?.camera === this.camera.value && !this.framing.value;
   }
 
   /** The reason why an actor can't be drawn, or null; it is known after the first attempt. */

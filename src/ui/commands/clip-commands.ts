@@ -1,4 +1,5 @@
 import { loadPart } from '../../core/failure.ts';
+import type { Transport } from '../../document/transport.ts';
 import { selectedActor } from '../../document/selected-actor.ts';
 import { shownState } from '../../evaluation/shown-state.ts';
 import type { Editor } from '../editor.ts';
@@ -15,7 +16,7 @@ export const clipCommands = [
     isOn: ({ session }) => session.playing.value,
     describe: ({ session }) => (session.playing.value ? 'Pause' : 'Play'),
     isEnabled: (editor) => hasClip(editor) || editor.session.playing.value,
-    run: ({ transport }) => transport.togglePlay(),
+    run: (editor) => play(editor, (transport) => transport.togglePlay()),
   },
   {
     id: 'play-here',
@@ -24,7 +25,7 @@ export const clipCommands = [
     keyOnly: true,
     context: 'timeline',
     isEnabled: hasClip,
-    run: ({ transport }) => transport.togglePlay(),
+    run: (editor) => play(editor, (transport) => transport.togglePlay()),
   },
   {
     id: 'clip-start',
@@ -62,7 +63,7 @@ export const clipCommands = [
     id: 'play-all',
     label: 'Play all characters together',
     isEnabled: ({ store }) => store.scene.value.actors.some(({ clips }) => clips.length > 0),
-    run: ({ transport }) => transport.playAll(),
+    run: (editor) => play(editor, (transport) => transport.playAll()),
   },
   {
     id: 'release-clip',
@@ -132,4 +133,15 @@ function release({ transport, evaluations }: Editor): void {
 
 function clips() {
   return loadPart(import('../clips.ts'));
+}
+
+/** Plays or pauses. Whoever gets up as a clip is bound stays in the picture. */
+async function play(editor: Editor, toggle: (transport: Transport) => void): Promise<void> {
+  const { scene } = editor.store;
+  const bound = (): number => scene.peek().actors.filter(({ clip }) => clip !== null).length;
+  const before = bound();
+  toggle(editor.transport);
+  if (bound() <= before) return;
+  const { keepInPicture } = await loadPart(import('../keep-in-picture.ts'));
+  await keepInPicture(editor);
 }

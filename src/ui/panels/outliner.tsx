@@ -28,7 +28,7 @@ export function Outliner({ editor }: { readonly editor: Editor }) {
         >
           <Icon id="list" />
         </button>
-        <CommandButton editor={editor} command="gallery" class="add" />
+        <CommandButton editor={editor} command="gallery" class="primary add" />
       </header>
       <ul class="actors">
         {actors.map((actor, index) => (

@@ -28,7 +28,7 @@ export function StepControls({ lab, run }: StepControlsProperties) {
       <Jump name="Previous step" sign="◂" disabled={isFirst} run={() => lab.goTo(at - 1)} />
       <button
         type="button"
-        class="play"
+        class="primary play"
         aria-label={playing ? 'Pause' : 'Play the steps'}
         title={playing ? 'Pause' : 'Play the steps'}
         disabled={last === 0}

@@ -48,7 +48,7 @@ export function TransportBar({ editor }: { readonly editor: Editor }) {
       <CommandButton
         editor={editor}
         command="play"
-        class="play"
+        class="primary play"
         sign={playing.value ? '❚❚' : '▶'}
       />
       <CommandButton editor={editor} command="step-on" sign="▸" />
