@@ -6,7 +6,8 @@ import { evaluateRotation, rotationChannelFor } from '../core/motion/rotation-ch
 import { DofKind } from '../core/skeleton.ts';
 import { firstRoot } from '../core/subtree.ts';
 import { lost } from './lost.ts';
-import { frameTimes, timesBetween } from './motion/frame-times.ts';
+import { frameTimes } from './motion/frame-times.ts';
+import { atMost, largestBetween } from './motion/largest-between.ts';
 import { type MovedJoints, movedJoints, type Window, windowOf } from './motion/moved-joints.ts';
 import { sampleAngles, smoothKeys } from './motion/sampled-angles.ts';
 import { type Angles, turnBetween, turnOf } from './motion/turns.ts';
@@ -55,7 +56,7 @@ export function convertClip(clip: ClipParts, conversion: Conversion): ConvertedC
     return { clip: { ...clip, channels: kept }, losses };
   }
   const { channels, largest } = sampleJoints(clip, conversion, { moved, window, times });
-  const degrees = Number(((largest * 180) / Math.PI).toPrecision(2));
+  const degrees = atMost((largest * 180) / Math.PI);
   const frames = `sampled at ${clip.fps} frames a second and solved again`;
   const effect = `${frames}; off by at most ${degrees}° between them`;
   lose('the same values of joints', `${moved.joints.length} joints with others`, effect);
@@ -114,10 +115,11 @@ function sampleJoints(
       channels.push(channel);
       const rotation = rotationChannelFor(channel);
       const now = new Float64Array(4);
-      for (const time of timesBetween(times)) {
+      const difference = largestBetween(times, (time) => {
         evaluateRotation(rotation, time, now);
-        largest = Math.max(largest, turnBetween(turnAt(time), now));
-      }
+        return turnBetween(turnAt(time), now);
+      });
+      largest = Math.max(largest, difference);
       continue;
     }
     const sampled = sampleAngles(turnAt, times, target.product, anglesAt(times[0]!));

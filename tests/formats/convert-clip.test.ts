@@ -7,6 +7,7 @@ import { DofKind } from '../../src/core/skeleton.ts';
 import { type Converted, convertCharacter } from '../../src/formats/convert.ts';
 import type { ConvertTarget } from '../../src/formats/registry.ts';
 import { legSkel, legSkin } from '../support/cse169-files.ts';
+import { inverse, type Matrix, multiply, transpose } from '../reference/matrix.ts';
 import { readOne } from '../support/files.ts';
 
 // Without a skin, whose bindings may put joints elsewhere.
@@ -66,6 +67,41 @@ function differences(to: ConvertTarget, clip: ClipParts, times: readonly number[
   return { largest: Math.max(...farthest), ...moved };
 }
 
+/** The turn of the foot since rest, in the character's space, at a time of a clip. */
+function turnOfFoot(character: Character, q: Float64Array, clip: ClipParts, time: number): Matrix {
+  const { skeleton, morphs } = character;
+  const values = {
+    q: q.slice(),
+    morphWeights: new Float64Array(morphs.length),
+    pins: new Float64Array(skeleton.jointCount * 4),
+  };
+  evaluateClip(clipFor(clip, character), time, values);
+  const foot = skeleton.jointOfSource.at(-1)!;
+  const [now, rest] = [values.q, skeleton.qRest].map((pose) =>
+    rows(jointMatrices(skeleton, pose), foot),
+  );
+  return multiply(now!, inverse(rest!));
+}
+
+function rows(matrices: Float64Array, joint: number): Matrix {
+  return [0, 1, 2, 3].map((row) =>
+    [0, 1, 2, 3].map((column) => matrices[joint * 16 + column * 4 + row]!),
+  );
+}
+
+/** In radians. */
+function angleBetween(a: Matrix, b: Matrix): number {
+  const turn = multiply(transpose(a), b);
+  // Exact for small angles, unlike the arc cosine of the trace.
+  const sine =
+    Math.hypot(
+      turn[2]![1]! - turn[1]![2]!,
+      turn[0]![2]! - turn[2]![0]!,
+      turn[1]![0]! - turn[0]![1]!,
+    ) / 2;
+  return Math.atan2(sine, (turn[0]![0]! + turn[1]![1]! + turn[2]![2]! - 1) / 2);
+}
+
 const frames = Array.from({ length: 61 }, (_, frame) => frame / 60);
 const between = frames.map((time) => time + 1 / 180);
 
@@ -78,6 +114,22 @@ describe('a clip of a converted character', () => {
     expect(largest).toBeLessThan(2e-3);
     expect(losses.map(({ found }) => found)).toEqual(['2 joints with others']);
     expect(losses[0]!.effect).toMatch(/sampled at 60 frames a second and .* at most [\d.e-]+°/);
+  });
+
+  it.each(['mit', 'mmd'] as const)('says how far rotations of %s are off at most', (to) => {
+    const clip = clipOf(angle(2, 0), angle(2, 1), angle(2, 2));
+    const { character, pose, convertClip } = convertCharacter(leg, to, { q: leg.skeleton.qRest });
+    const { clip: moved, losses } = convertClip(clip);
+    const dense = Array.from({ length: 60 * 64 }, (_, step) => {
+      const time = step / (60 * 64);
+      const before = turnOfFoot(leg, leg.skeleton.qRest, clip, time);
+      return angleBetween(before, turnOfFoot(character, pose.q, moved, time));
+    });
+    const largest = (Math.max(...dense) * 180) / Math.PI;
+    const told = Number(/off by at most ([\d.e-]+)°/.exec(losses[0]!.effect)![1]);
+    expect(told).toBeGreaterThanOrEqual(largest);
+    // It has two digits, rounded up.
+    expect(told).toBeLessThan(largest * 1.12);
   });
 
   it('keeps a rule that all joints have', () => {

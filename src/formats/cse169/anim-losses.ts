@@ -1,6 +1,7 @@
 import type { Diagnostic } from '../../core/diagnostics.ts';
 import { type ClipParts, defaultFps } from '../../core/motion/clip-parts.ts';
 import { lost } from '../lost.ts';
+import { atMost } from '../motion/largest-between.ts';
 import type { PlainCurve } from './plain-tangents.ts';
 
 /** Collects what an `.anim` can't hold. */
@@ -35,7 +36,7 @@ export class AnimLosses {
     const fixed = sum((curve) => curve.fixed);
     if (fixed > 0) {
       const change = Math.max(...this.curves.map((curve) => curve.change));
-      const effect = `they are fixed slopes; the largest change of value is ${short(change)}`;
+      const effect = `they are fixed slopes; the largest change of value is ${atMost(change)}`;
       lose('tangents flat, linear, smooth or fixed', `${fixed} others`, effect);
     }
     const steps = sum((curve) => curve.steps);
@@ -46,7 +47,7 @@ export class AnimLosses {
     }
     if (this.turns.length > 0) {
       const degrees = (Math.max(...this.turns) * 180) / Math.PI;
-      const effect = `sampled at ${short(fps)} frames a second; off by at most ${short(degrees)}° between them`;
+      const effect = `sampled at ${short(fps)} frames a second; off by at most ${atMost(degrees)}° between them`;
       lose('angles of joints', `${this.turns.length} rotations`, effect);
     }
     const morphs = channels.filter(({ target }) => target?.of === 'morph').length;

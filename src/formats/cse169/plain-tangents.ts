@@ -1,7 +1,7 @@
 import { channelFor, evaluateChannel, isStepped } from '../../core/motion/channel.ts';
 import type { KeyParts, ScalarChannelParts, Tangent } from '../../core/motion/clip-parts.ts';
 import { slopesOf } from '../../core/motion/tangents.ts';
-import { timesBetween } from '../motion/frame-times.ts';
+import { largestBetween } from '../motion/largest-between.ts';
 
 /** A curve with the tangents that an `.anim` has, and what that changed. */
 export interface PlainCurve {
@@ -60,11 +60,9 @@ function changeOf(before: ScalarChannelParts, after: ScalarChannelParts): number
     const next = after.keys[at + 1];
     return tangentOut === 'linear' && next && next.time - after.keys[at]!.time <= steepTime;
   });
-  let largest = 0;
-  for (const time of timesBetween(before.keys.map((key) => key.time))) {
+  const times = before.keys.map((key) => key.time);
+  return largestBetween(times, (time) => {
     const isSteep = steep.some((key) => time >= key.time && time <= key.time + steepTime);
-    if (isSteep) continue;
-    largest = Math.max(largest, Math.abs(evaluateChannel(old, time) - evaluateChannel(now, time)));
-  }
-  return largest;
+    return isSteep ? 0 : Math.abs(evaluateChannel(old, time) - evaluateChannel(now, time));
+  });
 }

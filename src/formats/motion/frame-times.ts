@@ -28,10 +28,3 @@ export function frameTimes(
   });
   return times;
 }
-
-/** Times between those, at which what was sampled may differ most. */
-export function timesBetween(times: readonly number[]): readonly number[] {
-  return times
-    .slice(1)
-    .flatMap((time, at) => [1 / 4, 1 / 2, 3 / 4].map((u) => times[at]! * (1 - u) + time * u));
-}

@@ -4,6 +4,7 @@ import { readAnim } from '../cse169/anim.ts';
 import { bindChannels } from '../cse169/bind-channels.ts';
 import { extensionOf } from '../file-entry.ts';
 import { bindMotion, type BoundMotion } from './bind-motion.ts';
+import { atMost } from './largest-between.ts';
 import { readMotion } from './read-motion.ts';
 import { type ReorderedAngles, reorderAngles } from './reorder-angles.ts';
 
@@ -39,7 +40,7 @@ function orderDiagnostics(
   file: string,
   { joints, leftOut, largest }: ReorderedAngles,
 ): readonly Diagnostic[] {
-  const degrees = Number(((largest * 180) / Math.PI).toPrecision(2));
+  const degrees = atMost((largest * 180) / Math.PI);
   const base = { code: 'anim/order', file, expected: 'joints that turn by Rz · Ry · Rx' } as const;
   const sampled: Diagnostic = {
     ...base,

@@ -1,7 +1,7 @@
 import type { EulerProduct } from '../../core/euler.ts';
 import { channelFor, evaluateChannel } from '../../core/motion/channel.ts';
 import type { KeyParts } from '../../core/motion/clip-parts.ts';
-import { timesBetween } from './frame-times.ts';
+import { largestBetween } from './largest-between.ts';
 import { type Angles, anglesOf, turnBetween, turnOf } from './turns.ts';
 
 export interface SampledAngles {
@@ -34,12 +34,10 @@ export function sampleAngles(
   const [x, y, z] = keys.map((each) =>
     channelFor({ target: null, before: 'constant', after: 'constant', keys: each }),
   );
-  let largest = 0;
-  for (const time of timesBetween(times)) {
+  const largest = largestBetween(times, (time) => {
     const [ax, ay, az] = [x!, y!, z!].map((channel) => evaluateChannel(channel, time));
-    const turned = turnOf([ax!, ay!, az!], product);
-    largest = Math.max(largest, turnBetween(rotationAt(time), turned));
-  }
+    return turnBetween(rotationAt(time), turnOf([ax!, ay!, az!], product));
+  });
   return { keys, largest };
 }
 
