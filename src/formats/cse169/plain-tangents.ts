@@ -28,12 +28,15 @@ export function plainTangents(channel: ScalarChannelParts): PlainCurve {
   keys.forEach((key, at) => {
     const [stepBefore, stepAfter] = [at > 0 && isStepped(keys, at - 1), isStepped(keys, at)];
     const isEnd = at === keys.length - 1;
-    // A key that is put in between changes what the rules of its neighbors give.
+    // A key that is put in between changes what the rules of its neighbors give; "linear" only where
+    // its span is that one, as at the ends, from where the curve may go on by it.
     const isBesideStep = stepBefore || (stepAfter && !isEnd);
+    const isBent = isBesideStep && (at === 0 || isEnd);
     const tangent = (rule: Tangent, slope: number): Tangent => {
       if (rule === 'stepped') return 'flat';
-      const isKept = rule === 'flat' || rule === 'linear' || typeof rule === 'number';
-      if (isKept || (rule === 'smooth' && !isBesideStep)) return rule;
+      if (rule === 'flat' || typeof rule === 'number') return rule;
+      if (rule === 'linear' && !isBent) return rule;
+      if (rule === 'smooth' && !isBesideStep) return rule;
       fixed++;
       return slope;
     };

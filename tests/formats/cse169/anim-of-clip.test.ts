@@ -92,6 +92,19 @@ describe('a clip as .anim', () => {
     expect(losses).toContain('2 stepped spans: each jump takes 1 ms; the largest is 1.8');
   });
 
+  it('keeps the slopes by which curves go on from steps at their ends', () => {
+    const steps = curve(
+      [0, 0, 'linear', 'stepped'],
+      [1, 2, 'flat', 'flat'],
+      [2, 5, 'stepped', 'linear'],
+    );
+    const own = { ...steps, before: 'linear', after: 'linear' } as const;
+    const { channels } = written(clipOf([own]));
+    expect(largestChange(own, channels[6]!, [-3, -0.5, 0, 0.5, 1.5, 2, 2.5, 7])).toBeLessThan(
+      1e-12,
+    );
+  });
+
   it('samples rotations at frames, and says how far they are off', () => {
     const half: Quaternion = [0, 0, Math.SQRT1_2, Math.SQRT1_2];
     const side: Quaternion = [Math.SQRT1_2, 0, 0, Math.SQRT1_2];
