@@ -2,6 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { FileOpener } from '../../src/app/open-files.ts';
 import { openOwnFiles } from '../../src/app/open-own-files.ts';
 import { pictureKeyword } from '../../src/app/picture-note.ts';
+import { bindClip } from '../../src/document/edits.ts';
 import { openCharacters } from '../../src/document/open-characters.ts';
 import { reconcile } from '../../src/document/reconcile.ts';
 import type { Source } from '../../src/document/scene.ts';
@@ -12,7 +13,7 @@ import { memoryFile } from '../../src/formats/file-entry.ts';
 import type { FileEntry } from '../../src/formats/format.ts';
 import type { ReadCharacter } from '../../src/formats/read-characters.ts';
 import { insertPngText } from '../../src/formats/png/text-chunk.ts';
-import { leg } from '../support/cse169-files.ts';
+import { leg, legAnim, legSkel } from '../support/cse169-files.ts';
 import { courseSkel } from '../support/course-skeleton.ts';
 import { bytesOf, type FileContents, readOne } from '../support/files.ts';
 
@@ -99,6 +100,48 @@ describe('files that can’t be read', () => {
     expect((await run([broken, whole]))?.opened?.name).toBe('b');
     const told = session.problems.value.filter(({ file }) => file === path);
     expect(told).toHaveLength(1);
+  });
+});
+
+describe('a skeleton alone', () => {
+  it('is seen, and moves by its .anim and by a motion that comes later', async () => {
+    const session = new Session();
+    const store = new Store((before, after) => reconcile(session, before, after));
+    const evaluations = new Evaluations(store, session);
+    const opener = new FileOpener(store, session, evaluations, () => ({}));
+    const drop = (contents: FileContents) =>
+      openOwnFiles(
+        opener,
+        Object.entries(contents).map(([name, text]) => memoryFile(name, bytesOf(text))),
+        {
+          signal: new AbortController().signal,
+          onProgress: () => undefined,
+          openBundled: () => Promise.resolve(),
+          add: false,
+        },
+      );
+    await drop({ 'leg.skel': legSkel, 'leg_walk.anim': legAnim });
+    expect(session.showSkeleton.value).toBe(true);
+    const kneeAt = (time: number): number[] => {
+      session.clipTime.value = time;
+      const shown = evaluations.selected()!;
+      const { skeleton } = shown.state.character;
+      return [...shown.snapshot().q.subarray(skeleton.dofQ[skeleton.dofStart[1]!])].slice(0, 3);
+    };
+    store.amend(bindClip(opener.selected!.id, 0));
+    await evaluations.settled();
+    // x, y and z of the knee in the .anim, whose other channels move the root.
+    expect(kneeAt(0.5)).toEqual([0.25, 0.25, 0.25]);
+    const keys = [
+      [0, 0],
+      [1, 0.5],
+    ];
+    const motion = { channels: [{ target: { joint: 'knee', value: 'rx' }, keys }] };
+    await drop({ 'bend.motion.json': JSON.stringify(motion) });
+    expect(opener.selected!.clips.map(({ name }) => name)).toEqual(['leg_walk', 'bend']);
+    expect(session.problems.value).toEqual([]);
+    await evaluations.settled();
+    expect([0, 0.5].map((time) => kneeAt(time)[2])).toEqual([0, 0.25]);
   });
 });
 

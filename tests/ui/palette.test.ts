@@ -194,6 +194,40 @@ describe('the palette', () => {
   });
 });
 
+describe('how curves go on, by the palette', () => {
+  it('is a rule of the curves with selected keys at one end, in one step', async () => {
+    const own = await createEditor();
+    const { store, session } = own;
+    store.dispatch(bindClip(selectedActor(store, session)!.id, 0));
+    const rows = () => paletteEntries(own).filter(({ id }) => id.startsWith('continue '));
+    expect(rows()).toEqual([]);
+    const clip = () => selectedActor(store, session)!.clips[0]!;
+    const before = store.scene.value;
+    session.selectedKeys.value = new Map(
+      [1, 2].map((at) => [
+        channelKey(clip().channels[at]!.target!),
+        [clip().channels[at]!.keys[0]!.time],
+      ]),
+    );
+    expect(rows().map(({ label }) => label)).toHaveLength(10);
+    rows()
+      .find(({ label }) => label === 'Continue the curves after their keys: cycle with offset')!
+      .run();
+    expect(
+      clip()
+        .channels.slice(0, 4)
+        .map((each) => [each.before, each.after]),
+    ).toEqual([
+      ['constant', 'linear'],
+      ['cycle', 'cycle_offset'],
+      ['bounce', 'cycle_offset'],
+      ['linear', 'constant'],
+    ]);
+    store.undo();
+    expect(store.scene.value).toBe(before);
+  });
+});
+
 describe('ranking', () => {
   it('prefers starts of labels, then starts of words, then parts, then letters in order', () => {
     const labels = ['aski.n', 'Reskin', 'Skewed inn', 'Show the skin', 'Skin', 'Bones'];
