@@ -98,9 +98,13 @@ test('the button of its section measures other methods, and can be canceled', as
   await sheet().getByRole('button', { name: 'Cancel' }).click();
   await expect(sheet().getByRole('progressbar')).toHaveCount(0);
   await expect(sheet()).toContainText('Differences from Linear blend'); // the last table stays
+  const bend = panel().getByLabel('Bends up to');
+  await bend.fill('0'); // no angle that joints can be tested at
+  await bend.fill('45.5');
   await panel().getByRole('button', { name: 'Run the suite' }).click();
   await expect(sheet()).toContainText('Differences from Dual quaternions');
   await done();
+  await expect(rows().filter({ hasText: 'bend 45.5°' })).toHaveCount(1);
   await expect(sheet().locator('canvas')).toHaveCount(6 * 2);
   await expect(page().locator('[data-command="undo"]').first()).toBeDisabled();
   await button('Close the stress suite').click();

@@ -48,6 +48,12 @@ export const deltaMush: SkinningMethod<'delta-mush'> = {
   id: 'delta-mush',
   parameters: [steps, lambda],
   finish,
+  *warmUp(mesh, skin, settings) {
+    const surface = surfaceOf(mesh, skin);
+    yield;
+    smoothedRest(surface, settings);
+    yield;
+  },
 };
 
 function finish(
@@ -87,12 +93,14 @@ export function mushSurface(
   positions: Float32Array,
   settings: MethodSettings,
 ): Mushed {
-  const stepCount = Math.round(settingOf(settings, steps));
-  const part = settingOf(settings, lambda);
-  const rest = restOf(surface, stepCount, part);
+  const rest = smoothedRest(surface, settings);
   gatherPlaces(surface, positions);
-  const posed = smoothPlaces(surface.rings, surface.skinned, stepCount, part, surface.work);
+  const posed = smoothPlaces(surface.rings, surface.skinned, rest.steps, rest.lambda, surface.work);
   return { ...rest, surface, posed };
+}
+
+function smoothedRest(surface: MushedSurface, settings: MethodSettings): MushedRest {
+  return restOf(surface, Math.round(settingOf(settings, steps)), settingOf(settings, lambda));
 }
 
 /** The places (placeCount × 3) from which and to which a place takes the surface around it. */

@@ -149,6 +149,11 @@ export interface SkinningMethod<Id extends KernelId = KernelId, Extra = unknown>
    * @param rest the mesh after them
    */
   finish?(mesh: Mesh, rest: Mesh, skin: Skin, posed: PosedStreams, use: MethodUse<Extra>): void;
+  /**
+   * Computes in steps what the first use of a skin would compute at once, for callers that let others
+   * work in between.
+   */
+  warmUp?(mesh: Mesh, skin: Skin, settings: MethodSettings): Iterator<unknown>;
   /** Further attributes of the shader, each (vertexCount × 3). */
   attributes?(mesh: Mesh, extra: Extra): Readonly<Record<string, Float32Array>>;
   /** Further uniforms of the shader. */

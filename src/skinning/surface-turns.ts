@@ -28,14 +28,24 @@ export function frameSurface(rings: SurfaceRings, places: Float64Array): FramedS
     // The axis that is the furthest from the normal gives the tangent.
     const isX = Math.abs(nx) <= Math.abs(ny) && Math.abs(nx) <= Math.abs(nz);
     const isY = !isX && Math.abs(ny) <= Math.abs(nz);
-    const [ax, ay, az] = [isX ? 1 : 0, isY ? 1 : 0, isX || isY ? 0 : 1];
+    const ax = isX ? 1 : 0;
+    const ay = isY ? 1 : 0;
+    const az = isX || isY ? 0 : 1;
     const along = ax * nx + ay * ny + az * nz;
     const length = Math.sqrt(1 - along * along);
     const tx = (ax - along * nx) / length;
     const ty = (ay - along * ny) / length;
     const tz = (az - along * nz) / length;
-    frames.set([tx, ty, tz, ny * tz - nz * ty, nz * tx - nx * tz, nx * ty - ny * tx], place * 9);
-    frames.set(normal, place * 9 + 6);
+    const at = place * 9;
+    frames[at] = tx;
+    frames[at + 1] = ty;
+    frames[at + 2] = tz;
+    frames[at + 3] = ny * tz - nz * ty;
+    frames[at + 4] = nz * tx - nx * tz;
+    frames[at + 5] = nx * ty - ny * tx;
+    frames[at + 6] = nx;
+    frames[at + 7] = ny;
+    frames[at + 8] = nz;
   }
   return { places, frames };
 }

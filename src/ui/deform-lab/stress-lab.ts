@@ -30,6 +30,8 @@ export interface MeasuredSuite extends StressSuite {
   readonly name: string;
 }
 
+const degree = Math.PI / 180;
+
 /** So many methods at least are compared. */
 export const fewestMethods = 2;
 
@@ -42,6 +44,9 @@ export class StressLab {
   private readonly wantedBase = signal<MethodId | null>(null);
   /** Whether joints turn from the pose that is shown, and not from that of the file. */
   readonly fromShown = signal(false);
+  /** How far joints without limits turn at most across and about their bones, in degrees. */
+  readonly bend = signal(Math.round(usualRanges.bend / degree));
+  readonly twist = signal(Math.round(usualRanges.twist / degree));
   /** How many poses get pictures. */
   readonly pictureCount = signal(12);
   readonly isWorstFirst = signal(true);
@@ -116,10 +121,11 @@ export class StressLab {
     const ids = [base, ...this.chosen.peek().filter((id) => id !== base)];
     const { character, id, name } = actor;
     const fromShown = this.fromShown.peek();
+    const ranges = { bend: this.bend.peek() * degree, twist: this.twist.peek() * degree };
     const before = this.measurement.result.peek();
     const planOf = ({ q }: Actor) => ({
       q: fromShown ? q : character.skeleton.qRest,
-      ranges: usualRanges,
+      ranges,
       base: 0,
     });
     const complete = (suite: StressSuite, plain: Actor) => ({ ...suite, actor: plain, id, name });

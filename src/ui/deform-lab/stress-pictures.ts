@@ -5,11 +5,13 @@ import {
   type StressSuite,
   worstFirst,
 } from '../../evaluation/comparison/stress.ts';
+import { differenceOf } from '../../evaluation/comparison/difference.ts';
 import type { Evaluation } from '../../evaluation/evaluation.ts';
+import { Evaluator } from '../../evaluation/evaluator.ts';
+import { turnOfPage } from '../../view/turn-of-page.ts';
 import type { Picture } from '../../view/picture/encode-picture.ts';
 import { pictureInTurns } from '../../view/picture/picture-in-turns.ts';
 import { jointCamera } from '../../view/picture/joint-camera.ts';
-import type { Camera } from '../../document/camera.ts';
 import type { Looking } from '../editor.ts';
 
 /** The side of a picture in its own pixels: twice that on the page, for fine screens and for print. */
@@ -48,27 +50,56 @@ export class StressPictures {
     const chosen = worstFirst(rows).slice(0, count);
     this.drawn.value = new Map();
     const ids = [methods[base]!, ...methods.filter((_, i) => i !== base)];
+    const { pool } = viewer.evaluations;
+    const evaluators = ids.map((method) => new Evaluator({ ...actor, method }, pool));
     let done = 0;
-    for (const row of chosen) {
-      let camera: Camera | undefined;
-      const pictures = new Map<string, Picture>();
-      for (const method of ids) {
-        this.part.value = done++ / (chosen.length * ids.length);
-        const posed = { ...actor, method, q: row.pose.q };
-        const cameraOf = (still: Evaluation): Camera => (camera ??= jointCamera(still, row.pose));
-        const picture = viewer.available.value
-          ? await pictureInTurns(viewer, posed, cameraOf, side, stopped)
-          : null;
-        if (stopped.aborted) return;
-        if (!picture) {
-          this.cancel();
-          return;
-        }
-        pictures.set(method, picture);
+    try {
+      for (const { method, state, skin, use } of evaluators) {
+        const warming = method.warmUp?.(state.character.mesh, skin, use.settings);
+        while (warming?.next().done === false) await turnOfPage();
       }
-      const inOrder = methods.map((method) => pictures.get(method)!);
-      this.drawn.value = new Map(this.drawn.peek()).set(row, inOrder);
+      for (const row of chosen) {
+        const posed = ids.map((method) => ({ ...actor, method, q: row.pose.q }));
+        for (const [i, evaluator] of evaluators.entries()) {
+          await turnOfPage();
+          if (stopped.aborted) return;
+          evaluator.evaluate(posed[i]!, 0).vertices();
+        }
+        const camera = await jointCamera(evaluators[0]!, row.pose, apartness(evaluators));
+        const pictures = new Map<string, Picture>();
+        for (const state of posed) {
+          this.part.value = done++ / (chosen.length * ids.length);
+          const picture = await pictureInTurns(viewer, state, camera, side, stopped);
+          if (stopped.aborted) return;
+          if (!picture) {
+            this.cancel();
+            return;
+          }
+          pictures.set(state.method, picture);
+        }
+        const inOrder = methods.map((method) => pictures.get(method)!);
+        this.drawn.value = new Map(this.drawn.peek()).set(row, inOrder);
+      }
+    } finally {
+      for (const evaluator of evaluators) evaluator.dispose();
     }
     this.part.value = null;
   }
+}
+
+/** (pointCount) the squares of the largest distances of points from where the first puts them. */
+function apartness([base, ...others]: readonly Evaluation[]): Float32Array {
+  const { pointCount } = base!.rest;
+  const apart = new Float32Array(pointCount);
+  for (const other of others) {
+    const { distances } = differenceOf(
+      other.vertices().positions,
+      base!.vertices().positions,
+      pointCount,
+    );
+    distances.forEach((distance, point) => {
+      apart[point] = Math.max(apart[point]!, distance * distance);
+    });
+  }
+  return apart;
 }

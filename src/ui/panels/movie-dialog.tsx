@@ -11,7 +11,7 @@ import { attempt } from '../attempt.ts';
 import type { Editor, MovieChoice } from '../editor.ts';
 import { moviePlan, movieSituation } from '../movie-request.ts';
 import { movieText } from '../movie-text.ts';
-import { NumberRow, SelectRow, TickRow } from './movie-rows.tsx';
+import { NumberRow, SelectRow, TickRow } from './setting-rows.tsx';
 
 const sizes: Readonly<Record<MovieSizeId, string>> = {
   view: 'As the view',

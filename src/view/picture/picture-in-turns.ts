@@ -1,6 +1,5 @@
 import type { Camera } from '../../document/camera.ts';
 import type { Actor } from '../../document/scene.ts';
-import type { Evaluation } from '../../evaluation/evaluation.ts';
 import { gpuDone } from '../../gl/fence.ts';
 import { RenderTarget } from '../../gl/render-target.ts';
 import { turnOfPage } from '../turn-of-page.ts';
@@ -12,13 +11,12 @@ import { averaged, drawAlone, holdAlone } from './pose-picture.ts';
  * Draws a picture as `posePicture` does, from another camera. The page goes on between its steps, and
  * while the GPU draws.
  *
- * @param cameraOf gives the camera for the character as it is drawn
  * @returns null if the signal or the loss of the graphics context ends it
  */
 export async function pictureInTurns(
   viewer: Viewer,
   actor: Actor,
-  cameraOf: (still: Evaluation) => Camera,
+  camera: Camera,
   side: number,
   signal: AbortSignal,
 ): Promise<Picture | null> {
@@ -30,7 +28,6 @@ export async function pictureInTurns(
   };
   let target: RenderTarget | null = null;
   try {
-    const camera = cameraOf(still);
     if (!(await goesOn())) return null;
     target = drawAlone(viewer, still, camera, side, (renderer, frame) => {
       const { width, height } = frame.viewport;

@@ -4,10 +4,14 @@ import { menuName, methods } from '../../../skinning/registry.ts';
 import { fewestMethods, stressLabOf } from '../../deform-lab/stress-lab.ts';
 import type { Editor } from '../../editor.ts';
 import { CommandButton } from '../command-button.tsx';
+import { NumberRow } from '../setting-rows.tsx';
 import { Measuring } from './measuring.tsx';
 
 /** How many poses may get pictures. */
 const counts = [6, 12, 24, 48];
+
+/** How far joints may be set to turn, in degrees. */
+const turns = { min: 1, max: 180, step: 'any' } as const;
 
 /** What the stress suite is to measure and draw; its table is below the view. */
 export function Stress({ editor }: { readonly editor: Editor }) {
@@ -65,6 +69,16 @@ export function Stress({ editor }: { readonly editor: Editor }) {
             <option value="shown">the pose that is shown</option>
           </select>
         </label>
+        <NumberRow
+          {...{ label: 'Bends up to', unit: '°', ...turns }}
+          value={lab.bend.value}
+          onChange={(value) => (lab.bend.value = value)}
+        />
+        <NumberRow
+          {...{ label: 'Twists up to', unit: '°', ...turns }}
+          value={lab.twist.value}
+          onChange={(value) => (lab.twist.value = value)}
+        />
         <label>
           <span>Pictures of</span>
           <select
@@ -87,8 +101,8 @@ export function Stress({ editor }: { readonly editor: Editor }) {
         </div>
       )}
       <p class="hint">
-        Hinges with limits turn to these. Other joints bend 120° each way about two axes across the
-        bone and twist 90° each way about it; the joints of a body no farther than such joints do.
+        Hinges with limits turn to these. Other joints bend about two axes across the bone and twist
+        about it, each way as far as is set; the joints of a body no farther than such joints do.
       </p>
     </>
   );
