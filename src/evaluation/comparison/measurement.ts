@@ -1,10 +1,10 @@
+import { loadPart } from '../../core/failure.ts';
 import type { Actor } from '../../document/scene.ts';
 import { skinInUse } from '../../document/scene.ts';
 import type { KernelId, MethodId } from '../../skinning/method.ts';
 import { WasmSkinning } from '../../skinning/wasm/wasm-skinning.ts';
 import { EvaluationPool } from '../evaluation-pool.ts';
 import { Kernels } from '../kernels.ts';
-import { Preparations } from '../preparations.ts';
 import { stressOf, type StressSuite } from './stress.ts';
 import { stressPoses, type StressRanges } from './stress-poses.ts';
 import { type Sweep, sweepOf } from './sweep.ts';
@@ -70,6 +70,7 @@ export async function measure<Kind extends MeasurementKind>(
   { kind, plan, actor, methods, wasm, prepared }: MeasurementInput<Kind>,
   onProgress: (part: number) => void,
 ): Promise<MeasurementResult<Kind>> {
+  const { Preparations } = await loadPart(import('../preparations.ts'));
   const preparations = new Preparations({
     prepare: (method) => Promise.resolve(prepared.get(method.id)),
   });
