@@ -1,10 +1,7 @@
 import { skinInUse } from '../document/scene.ts';
-import { differenceOf, sizeOf } from './comparison/difference.ts';
+import { differenceOf, leastPart, sizeOf } from './comparison/difference.ts';
 import type { Evaluation } from './evaluation.ts';
 import { poseVertices } from '../skinning/pose-vertices.ts';
-
-/** A smaller move, as a part of the character's size, is rounding. */
-const leastMove = 1e-6;
 
 /** How far points are, in the pose that is shown, from where all of their influences put them. */
 export interface Truncation {
@@ -35,7 +32,7 @@ export function truncationOf(evaluation: Evaluation): Truncation | null {
   poseVertices(method, mesh, rest, fullSkin, palette, use, { positions: full, normals: null });
   const kept = evaluation.vertices().positions;
   const { height, diagonal } = sizeOf(state.character);
-  const least = leastMove * diagonal;
+  const least = leastPart * diagonal;
   const written = held?.truncation.errors;
   const difference = differenceOf(kept, full, mesh.pointCount, least, written);
   const { distances: errors, largest, mean, worst } = difference;

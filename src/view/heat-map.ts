@@ -1,14 +1,11 @@
 import { diagonal } from '../core/bounds.ts';
 import type { ActorId } from '../document/scene.ts';
-import { differenceOf, sizeOf } from '../evaluation/comparison/difference.ts';
+import { differenceOf, leastPart, sizeOf } from '../evaluation/comparison/difference.ts';
 import { verticesBy } from '../evaluation/comparison/vertices-by.ts';
 import type { Evaluation } from '../evaluation/evaluation.ts';
 import type { Kernels } from '../evaluation/kernels.ts';
 import type { MethodId } from '../skinning/method.ts';
 import { colorAt, errorRamp, zeroColor } from '../skinning/weights/ramps.ts';
-
-/** A smaller difference, as a part of the character's size, is rounding. */
-export const leastPart = 1e-6;
 
 interface Painted {
   readonly revision: number;

@@ -1,5 +1,6 @@
+import { diagonal } from '../../core/bounds.ts';
 import type { Evaluation } from '../evaluation.ts';
-import { type Difference, differenceOf } from './difference.ts';
+import { type Difference, differenceOf, leastPart } from './difference.ts';
 import { rowSumDifference } from './row-sums.ts';
 import { volumeRatioOf } from './volume.ts';
 
@@ -19,10 +20,11 @@ export function compareWith(
   evaluations: readonly Evaluation[],
 ): readonly MethodNumbers[] {
   const from = base.vertices().positions;
+  const least = leastPart * diagonal(base.state.character.bounds);
   return evaluations.map((evaluation) => {
     const { positions } = evaluation.vertices();
     return {
-      difference: differenceOf(positions, from, evaluation.rest.pointCount),
+      difference: differenceOf(positions, from, evaluation.rest.pointCount, least),
       volume: volumeRatioOf(evaluation),
       bySums: rowSumDifference(evaluation),
     };

@@ -1,5 +1,8 @@
 import { type Bounds, diagonal } from '../../core/bounds.ts';
 
+/** A smaller difference, as a part of the character's size, is rounding. */
+export const leastPart = 1e-6;
+
 /** How far the points of two posed meshes are from each other. */
 export interface Difference {
   /** (pointCount) in model units. */

@@ -2,12 +2,10 @@ import { diagonal } from '../../core/bounds.ts';
 import { normalizeSkin, type Skin } from '../../core/skin.ts';
 import { poseVertices } from '../../skinning/pose-vertices.ts';
 import type { Evaluation } from '../evaluation.ts';
-import { type Difference, differenceOf } from './difference.ts';
+import { type Difference, differenceOf, leastPart } from './difference.ts';
 
 /** A sum of float32 weights that is this near to 1 is 1 but for rounding. */
 const leastDeviation = 1e-6;
-/** A smaller move, as a part of the character's size, is rounding. */
-const leastMove = 1e-6;
 
 /** How the rows of a skin sum up. */
 export interface RowSums {
@@ -44,7 +42,7 @@ export function rowSumDifference(evaluation: Evaluation): Difference | null {
   const normalized = normalizedSkin(skin);
   poseVertices(method, mesh, rest, normalized, palette, use, { positions, normals: null });
   const shown = evaluation.vertices().positions;
-  return differenceOf(shown, positions, mesh.pointCount, leastMove * diagonal(bounds));
+  return differenceOf(shown, positions, mesh.pointCount, leastPart * diagonal(bounds));
 }
 
 function normalizedSkin(skin: Skin): Skin {

@@ -5,12 +5,12 @@ import {
   type CharacterSize,
   type Difference,
   differenceOf,
+  leastPart,
   sizeOf,
 } from '../../evaluation/comparison/difference.ts';
 import { overridesOf } from '../../evaluation/comparison/overrides.ts';
 import type { Evaluation } from '../../evaluation/evaluation.ts';
 import { type KernelRow, kernelOf } from '../../skinning/registry.ts';
-import { leastPart } from '../../view/heat-map.ts';
 import type { Looking } from '../editor.ts';
 
 /** The selected character under one of the methods. */
