@@ -14,6 +14,7 @@ import { partsLost } from './convert-losses.ts';
 import { convertParts, tripleAt } from './convert-parts.ts';
 import { bindMatrix } from './cse169/write-skin.ts';
 import { fitsShape } from './fits-shape.ts';
+import { clipDepthFirst, numberedDepthFirst } from './nested-order.ts';
 import { type ConvertTarget, shapeOf } from './registry.ts';
 import { solvePose, type Target } from './solve-pose.ts';
 import { lost } from './lost.ts';
@@ -76,10 +77,14 @@ export function convertCharacter(character: Character, to: ConvertTarget, pose: 
   losses.push(...partsLost(character, shape));
   const conversion = { from: character, to: built, target, q: pose.q };
   return {
-    character: built,
+    character: shape.nests ? numberedDepthFirst(built) : built,
     pose: { q },
     losses,
-    convertClip: (clip) => convertClip(clip, conversion),
+    convertClip(clip) {
+      const made = convertClip(clip, conversion);
+      if (!shape.nests) return made;
+      return { ...made, clip: clipDepthFirst(made.clip, built.skeleton) };
+    },
   };
 }
 

@@ -93,6 +93,8 @@ export interface FormatShape {
   readonly colors: boolean;
   readonly morphs: boolean;
   readonly clips: boolean;
+  /** Whether the files nest joints in one another, so that these are numbered depth first. */
+  readonly nests: boolean;
   /** Null if the format does not define its unit. */
   readonly metersPerUnit: number | null;
   readonly handedness: FileSpace;

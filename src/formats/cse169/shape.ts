@@ -19,6 +19,7 @@ export const cse169Shape: FormatShape = {
   colors: false,
   morphs: true,
   clips: true,
+  nests: true,
   metersPerUnit: null,
   handedness: 'right-handed',
 };

@@ -19,6 +19,7 @@ export const mitShape: FormatShape = {
   colors: true,
   morphs: false,
   clips: false,
+  nests: false,
   metersPerUnit: null,
   handedness: 'right-handed',
 };

@@ -19,6 +19,7 @@ export const mmdShape: FormatShape = {
   colors: true,
   morphs: true,
   clips: false,
+  nests: false,
   metersPerUnit: null,
   handedness: 'left-handed',
 };
