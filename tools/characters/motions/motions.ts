@@ -7,11 +7,13 @@ import { withFeetDown } from './feet-down.ts';
 import { humanIdle } from './human-idle.ts';
 import { humanWalk } from './human-walk.ts';
 import { humanWave } from './human-wave.ts';
+import { withFeetPlanted } from './planted-foot.ts';
 
 /** Makes the motions of the human and the dog, as MOTION.json, from their bundled files. */
 export async function makeMotions(dataFolder: string): Promise<void> {
   const human = await readFigure(dataFolder, 'human');
-  const walk = await withFeetDown(humanWalk, human.character);
+  const planted = withFeetPlanted(humanWalk, human.character);
+  const walk = await withFeetDown(planted, human.character);
   const idle = await withFeetDown(humanIdle, human.character);
   write(join(dataFolder, 'human'), { walk, wave: humanWave, idle });
   write(join(dataFolder, 'dog'), { 'tail-wag': dogWag });
