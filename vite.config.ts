@@ -3,6 +3,7 @@ import { contentPolicy } from './tools/vite-content-policy.ts';
 import { earlyRequests } from './tools/vite-early-requests.ts';
 import { pureGlMatrix } from './tools/vite-gl-matrix.ts';
 import { shortShaders } from './tools/vite-glsl.ts';
+import { laterScripts } from './tools/vite-later-scripts.ts';
 import { wasmKernel } from './tools/vite-kernel.ts';
 import { withoutNodeFiles } from './tools/vite-mediabunny.ts';
 
@@ -73,7 +74,7 @@ export default defineConfig({
     modulePreload: false,
     // Small files are not inlined, because a strict content policy allows no data: addresses.
     assetsInlineLimit: 0,
-    rolldownOptions: { output: { codeSplitting: { groups: firstScripts } } },
+    rolldownOptions: { output: { codeSplitting: { groups: [...firstScripts, laterScripts()] } } },
   },
   worker: { format: 'es', plugins: () => [pureGlMatrix()] },
 });
