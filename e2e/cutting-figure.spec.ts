@@ -1,10 +1,9 @@
-import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { readFileSync } from 'node:fs';
 import path from 'node:path';
-import { gunzipSync } from 'node:zlib';
 import { expect } from '@playwright/test';
-import { sweep as sweepCommand } from '../src/cli/sweep.ts';
 import { choose, openApp, openTab, setPose } from './support/app.ts';
 import { onlyColors, violations } from './support/axe.ts';
+import { sinew } from './support/command-line.ts';
 import { expectPicture } from './support/pictures.ts';
 import { drawPlainly, sharedPage, test } from './support/test.ts';
 
@@ -103,14 +102,10 @@ test('a sweep has curves that can be read, saved and canceled, and those of the 
     return readFileSync(await (await download).path(), 'utf8');
   };
   const folder = path.resolve(import.meta.dirname, '../public/data/tube');
-  const files = readdirSync(folder).filter((name) => /\.(skel|obj|attach)\.gz$/.test(name));
-  const inputs = files.map((name) => info.outputPath(path.basename(name, '.gz')));
-  for (const [i, name] of files.entries()) {
-    writeFileSync(inputs[i]!, gunzipSync(readFileSync(path.join(folder, name))));
-  }
+  const inputs = ['skel', 'obj', 'attach'].map((kind) => path.join(folder, `tube.${kind}.gz`));
   const out = info.outputPath('sweep.csv');
   const words = ['--joint', '#2', '--axis', 'x', '--methods', 'lbs,dqs', '--csv', out];
-  expect(await sweepCommand.run([...inputs, ...words])).toBe(0);
+  sinew('sweep', ...inputs, ...words);
   expect(await saved('Save table')).toBe(readFileSync(out, 'utf8'));
   expect((await saved('Save picture')).match(/<polyline/g)!.length).toBeGreaterThan(4);
 

@@ -3,9 +3,9 @@ import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { expect } from '@playwright/test';
 import { PNG } from 'pngjs';
-import { stress } from '../src/cli/stress.ts';
 import { capture, getPose, openApp } from './support/app.ts';
 import { onlyColors, violations } from './support/axe.ts';
+import { sinew } from './support/command-line.ts';
 import { expectPicture } from './support/pictures.ts';
 import { sharedPage, test } from './support/test.ts';
 
@@ -29,11 +29,11 @@ async function saved(name: string): Promise<{ name: string; bytes: Buffer }> {
 }
 
 /** The table that the command line writes for the same character. */
-async function tableOfCommandLine(): Promise<string> {
+function tableOfCommandLine(): string {
   const folder = path.resolve(import.meta.dirname, '../public/data/tube');
   const files = ['skel', 'obj', 'attach'].map((kind) => path.join(folder, `tube.${kind}.gz`));
   const out = path.join(mkdtempSync(path.join(tmpdir(), 'sinew-')), 'o.csv');
-  expect(await stress.run([...files, '--methods', 'lbs,dqs', '--csv', out])).toBe(0);
+  sinew('stress', ...files, '--methods', 'lbs,dqs', '--csv', out);
   return readFileSync(out, 'utf8');
 }
 
@@ -61,7 +61,7 @@ test('the palette runs the suite, which leaves the scene as it is', async () => 
 test('its table is that of the command line, and its pictures are saved as one', async () => {
   const table = await saved('Save table (CSV)');
   expect(table.name).toBe('tube-stress.csv');
-  expect(table.bytes.toString()).toBe(await tableOfCommandLine());
+  expect(table.bytes.toString()).toBe(tableOfCommandLine());
   const { name, bytes } = await saved('Save pictures (PNG)');
   expect(name).toBe('tube-stress.png');
   const { width, height } = PNG.sync.read(bytes);
