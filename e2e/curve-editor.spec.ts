@@ -5,7 +5,7 @@ import { drop, openApp, openTab } from './support/app.ts';
 import { onlyColors, violations } from './support/axe.ts';
 import { keyboardUser } from './support/keyboard-user.ts';
 import { expectPicture } from './support/pictures.ts';
-import { drawPlainly, sharedPage, test } from './support/test.ts';
+import { drawPlainly, openBundled, sharedPage, test } from './support/test.ts';
 
 test.use({ viewport: { width: 1200, height: 700 } });
 
@@ -19,6 +19,7 @@ const anim = `animation { range 0 1 numchannels 6
 
 const page = sharedPage(async (page) => {
   await drawPlainly(page);
+  await openBundled(page, 'small');
   await openApp(page, 'model=insect');
   await drop(page, [
     { name: 'arm.skel', content: 'balljoint arm { boxmin -1 -1 -1 boxmax 1 1 1 }' },

@@ -7,10 +7,11 @@ import { lightHandles } from '../src/view/light-handles.ts';
 import { pixelsIn } from '../src/view/overlay.ts';
 import { bytesOf, choose, openView } from './support/app.ts';
 import { cameraOf, typeNumber } from './support/controls.ts';
-import { drawPlainly, sharedPage, test } from './support/test.ts';
+import { drawPlainly, openBundled, sharedPage, test } from './support/test.ts';
 
 const page = sharedPage(async (page) => {
   await drawPlainly(page);
+  await openBundled(page, 'small');
   await openView(page, 'model=human');
 });
 const [width, height] = [320, 240];

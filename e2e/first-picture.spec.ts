@@ -3,7 +3,7 @@ import { PNG } from 'pngjs';
 import type { CaptureOptions } from '../src/app/scripting.ts';
 import { colorDifference, type Lab, labOf } from '../src/core/color-difference.ts';
 import { bytesOf } from './support/app.ts';
-import { coarse, test } from './support/test.ts';
+import { coarse, openBundled, test } from './support/test.ts';
 
 test.use(coarse);
 
@@ -12,6 +12,7 @@ const leastDifference = 20; // CIEDE2000
 const mostContrast = 6; // of lightness, between the floor's checks
 
 test('the person stands out from a quiet floor, in light and dark colors', async ({ page }) => {
+  await openBundled(page, 'whole');
   await page.goto('./');
   await page.evaluate(() => window.sinew.ready);
   for (const colorScheme of ['light', 'dark'] as const) {

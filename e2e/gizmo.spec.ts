@@ -3,13 +3,14 @@ import { getPose, openApp, openView } from './support/app.ts';
 import { violations } from './support/axe.ts';
 import { find, type Place } from './support/find-limb.ts';
 import { expectPicture } from './support/pictures.ts';
-import { drawPlainly, sharedPage, test } from './support/test.ts';
+import { drawPlainly, openBundled, sharedPage, test } from './support/test.ts';
 
 // Rings about a joint's own axes, the scene's and the line of sight; several joints at once; posing
 // by keys alone; and the list of steps.
 test.use({ viewport: { width: 1000, height: 500 } });
 const page = sharedPage(async (page) => {
   await drawPlainly(page);
+  await openBundled(page, 'small');
   await openApp(page, 'model=human');
 });
 

@@ -7,11 +7,13 @@ import { controlRow, openApp } from './support/app.ts';
 import { violations } from './support/axe.ts';
 import { typeNumber } from './support/controls.ts';
 import { find, type Place } from './support/find-limb.ts';
-import { coarse, sharedPage, test } from './support/test.ts';
+import { coarse, openBundled, sharedPage, test } from './support/test.ts';
 
 test.use({ ...coarse, viewport: { width: 1000, height: 500 }, hasTouch: true });
 let hand: Place;
 const page = sharedPage(async (page) => {
+  // The places of limbs are searched for in steps of some pixels.
+  await openBundled(page, 'whole');
   await openApp(page, 'model=human');
   const box = (await page.locator('canvas.scene').boundingBox())!;
   const [from, to] = [0, 1].map((part) => ({

@@ -10,7 +10,7 @@ import { find, type Place } from './support/find-limb.ts';
 import { keyboardUser } from './support/keyboard-user.ts';
 import { expectPicture } from './support/pictures.ts';
 import { doStudentsJob, expectElbowTurned } from './support/student.ts';
-import { coarse, test } from './support/test.ts';
+import { coarse, openBundled, test } from './support/test.ts';
 import { touchUser } from './support/touch-user.ts';
 
 // What people come for, with the presses and drags that it may cost. By touch and by keyboard alone
@@ -175,6 +175,7 @@ test('a newcomer, a sharer and a collector reach their aims: 4, 2 and 6 presses'
 test('an artist lets two people shake hands and saves the picture: 25 presses', async ({
   page,
 }) => {
+  await openBundled(page, 'whole');
   await visit(page);
   const user = countedUser(page);
   const joint = (name: string) => page.getByRole('treeitem', { name, exact: true });

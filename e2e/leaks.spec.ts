@@ -3,10 +3,12 @@ import { expect } from '@playwright/test';
 import { choose, drop, openSmallView } from './support/app.ts';
 import { countHoldings, type Holdings, holdingsOf } from './support/holdings.ts';
 import { madeCharacter } from './support/made-character.ts';
-import { sharedPage, test } from './support/test.ts';
+import { drawPlainly, openBundled, sharedPage, test } from './support/test.ts';
 
 const page = sharedPage(async (page) => {
   await countHoldings(page);
+  await drawPlainly(page);
+  await openBundled(page, 'small');
   await openSmallView(page, 'model=tube');
 });
 
@@ -67,6 +69,7 @@ test('an image on a character, and weights in color, leave nothing behind', asyn
 });
 
 test('the workers that read large files are terminated', async () => {
+  await page().evaluate(() => void (window.bundled = 'whole'));
   const made = await page().evaluate(() => window.holdings());
   for (const id of ['human', 'dog']) {
     await page().evaluate((id) => window.sinew.open(id), id);

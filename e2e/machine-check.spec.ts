@@ -41,7 +41,7 @@ test('this machine is checked, the report is saved, and the page stays as it was
     onGpu.map(({ id }) => expect.objectContaining({ kernel: id, identical: true, position: 0 })),
   );
   const { posed, camera, triangles } = report.frames;
-  expect(triangles).toBeGreaterThan(20_000);
+  expect(triangles).toBeGreaterThan(1000);
   for (const { all, median, least } of [posed, camera]) {
     expect(all.length).toBeGreaterThanOrEqual(3);
     expect(least).toBe(Math.min(...all));

@@ -5,7 +5,7 @@ import type { CaptureOptions } from '../src/app/scripting.ts';
 import type { MovieSettings } from '../src/view/movie/movie-settings.ts';
 import { bytesOf, openApp, openSmallView } from './support/app.ts';
 import { onlyColors, violations } from './support/axe.ts';
-import { coarse, sharedPage, test } from './support/test.ts';
+import { coarse, drawPlainly, openBundled, sharedPage, test } from './support/test.ts';
 
 const size = { width: 160, height: 96 };
 /** Eight frames of a walk, which begin between two frames of its own. */
@@ -17,6 +17,8 @@ const lossy = 4;
 const different = 8;
 
 const page = sharedPage(async (page) => {
+  await drawPlainly(page);
+  await openBundled(page, 'small');
   await openSmallView(page, 'model=insect');
   await page.evaluate(() => window.sinew.seek(0.25));
 });

@@ -71,6 +71,7 @@ test('a slow opening shows its progress and can be stopped', async () => {
     await slowly;
     await route.continue().catch(() => undefined); // the page may have canceled the request
   });
+  await page().evaluate(() => void (window.bundled = 'whole'));
   const before = await status().textContent();
   const opening = page().evaluate(() => window.sinew.open('dog'));
   await expect(page().locator('.progress')).toContainText('Loading Dog');

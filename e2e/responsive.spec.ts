@@ -3,7 +3,7 @@ import { openApp } from './support/app.ts';
 import { countedUser } from './support/counted-user.ts';
 import { courseCharacter } from './support/course-character.ts';
 import { mainThreadTasks } from './support/main-thread.ts';
-import { coarse, test } from './support/test.ts';
+import { coarse, openBundled, test } from './support/test.ts';
 
 // A press is answered while a character loads. Machines differ in speed, so this counts the turns
 // that the page got meanwhile, and only notes how long its tasks were.
@@ -94,6 +94,7 @@ test('a press is answered while dropped files of 5 MB are read', async ({ page }
 test('a press is answered while the second character of the first visit comes', async ({
   page,
 }) => {
+  await openBundled(page, 'whole');
   let handOut = (): void => undefined;
   const asked = new Promise<void>((resolve) => (handOut = resolve));
   await page.route('**/dog.*', async (route) => {

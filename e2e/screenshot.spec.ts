@@ -2,7 +2,7 @@ import { readFileSync } from 'node:fs';
 import { expect, type Download, type Page } from '@playwright/test';
 import { PNG } from 'pngjs';
 import { bytesOf, capture, choose, controlRow, openApp } from './support/app.ts';
-import { drawPlainly, sharedPage, test } from './support/test.ts';
+import { drawPlainly, openBundled, sharedPage, test } from './support/test.ts';
 
 // The view is small because its pixels are compared one by one.
 test.use({ viewport: { width: 1000, height: 480 } });
@@ -12,6 +12,7 @@ test.use({ viewport: { width: 1000, height: 480 } });
 test.describe('the view between its panels', () => {
   const page = sharedPage(async (page) => {
     await drawPlainly(page);
+    await openBundled(page, 'small');
     await openApp(page);
   });
 

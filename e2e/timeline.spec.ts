@@ -2,11 +2,12 @@ import { expect, type Locator } from '@playwright/test';
 import { getPose, openApp, openTab } from './support/app.ts';
 import { violations } from './support/axe.ts';
 import { expectPicture } from './support/pictures.ts';
-import { drawPlainly, sharedPage, test } from './support/test.ts';
+import { drawPlainly, openBundled, sharedPage, test } from './support/test.ts';
 
 test.use({ viewport: { width: 960, height: 560 } });
 const page = sharedPage(async (page) => {
   await drawPlainly(page);
+  await openBundled(page, 'small');
   await openApp(page, 'model=insect');
   await openTab(page, 'animate');
   await expect(page.locator('.dope canvas')).toBeVisible();

@@ -1,20 +1,28 @@
 import { expect, type Page, test as playwrightTest } from '@playwright/test';
 import type { Scripting } from '../../src/app/scripting.ts';
+import { smallCharacters, type SmallFiles } from './small-characters.ts';
 
 declare global {
   interface Window {
     sinew: Scripting;
+    /** Whether the page opens bundled characters as they are, though it may be coarse, or small. */
+    bundled?: 'whole' | 'small';
   }
 }
 
-/** Playwright's `test`, whose coarse pages have one sample a pixel, whoever opens them. */
+/**
+ * Playwright's `test`, whose coarse pages have one sample a pixel and small characters, whoever
+ * opens them.
+ */
 const base = playwrightTest.extend({
   browser: [
     async ({ browser }, use) => {
       const create = browser.newContext.bind(browser);
+      const small = smallCharacters();
       browser.newContext = async (options) => {
         const context = await create(options);
         await context.addInitScript(drawOneSample, true);
+        await context.addInitScript(fetchSmall, small);
         return context;
       };
       await use(browser);
@@ -37,6 +45,27 @@ function drawOneSample(onlyCoarse: boolean): void {
     .value as (typeof prototype)[typeof name];
   prototype[name] = function (target, _samples, ...format) {
     store.call(this, target, 0, ...format);
+  };
+}
+
+/** Lets a page open the bundled characters as they are, or small, from its next address on. */
+export async function openBundled(page: Page, kind: 'whole' | 'small'): Promise<void> {
+  await page.addInitScript((kind) => (window.bundled = kind), kind);
+}
+
+/** Runs in the page, before the page's scripts. */
+function fetchSmall(files: SmallFiles): void {
+  const original = window.fetch;
+  window.fetch = (...request) => {
+    const [url] = request;
+    const isSmall = (window.bundled ?? (devicePixelRatio < 1 ? 'small' : 'whole')) === 'small';
+    const found =
+      isSmall && url instanceof URL
+        ? Object.entries(files).find(([name]) => url.pathname.endsWith(name))
+        : undefined;
+    if (!found) return original(...request);
+    const bytes = Uint8Array.from(atob(found[1]), (letter) => letter.charCodeAt(0));
+    return Promise.resolve(new Response(bytes));
   };
 }
 
@@ -67,8 +96,9 @@ export const failureTest = base.extend({
 });
 
 /**
- * The view has a quarter of its pixels, with one sample each. It is for tests of what a user can do,
- * in which the drawing would take most of the time.
+ * The view has a quarter of its pixels, with one sample each, and bundled characters have a tenth of
+ * their triangles. It is for tests of what a user can do, in which the drawing would take most of
+ * the time.
  */
 export const coarse = { deviceScaleFactor: 0.5 } as const;
 
