@@ -5,7 +5,7 @@ import { noParent } from '../core/skeleton.ts';
 import { bodyOf } from './natural/body.ts';
 import { naturesOf } from './natural/natures.ts';
 import { rollJoint } from './roll-joint.ts';
-import { sharingJoint } from './sharing-joint.ts';
+import { sharingJoints } from './sharing-joints.ts';
 import { turnAbout, turnJoint, type TurnStart, turnStart } from './turn-joint.ts';
 
 /** A pose in which skinning methods differ, with what makes it as a label. */
@@ -17,29 +17,83 @@ export interface TellingPose {
 
 const degree = Math.PI / 180;
 const [twist, bend] = [150 * degree, 120 * degree];
+/** A joint that its limits let turn less hardly shows what methods do. */
+const leastTurn = 60 * degree;
+
+/** A way to turn a joint that shows what methods do. */
+interface TurnKind {
+  readonly name: 'Twist' | 'Bend';
+  readonly ofElbow: string;
+  readonly turned: (character: Character, q: Float64Array, joint: number) => Float64Array;
+}
+
+const kinds: readonly TurnKind[] = [
+  { name: 'Twist', ofElbow: 'Twist the forearm', turned: twisted },
+  { name: 'Bend', ofElbow: 'Bend the elbow', turned: bent },
+];
+
+/** The joint that shows what methods do, and in which ways. */
+interface TellingJoint {
+  readonly joint: number;
+  readonly ways: readonly TurnKind[];
+}
+
+const known = new WeakMap<Character, TellingJoint | null>();
 
 /**
  * Returns the pose with one joint twisted along its limb, and with it bent, as far as it can do each:
- * an elbow, or else the joint that shares the most points with its parent.
+ * an elbow, or else a joint that shares many points with its parent. What its limits hardly allow is
+ * left out.
  *
  * @param q (qCount) the pose before
  */
 export function tellingPoses(character: Character, q: Float64Array): readonly TellingPose[] {
-  const elbow = bodyOf(character).roles.indexOf('elbow');
-  const joint = tellingJoint(character);
-  if (joint === null) return [];
-  const name = character.skeleton.names[joint]!;
-  const poses = [
-    { label: elbow < 0 ? `Twist ${name}` : 'Twist the forearm', q: twisted(character, q, joint) },
-    { label: elbow < 0 ? `Bend ${name}` : 'Bend the elbow', q: bent(character, q, joint) },
-  ];
+  const found = tellingJointOf(character);
+  if (!found) return [];
+  const { joint, ways } = found;
+  const isElbow = bodyOf(character).roles[joint] === 'elbow';
+  const poses = ways.map(({ name, ofElbow, turned }): TellingPose => {
+    const label = isElbow ? ofElbow : `${name} ${character.skeleton.names[joint]!}`;
+    return { label, q: turned(character, q, joint) };
+  });
   return poses.filter((pose) => pose.q.some((value, i) => value !== q[i]));
 }
 
-/** An elbow, or else the joint that shares the most points with its parent; null if there is none. */
+/**
+ * An elbow, or else the joint that shares the most points with its parent, of those that turn far
+ * enough if there are any; null if no joint shares points.
+ */
 export function tellingJoint(character: Character): number | null {
+  return tellingJointOf(character)?.joint ?? null;
+}
+
+function tellingJointOf(character: Character): TellingJoint | null {
+  let found = known.get(character);
+  if (found === undefined) known.set(character, (found = findTellingJoint(character)));
+  return found;
+}
+
+function findTellingJoint(character: Character): TellingJoint | null {
   const elbow = bodyOf(character).roles.indexOf('elbow');
-  return elbow < 0 ? sharingJoint(character) : elbow;
+  const joints = elbow < 0 ? sharingJoints(character) : [elbow];
+  for (const joint of joints) {
+    const ways = kinds.filter((kind) => turnsFar(character, joint, kind));
+    if (ways.length > 0) return { joint, ways };
+  }
+  return joints.length > 0 ? { joint: joints[0]!, ways: kinds } : null;
+}
+
+/** Whether a joint's limits leave room for a turn from the pose at rest. */
+function turnsFar(character: Character, joint: number, { turned }: TurnKind): boolean {
+  const { skeleton } = character;
+  const { qRest } = skeleton;
+  const [before, after] = [qRest, turned(character, qRest, joint)].map((q) => {
+    const { characterFromJoint } = turnStart(skeleton, joint, q).frames;
+    return Array.from(mat3.fromMat4(new Float64Array(9), characterFromJoint));
+  });
+  // The trace of a rotation is 1 + 2 cos of its angle; that of AᵀB is the sum of products.
+  const trace = before!.reduce((sum, value, i) => sum + value * after![i]!, 0);
+  return (trace - 1) / 2 <= Math.cos(leastTurn);
 }
 
 function twisted(character: Character, q: Float64Array, joint: number): Float64Array {

@@ -4,8 +4,8 @@ import { noJoint } from '../core/skin.ts';
 /** Both of two joints move a point by at least this weight. */
 const sharedWeight = 0.05;
 
-/** The joint that moves the most points together with its parent, or null if none shares any. */
-export function sharingJoint({ skeleton, skin }: Character): number | null {
+/** The joints that move points together with their parents, those with the most points first. */
+export function sharingJoints({ skeleton, skin }: Character): readonly number[] {
   const { start, entries, weights, paletteJoint } = skin;
   const counts = new Uint32Array(skeleton.jointCount);
   for (let point = 0; point + 1 < start.length; point++) {
@@ -16,6 +16,6 @@ export function sharingJoint({ skeleton, skin }: Character): number | null {
     }
     for (const joint of joints) if (joints.has(skeleton.parents[joint]!)) counts[joint]!++;
   }
-  const most = Math.max(0, ...counts);
-  return most === 0 ? null : counts.indexOf(most);
+  const sharing = [...counts.keys()].filter((joint) => counts[joint]! > 0);
+  return sharing.sort((a, b) => counts[b]! - counts[a]! || a - b);
 }
