@@ -1,4 +1,5 @@
 import { ratioOf, type Shot } from '../document/shots.ts';
+import { pictureLabels } from '../ui/deform-lab/picture-labels.ts';
 import type { Editor } from '../ui/editor.ts';
 import { deformationOf } from '../skinning/registry.ts';
 import { encodePicture } from '../view/picture/encode-picture.ts';
@@ -22,11 +23,12 @@ export async function capture(editor: Editor, options: CaptureOptions): Promise<
     const images = await makePasses(viewer, [pass], request);
     return new Blob([images.get(pass) as BlobPart], { type: 'image/png' });
   }
+  // Views of one's own are no comparison.
+  const isLabeled = options.labels === true && !options.views && !shot;
+  const labels = isLabeled ? pictureLabels(editor, viewer.viewCamera.value, request.size) : null;
   const showSurroundings = background || format === 'jpeg'; // which has no transparency
-  return encodePicture(
-    await makePicture(viewer, { ...request, showSurroundings, samples }),
-    format,
-  );
+  const picture = await makePicture(viewer, { ...request, showSurroundings, samples });
+  return encodePicture(picture, format, labels);
 }
 
 function shotNamed({ store }: Editor, name: number | string): Shot {

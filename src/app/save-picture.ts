@@ -5,6 +5,7 @@ import { GpuLimitError } from '../gl/gpu.ts';
 import type { Editor, PictureTarget } from '../ui/editor.ts';
 import { pictureRequest } from '../ui/picture-request.ts';
 import { shownShot } from '../ui/shots.ts';
+import type { DrawOver } from '../view/picture/draw-over.ts';
 import { encodePicture } from '../view/picture/encode-picture.ts';
 import { makePasses, passImages } from '../view/picture/make-passes.ts';
 import {
@@ -13,7 +14,6 @@ import {
   type PictureWork,
 } from '../view/picture/make-picture.ts';
 import { tilesOf } from '../view/picture/picture-tiles.ts';
-import type { DrawOver } from '../ui/deform-lab/picture-labels.ts';
 import { download } from '../ui/download.ts';
 import { pictureKeyword } from './picture-note.ts';
 import type { SceneParts } from './scenes/scene-parts.ts';
@@ -84,7 +84,7 @@ async function pictureFile(
   const showSurroundings = request.showSurroundings || format === 'jpeg';
   try {
     const picture = await makePicture(viewer, { ...request, showSurroundings }, work);
-    const blob = await encodePicture(picture, format, work.drawOver ?? undefined);
+    const blob = await encodePicture(picture, format, work.drawOver);
     const extension = format === 'jpeg' ? 'jpg' : format;
     if (format !== 'png') return { blob, extension };
     return { blob: await withNote(blob, note), extension };

@@ -48,6 +48,8 @@ export interface CaptureOptions {
   readonly shot?: number | string;
   /** Samples on each side of a pixel, 1 to 4; 1 if absent. */
   readonly samples?: number;
+  /** Whether compared methods have their names, mark and legend, as in a saved picture; false if absent. */
+  readonly labels?: boolean;
   /** A picture of data in place of colors, as PNG. */
   readonly pass?: PassImageId;
   /** The most samples on a side of a tile; chosen by the size if absent. */

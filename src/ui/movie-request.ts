@@ -28,15 +28,8 @@ export function moviePlan(editor: Filming): MoviePlan {
   return planMovie(editor.movie.value, movieSituation(editor));
 }
 
-/**
- * What a movie is of: the view, or the inside of a shot's frame.
- *
- * @param settings the present ones, if none are given
- */
-export function movieRequest(
-  editor: Filming,
-  settings: MovieSettings = editor.movie.value,
-): MovieRequest {
+/** What a movie is of: the view, or the inside of a shot's frame. */
+export function movieRequest(editor: Filming, settings: MovieSettings): MovieRequest {
   const { store, session, viewer, transport } = editor;
   const plan = planMovie(settings, movieSituation(editor));
   const selected = session.selectedActorId.value;

@@ -1,15 +1,15 @@
 import type { Editor, MovieChoice } from '../../ui/editor.ts';
-import { movieRequest } from '../../ui/movie-request.ts';
 import type { MoviePlan } from '../../view/movie/movie-plan.ts';
 import { download } from '../../ui/download.ts';
 import { movieFormats } from './formats.ts';
+import { labeledRequest } from './labeled-request.ts';
 import { makeMovie } from './make-movie.ts';
 
 /** Makes a movie by the present settings, offers it as a download, and says so. */
 export async function saveMovie(editor: Editor): Promise<void> {
   const { viewer, session, notice } = editor;
   // The scene is read now, so that it is that of the moment in which the user asked.
-  const request = movieRequest(editor);
+  const request = labeledRequest(editor, editor.movie.value);
   const { format: id } = editor.movie.value;
   const name = `${editor.evaluations.selected()?.state.name ?? 'movie'}${movieFormats[id].ending}`;
   const movie = await editor.whileWorking('Movie', (signal, onProgress) =>

@@ -1,5 +1,6 @@
 import { printable } from '../../core/diagnostics.ts';
 import type { Camera } from '../../document/camera.ts';
+import type { DrawOver } from '../../view/picture/draw-over.ts';
 import type { CaptureSize } from '../../view/viewer.ts';
 import type { Looking } from '../editor.ts';
 import { formatSize } from '../number-text.ts';
@@ -10,9 +11,6 @@ import { heatScale } from './heat-scale.ts';
 import { methodPlaces } from './method-places.ts';
 import { placeOfWorst, viewPlace } from './place-of-worst.ts';
 
-/** Draws over a finished picture. */
-export type DrawOver = (context: CanvasRenderingContext2D) => void;
-
 /** A picture of this height, or a view of this width in it, has text in units of one pixel. */
 const [plainHeight, plainWidth] = [480, 300];
 
@@ -21,9 +19,14 @@ const [plainHeight, plainWidth] = [480, 300];
  * lines between them, the largest difference with its figure, and what the colors of a heat map mean.
  * It is null while nothing is compared.
  *
- * @param camera that of the picture, in each of its views
+ * @param camera that of the picture, in each of its views; null in a movie, where the largest
+ *   difference is at another place from frame to frame and is not marked
  */
-export function pictureLabels(editor: Looking, camera: Camera, size: CaptureSize): DrawOver | null {
+export function pictureLabels(
+  editor: Looking,
+  camera: Camera | null,
+  size: CaptureSize,
+): DrawOver | null {
   const comparison = editor.session.comparison.peek();
   const compared = comparedOf(editor);
   if (!comparison || !compared) return null;
@@ -35,11 +38,12 @@ export function pictureLabels(editor: Looking, camera: Camera, size: CaptureSize
   const worst = placeOfWorst(compared);
   const worstColumn = compared.rows.findIndex(({ method }) => method === compared.worst?.method);
   const aspect = width / columns / height;
-  const mark = worst && {
-    text: differenceText(compared.worst!.difference.largest, compared.size),
-    from: viewPlace(camera, aspect, worst.base),
-    to: viewPlace(camera, aspect, worst.other),
-  };
+  const mark = worst &&
+    camera && {
+      text: differenceText(compared.worst!.difference.largest, compared.size),
+      from: viewPlace(camera, aspect, worst.base),
+      to: viewPlace(camera, aspect, worst.other),
+    };
   const scale = comparison.heatMap && worst ? heatScale(compared) : 0;
   const ticks = [0, 0.5, 1].map((part) => {
     const value = part * scale;

@@ -3,6 +3,7 @@ import type { Scene } from '../../document/scene.ts';
 import type { Session } from '../../document/session.ts';
 import type { Evaluation } from '../../evaluation/evaluation.ts';
 import { kernelOf } from '../../skinning/registry.ts';
+import { type DrawOver, drawnOver } from '../picture/draw-over.ts';
 import type { Picture } from '../picture/encode-picture.ts';
 import { makePicture, type PictureWork } from '../picture/make-picture.ts';
 import { checkPictureSize } from '../picture/picture-tiles.ts';
@@ -35,6 +36,8 @@ export interface MovieRequest {
   readonly scene: Scene;
   /** The views at the first frame, side by side. */
   readonly contents: readonly ViewContent[];
+  /** Draws over each frame. */
+  readonly drawOver?: DrawOver | null;
 }
 
 /**
@@ -44,7 +47,7 @@ export interface MovieRequest {
 export async function movieSource(
   viewer: Viewer,
   session: Session,
-  { plan, scene, contents }: MovieRequest,
+  { plan, scene, contents, drawOver }: MovieRequest,
   signal?: AbortSignal,
 ): Promise<MovieSource> {
   checkPlan(plan);
@@ -78,7 +81,8 @@ export async function movieSource(
       const turned = contents.map((content) => turnedBy(content, frameTurn(plan, index)));
       return {
         index,
-        picture: () => makePicture(viewer, { ...request, contents: turned }, work),
+        picture: async () =>
+          drawnOver(await makePicture(viewer, { ...request, contents: turned }, work), drawOver),
         selected: () => held.evaluations.selected(),
       };
     },

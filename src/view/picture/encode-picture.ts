@@ -1,4 +1,5 @@
 import { Failure } from '../../core/failure.ts';
+import { canvasOf, type DrawOver } from './draw-over.ts';
 
 export type PictureFormat = 'png' | 'jpeg' | 'webp';
 
@@ -20,17 +21,9 @@ export const lossyQuality = 0.92;
 export async function encodePicture(
   picture: Picture,
   format: PictureFormat,
-  drawOver?: (context: CanvasRenderingContext2D) => void,
+  drawOver?: DrawOver | null,
 ): Promise<Blob> {
-  const { width, height, pixels } = picture;
-  const canvas = document.createElement('canvas');
-  canvas.width = width;
-  canvas.height = height;
-  const context = canvas.getContext('2d');
-  const noRoom = `This browser has no room for a picture of ${width} × ${height} pixels`;
-  if (!context) throw new Failure(noRoom);
-  context.putImageData(new ImageData(pixels, width, height), 0, 0);
-  drawOver?.(context);
+  const { canvas } = canvasOf(picture, drawOver);
   const blob = await new Promise<Blob | null>((resolve) => {
     canvas.toBlob(resolve, `image/${format}`, lossyQuality);
   });
