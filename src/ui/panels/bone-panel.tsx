@@ -17,7 +17,7 @@ export function BonePanel({ editor }: { readonly editor: Looking }) {
   // While the panel is closed, it subscribes to nothing.
   const joint = open ? (selected ?? hoveredOf(session)?.joint ?? null) : null;
   return (
-    <details class="bone" open={open}>
+    <details class="section bone" open={open}>
       <summary
         onClick={(event) => {
           event.preventDefault();

@@ -9,7 +9,7 @@ import { Loaded } from './loaded.tsx';
 export function DeformLabPanel({ editor }: { readonly editor: Editor }) {
   const isOpen = editor.session.comparison.value !== null;
   return (
-    <details class="deform-lab" open={isOpen}>
+    <details class="section deform-lab" open={isOpen}>
       <summary
         onClick={(event) => {
           event.preventDefault();

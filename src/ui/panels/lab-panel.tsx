@@ -15,7 +15,7 @@ interface LabPanelProperties {
 /** The head of a lab; what is in it is loaded when it is opened. */
 export function LabPanel({ editor, class: name, title, isOpen, load }: LabPanelProperties) {
   return (
-    <details class={name} open={isOpen.value}>
+    <details class={`section ${name}`} open={isOpen.value}>
       <summary
         onClick={(event) => {
           event.preventDefault();

@@ -9,7 +9,7 @@ import { Loaded } from './loaded.tsx';
 export function VertexInspector({ editor }: { readonly editor: Editor }) {
   const isOpen = editor.session.inspectedPoint.value !== null;
   return (
-    <details class="vertex-inspector" open={isOpen}>
+    <details class="section vertex-inspector" open={isOpen}>
       <summary
         onClick={(event) => {
           event.preventDefault();
