@@ -3,9 +3,10 @@ import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { expect } from '@playwright/test';
 import { PNG } from 'pngjs';
-import { capture, getPose, openApp } from './support/app.ts';
+import { capture, drop, getPose, openApp } from './support/app.ts';
 import { onlyColors, violations } from './support/axe.ts';
 import { sinew } from './support/command-line.ts';
+import { madeCharacter } from './support/made-character.ts';
 import { expectPicture } from './support/pictures.ts';
 import { sharedPage, test } from './support/test.ts';
 
@@ -109,4 +110,19 @@ test('the button of its section measures other methods, and can be canceled', as
   await expect(page().locator('[data-command="undo"]').first()).toBeDisabled();
   await button('Close the stress suite').click();
   await expect(sheet()).toHaveCount(0);
+});
+
+test('a character with a hundred joints has all of its poses in the table, and all joints to sweep', async () => {
+  await drop(page(), madeCharacter(100, 4));
+  await panel().getByRole('button', { name: 'Run the suite' }).click();
+  const summary = sheet().locator('.hint');
+  await expect(summary).toContainText(/\d{3} poses of \d+ joints; the 12 worst/);
+  const [, count, joints] = /^(\d+) poses of (\d+)/.exec(await summary.innerText())!;
+  expect(Number(joints)).toBeGreaterThan(60);
+  await expect(rows()).toHaveCount(Number(count));
+  await button('Worst first').click();
+  await expect(rows().first().getByRole('img')).toHaveCount(2);
+  await sheet().getByRole('button', { name: 'Cancel' }).click();
+  await page().locator('.sweep summary').click();
+  await expect(page().locator('.sweep').getByLabel('Joint').locator('option')).toHaveCount(100);
 });
