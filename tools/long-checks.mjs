@@ -106,6 +106,21 @@ export const longChecks = [
     },
   },
   {
+    name: 'pictures',
+    what: 'every picture of a scene, those too of which others show each part',
+    kind: 'browser',
+    tests: 'e2e/pictures.spec.ts',
+    reads: 'e2e/pictures.spec.ts',
+    options: {
+      which: {
+        variable: 'PICTURES',
+        usual: 'all',
+        form: /^(some|all)$/,
+        what: 'some are those of npm test',
+      },
+    },
+  },
+  {
     name: 'million',
     what: 'a character of a million vertices in the built page, and its main thread meanwhile',
     kind: 'browser',
