@@ -36,6 +36,13 @@ test('centers of rotation say how far they are, are canceled, and end exact', as
   await methodOf(page()).selectOption({ label: label('centers-of-rotation') }, { force: true });
   await expect(box).toContainText('Centers of rotation: 0 %. Linear blend is shown until then.');
   expect(await vertices(page(), 'cpu')).toEqual(blend);
+  // Where methods are compared, its part says so as well.
+  await page().keyboard.press('x');
+  await expect(page().locator('.compared')).toContainText(
+    'Centers of rotation (preparing; linear blend meanwhile)',
+  );
+  await page().keyboard.press('x');
+  await expect(page().locator('.compared')).toHaveCount(0);
 
   const untilFree = await page().evaluate(() => {
     const from = performance.now();

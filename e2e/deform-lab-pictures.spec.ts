@@ -1,6 +1,16 @@
 import { readFileSync } from 'node:fs';
 import { expect } from '@playwright/test';
-import { capture, chooseFromMenu, getPose, openApp, openTab, setPose } from './support/app.ts';
+import { unzipSync } from 'fflate';
+import { PNG } from 'pngjs';
+import {
+  bytesOf,
+  capture,
+  chooseFromMenu,
+  getPose,
+  openApp,
+  openTab,
+  setPose,
+} from './support/app.ts';
 import { countedUser } from './support/counted-user.ts';
 import { deformLab, middleOf, small } from './support/deform-lab.ts';
 import { expectPicture } from './support/pictures.ts';
@@ -17,7 +27,7 @@ const { canvas, change, explained, mark, offered, press, ring, settled, wipe } =
 /** Compares the view with what the lab shows over it, without the tools and hints that others have. */
 async function expectWalked(name: string): Promise<void> {
   await settled();
-  const others = '.overlay > :not(.compared, .worst-mark, .wipe, .comparison-foot)';
+  const others = '.overlay > :not(.compared, .worst-mark, .wipe, .comparison-foot, .ghost-labels)';
   const show = (visibility: string) =>
     page().evaluate(
       ([others, visibility]) => {
@@ -69,7 +79,7 @@ test('four actions lead from x to the reason of the largest difference, and back
   expect((await capture(page(), 'png', small)).equals(plain), 'the camera is back').toBe(true);
 });
 
-test('a picture is saved with its differences in color, side by side, and labels', async () => {
+test('a picture and a movie are saved with differences in color, side by side, and labels', async () => {
   const lab = page().locator('.deform-lab');
   await press('x');
   await offered('Twist the forearm').click();
@@ -81,7 +91,21 @@ test('a picture is saved with its differences in color, side by side, and labels
     page().waitForEvent('download'),
     lab.locator('[data-command="save-picture"]').click(),
   ]);
-  expectPicture('lab-saved', readFileSync(await saved.path()));
+  const file = readFileSync(await saved.path());
+  expectPicture('lab-saved', file);
+  const { width, height, data } = PNG.sync.read(file);
+  const labeled = await bytesOf(
+    await page().evaluateHandle((options) => window.sinew.capture(options), {
+      ...{ width, height, labels: true },
+    }),
+  );
+  expect(PNG.sync.read(labeled).data.equals(data), 'a script has the same labels').toBe(true);
+  const frames = await bytesOf(
+    await page().evaluateHandle(() =>
+      window.sinew.movie({ format: 'png', plays: false, width: 640, height: 400 }),
+    ),
+  );
+  expectPicture('lab-movie', Buffer.from(unzipSync(frames)['frame-0000.png']!));
   await press('x');
 });
 

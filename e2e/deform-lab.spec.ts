@@ -102,18 +102,27 @@ test('in each part poses are dragged, and undo and the camera work', async () =>
   for (const part of [0, 1]) {
     const middle = { x: x + ((part + 0.5) * width) / 2, y: y + height / 2 };
     const marked = (await ring().nth(part).boundingBox())!;
-    const arm = { x: middleOf(marked), y: marked.y + marked.height / 2 };
+    // The mark is at the arm's edge.
+    const arm = { x: middleOf(marked) - 8, y: marked.y + marked.height / 2 - 8 };
     await page().mouse.click(arm.x, arm.y);
-    // The drag ends in the other part, as if its own went on there.
-    await drag(arm, middle.x + (part === 0 ? width / 2 : -width / 2), arm.y - 30);
-    const dragged = await getPose(page());
-    expect(dragged, 'a drag poses').not.toEqual(twisted);
-    await page().locator('.top [data-command="undo"]').click();
-    expect(await getPose(page())).toEqual(twisted);
-    const seenBefore = await capture(page(), 'png', small);
-    const free = { x: middle.x, y: y + height - 30 };
-    await drag(free, free.x + 20, free.y);
-    expect((await capture(page(), 'png', small)).equals(seenBefore)).toBe(false);
+    for (const way of ['the limb', 'inverse kinematics']) {
+      if (way !== 'the limb') await press('i');
+      // The drag ends in the other part, as if its own went on there.
+      await drag(arm, middle.x + (part === 0 ? width / 2 : -width / 2), arm.y - 30);
+      expect(await getPose(page()), `a drag of ${way} poses`).not.toEqual(twisted);
+      await page().locator('.top [data-command="undo"]').click();
+      expect(await getPose(page())).toEqual(twisted);
+    }
+    await press('i');
+    const free = { x: x + (part * width) / 2 + 30, y: y + height - 30 };
+    for (const move of [() => drag(free, free.x + 20, free.y), () => page().mouse.wheel(0, 60)]) {
+      const seenBefore = await capture(page(), 'png', small);
+      await move();
+      // The wheel is told later.
+      await expect
+        .poll(async () => (await capture(page(), 'png', small)).equals(seenBefore))
+        .toBe(false);
+    }
   }
   await page().locator('.top [data-command="undo"]').click();
   expect(await getPose(page())).not.toEqual(twisted);
@@ -216,19 +225,29 @@ test('two, three and four parts, and those of a wipe, are the pictures there, pi
       expect(shown.equals(expected), `part ${index + 1} of ${count}`).toBe(true);
     }
   };
+  const expectWiped = async (count: number): Promise<void> => {
+    const wiped = await seen();
+    const places = await page()
+      .locator('.wipe')
+      .evaluateAll((all) => all.map((each) => parseFloat((each as HTMLElement).style.left) / 100));
+    expect(places).toHaveLength(count - 1);
+    // Parts of a wipe begin at even pixels.
+    const edges = [0, ...places, 1].map((place) => (2 * Math.round((place / 2) * width)) / width);
+    for (let index = 0; index < count; index++) {
+      const whole = await single(index, { width });
+      const part = [edges[index]!, edges[index + 1]!] as const;
+      expect(
+        columns(wiped, ...part).equals(columns(whole, ...part)),
+        `part ${index + 1} of ${count} under a wipe`,
+      ).toBe(true);
+    }
+  };
   await expectParts(3);
   await change('compare-one-more').click();
   await expect(page().locator('.compared')).toContainText('Delta mush');
   await expectParts(4);
   await change('comparison-layout').click();
-  const wiped = await seen();
-  const wholes = await Promise.all([0, 1, 2, 3].map((index) => single(index, { width })));
-  for (const [index, whole] of wholes.entries()) {
-    // Parts of a wipe begin at even pixels.
-    const [from, to] = [index, index + 1].map((i) => (2 * Math.round((i / 8) * width)) / width);
-    const part = [from!, to!] as const;
-    expect(columns(wiped, ...part).equals(columns(whole, ...part)), `wipe ${index}`).toBe(true);
-  }
+  await expectWiped(4);
   await openTab(page(), 'deform');
   for (const name of ['Delta mush', 'Centers of rotation']) {
     await page()
@@ -237,4 +256,6 @@ test('two, three and four parts, and those of a wipe, are the pictures there, pi
   }
   await change('comparison-layout').click();
   await expectParts(2);
+  await change('comparison-layout').click();
+  await expectWiped(2);
 });

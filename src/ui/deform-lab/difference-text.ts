@@ -10,5 +10,5 @@ export function differenceText(length: number, size: CharacterSize): string {
 export function percentText(length: number, { height }: CharacterSize): string {
   const percent = (100 * length) / height;
   if (percent === 0) return '0 %';
-  return percent < 0.01 ? 'under 0.01 %' : `${Number(percent.toPrecision(2))} %`;
+  return percent < 0.01 ? '< 0.01 %' : `${Number(percent.toPrecision(2))} %`;
 }

@@ -1,5 +1,6 @@
 import { errorRamp, zeroColor } from '../../skinning/weights/ramps.ts';
 import { cssColor } from '../css-color.ts';
+import { textIsLeft } from './place-of-worst.ts';
 
 type Point = readonly [x: number, y: number];
 
@@ -104,7 +105,7 @@ function drawMarkText(
   const { to, part, each, column } = at;
   setFont(context, textSize * unit);
   const half = context.measureText(text).width / 2 + 7 * unit;
-  const beside = to[0] + (part > 0.6 ? -1 : 1) * (half + 14 * unit);
+  const beside = to[0] + (textIsLeft(part) ? -1 : 1) * (half + 14 * unit);
   const within = Math.min((column + 1) * each - half, Math.max(column * each + half, to[0]));
   const place: Point = each < narrow * unit ? [within, to[1] + 24 * unit] : [beside, to[1]];
   drawChip(context, text, place, unit, each, { color: '#ffffff', back: markColor });

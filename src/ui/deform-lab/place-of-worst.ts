@@ -27,8 +27,20 @@ export function viewPlace(camera: Camera, aspect: number, point: vec3): readonly
   return [(1 + clip[0]) / 2, (1 - clip[1]) / 2];
 }
 
-/** How near the camera goes, in heights of the character. */
-const nearness = 0.6;
+/**
+ * Whether the figure of a mark stands at its left.
+ *
+ * @param x of the mark, as a part of the view's width
+ */
+export function textIsLeft(x: number): boolean {
+  return x > 0.6;
+}
+
+/**
+ * How near the camera goes, as a part of the diagonal of the character's bounding box: so that one
+ * sees which limb it is, of one that stands and of one that lies.
+ */
+const nearness = 0.8;
 /** Up to this cosine, a surface that points away from the viewer still counts as seen. */
 const seen = -0.15;
 
@@ -48,7 +60,7 @@ export function cameraAt(
   const toViewer = vec3.subtract(new Float64Array(3), eyeOf(camera), camera.target);
   vec3.normalize(toViewer, toViewer);
   const isBehind = vec3.dot(outward, toViewer) < seen;
-  const near = (nearness * size.height * shown.evaluation.display.scale) / Math.min(1, aspect);
+  const near = (nearness * size.diagonal * shown.evaluation.display.scale) / Math.min(1, aspect);
   return {
     ...camera,
     target: [middle[0], middle[1], middle[2]],

@@ -56,6 +56,28 @@ export function ghostLabels(
   return [...ghosts, ...marks].filter(({ x, y }) => x > 0 && x < 1 && y > 0 && y < 1);
 }
 
+/** The side of the inspected vertex at which a figure stands already, if any does. */
+export type FigureSide = 'left' | 'right' | null;
+
+/** A name has so much room beside its place, in CSS pixels, or stands at the other side. */
+const leastRoom = 120;
+
+/**
+ * Whether a name stands at the left of its place: away from a figure, else away from the vertex,
+ * where there is room.
+ *
+ * @param width of the view, in CSS pixels
+ */
+export function standsLeft(
+  { x, isLeft }: Pick<GhostLabel, 'x' | 'isLeft'>,
+  width: number,
+  figure: FigureSide,
+): boolean {
+  const wanted = figure === null ? isLeft : figure === 'right';
+  const room = (wanted ? x : 1 - x) * width;
+  return room > leastRoom ? wanted : x > 0.5;
+}
+
 /** Moves heights down where they would be nearer to each other than the gap; order stays. */
 export function spreadHeights(heights: readonly number[], gap: number): readonly number[] {
   const order = [...heights.keys()].sort((a, b) => heights[a]! - heights[b]!);

@@ -31,7 +31,7 @@ export function ComparisonOverlay({ editor }: { readonly editor: Editor }) {
           const place = { left: `${from * 100}%`, width: `${(to - from) * 100}%` };
           return (
             <span key={method} style={place}>
-              <span>
+              <span data-short={kernel.short} title={kernel.label}>
                 {kernel.label}
                 {remarkOn(kernel, evaluation)}
               </span>

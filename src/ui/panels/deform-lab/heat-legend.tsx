@@ -1,3 +1,4 @@
+import { printable } from '../../../core/diagnostics.ts';
 import { errorRamp, zeroColor } from '../../../skinning/weights/ramps.ts';
 import { cssColor } from '../../css-color.ts';
 import type { Compared, ComparedRow } from '../../deform-lab/compared.ts';
@@ -21,7 +22,8 @@ export function HeatLegend({ compared, base }: HeatLegendProperties) {
     <section class="heat-legend" aria-label="Legend of the differences">
       <p>
         <span class="swatch" aria-hidden="true" style={{ background: cssColor(zeroColor) }} /> as{' '}
-        {base.kernel.label}; units of the file, and of the height:
+        {base.kernel.label}; units of {printable(base.evaluation.state.name, 40)}, and of its
+        height:
       </p>
       <div class="scale" aria-hidden="true" style={{ background: gradient }} />
       <div class="ticks">

@@ -1,6 +1,6 @@
 import type { Compared } from '../../deform-lab/compared.ts';
 import { differenceText } from '../../deform-lab/difference-text.ts';
-import { placeOfWorst, viewPlace } from '../../deform-lab/place-of-worst.ts';
+import { placeOfWorst, textIsLeft, viewPlace } from '../../deform-lab/place-of-worst.ts';
 import type { Editor } from '../../editor.ts';
 import { inspectPoint } from '../../vertex-inspector/open-inspector.ts';
 
@@ -29,6 +29,7 @@ export function WorstMark({ editor, compared, columns }: WorstMarkProperties) {
     return [x * 100, y * 100] as const;
   });
   if (to!.some((each) => each < 0 || each > 100)) return null;
+  const isLeft = textIsLeft(to![0] / 100);
   return (
     <>
       {Array.from({ length: columns }, (_, column) => {
@@ -46,7 +47,7 @@ export function WorstMark({ editor, compared, columns }: WorstMarkProperties) {
             {(columns === 1 || compared.rows[column]!.method === worst!.method) && (
               <button
                 type="button"
-                class={to![0] > 60 ? 'to-left' : ''}
+                class={`${isLeft ? 'to-left' : ''} ${to![1] < from![1] ? 'above' : 'below'}`}
                 style={{ '--x': `${to![0]}%`, top: `${to![1]}%` }}
                 aria-pressed={isOpen}
                 aria-label={`Largest difference of ${worst!.kernel.label} from ${base.kernel.label}: ${text}, vertex ${place.point}. Inspect it`}

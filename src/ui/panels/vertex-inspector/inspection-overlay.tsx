@@ -2,14 +2,18 @@ import '../../styles/ghost-labels.css';
 import { useEffect, useState } from 'preact/hooks';
 import { showInspection } from '../../../view/inspection.ts';
 import { comparedOf } from '../../deform-lab/compared.ts';
+import { placeOfWorst, textIsLeft, viewPlace } from '../../deform-lab/place-of-worst.ts';
 import type { Editor } from '../../editor.ts';
-import { ghostLabels, spreadHeights } from '../../vertex-inspector/ghost-labels.ts';
+import {
+  type FigureSide,
+  ghostLabels,
+  spreadHeights,
+  standsLeft,
+} from '../../vertex-inspector/ghost-labels.ts';
 import { inspectedOf } from '../../vertex-inspector/inspected.ts';
 
 /** In CSS pixels: a label, and the width of a view in which there is room for names. */
 const [labelHeight, leastWidth] = [18, 220];
-/** A label stands at the left of a place that has so much room there. */
-const leastRoom = 120;
 
 /**
  * Draws the inspected vertex over the view from the time when there first is one, with the names of
@@ -22,8 +26,6 @@ export function InspectionOverlay({ editor }: { readonly editor: Editor }) {
   useEffect(() => {
     showInspection(viewer, () => inspectedOf(editor)?.methods ?? []);
   }, [editor, viewer]);
-  // The figure of the largest difference then stands at the right.
-  const isCompared = session.comparison.value !== null;
   const isApart = session.comparison.value?.layout === 'side by side';
   const columns = isApart ? (comparedOf(editor)?.rows.length ?? 1) : 1;
   const methods = inspectedOf(editor)?.methods ?? [];
@@ -45,15 +47,27 @@ export function InspectionOverlay({ editor }: { readonly editor: Editor }) {
       style={{ width: `${100 / columns}%` }}
       aria-hidden="true"
     >
-      {shown.map(({ text, x, isLeft }, index) => (
+      {shown.map((label, index) => (
         <span
           key={index}
-          class={(isLeft || isCompared) && x * width > leastRoom ? 'to-left' : ''}
-          style={{ left: `${x * 100}%`, top: `${heights[index]!}px` }}
+          class={standsLeft(label, width, figureSide(editor)) ? 'to-left' : ''}
+          style={{ left: `${label.x * 100}%`, top: `${heights[index]!}px` }}
         >
-          {text}
+          {label.text}
         </span>
       ))}
     </div>
   );
+}
+
+/** Where the figure of the largest difference stands beside the inspected vertex, in the first view. */
+function figureSide(editor: Editor): FigureSide {
+  const { session, viewer } = editor;
+  const compared = comparedOf(editor);
+  const place = compared && placeOfWorst(compared);
+  if (!place || place.point !== session.inspectedPoint.value) return null;
+  const isFirst = compared.rows[0]!.method === compared.worst!.method;
+  if (session.comparison.value?.layout === 'side by side' && !isFirst) return null;
+  const [x] = viewPlace(viewer.viewCamera.value, viewer.aspect, place.other);
+  return textIsLeft(x) ? 'left' : 'right';
 }

@@ -23,7 +23,7 @@ export function Inspector({ editor }: { readonly editor: Editor }) {
       <VertexNumber editor={editor} vertex={vertex} />
       <p class="hint">
         Click the skin for another vertex. This one is {differenceText(way, size)} from its place at
-        rest.
+        rest. Colors are those of joints in the view.
       </p>
       <WeightRow editor={editor} vertex={vertex} />
       {methods.map((method, index) => (

@@ -56,15 +56,18 @@ function StepTable({ step: { title, columns, rows, total }, actor, digits }: Ste
           </tr>
         </thead>
         <tbody>
-          {rows.map(({ of, values }) => (
-            <tr key={of}>
-              <th scope="row">
-                {typeof of === 'number' && <EntrySwatch actor={actor} entry={of} />}
-                {typeof of === 'number' ? entryName(actor, of) : of}
-              </th>
-              {cells(values)}
-            </tr>
-          ))}
+          {rows.map(({ of, values }) => {
+            const name = typeof of === 'number' ? entryName(actor, of) : of;
+            return (
+              <tr key={of}>
+                <th scope="row" title={name}>
+                  {typeof of === 'number' && <EntrySwatch actor={actor} entry={of} />}
+                  {name}
+                </th>
+                {cells(values)}
+              </tr>
+            );
+          })}
         </tbody>
         {total && (
           <tfoot>
