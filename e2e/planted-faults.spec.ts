@@ -4,7 +4,7 @@ import type { Verification } from '../src/document/verification.ts';
 import { capture, choose, openSmallView, setPose, verify } from './support/app.ts';
 import { allowFaults, plantFault, plantedTexts, type Replacement } from './support/plant-fault.ts';
 import { wildPose } from './support/poses.ts';
-import { sharedPage, test } from './support/test.ts';
+import { drawPlainly, openBundled, sharedPage, test } from './support/test.ts';
 
 // The agreement of GPU and CPU means something only if the check can fail. Each fault is a mistake
 // that skinning shaders have had, and each must show in `verify`, far above rounding.
@@ -50,6 +50,8 @@ const normalFaults: Readonly<Record<string, readonly Replacement[]>> = {
 
 const page = sharedPage(async (page) => {
   await allowFaults(page);
+  await drawPlainly(page);
+  await openBundled(page, 'small');
   await openSmallView(page);
 });
 
