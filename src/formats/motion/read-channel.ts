@@ -31,7 +31,7 @@ function readTarget(json: JsonValue): NamedTarget | undefined {
     warnOfOthers(fields, kind.fields);
     return kind.read(fields);
   }
-  json.warn('unknown', 'a target that Sinew knows', [...fields.keys()].join(', '), kept);
+  json.warn('unknown', 'a target that Sinew knows', [...fields.keys()].join(', ') || '{}', kept);
   return undefined;
 }
 

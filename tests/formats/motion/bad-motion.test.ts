@@ -120,6 +120,12 @@ const rows: readonly (readonly [title: string, text: string, message: string, le
     [1, 1],
   ],
   [
+    'a target without fields',
+    beside('{"target": {}, "keys": [[0, 1]]}'),
+    `warning: m.json:2:12 (channels[0].target): expected a target that Sinew knows, found "{}" [motion/unknown]; ${kept}`,
+    [1, 1],
+  ],
+  [
     'a name that is a number',
     beside('{"target": {"joint": 3, "value": "rx"}, "keys": []}'),
     `error: m.json:2:22 (channels[0].target.joint): expected the name of a joint, or # and its index, found "3" [motion/json]; ${kept}`,
