@@ -1,8 +1,7 @@
 /**
  * Takes the pictures of the gallery (public/data/pictures), of the bundled poses and of the README
- * (docs/pictures) from the
- * built app, in the browser of the tests: `npm run pictures`. The same sources give the same pictures,
- * except for the text of the page, whose fonts are the system's.
+ * (docs/pictures) from the built app, in the browser of the tests: `npm run pictures`. The same
+ * sources give the same pictures, except for the text of the page, whose fonts are the system's.
  */
 import { execFileSync, spawn } from 'node:child_process';
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
@@ -141,7 +140,24 @@ async function writeReadmePictures(browser: Browser, address: string): Promise<v
   await pointAtForearm(page, view);
   await page.evaluate(() => window.sinew.settled());
   await screenshot(page, path.join(folder, 'mannequin.jpg'), view);
+
+  write(path.join(folder, 'methods.jpg'), await comparison(page, address));
   await page.close();
+}
+
+/** Three methods on the twisted tube, with their differences in color. */
+async function comparison(page: Page, address: string): Promise<Buffer> {
+  await openPage(page, `${address}?model=tube`);
+  await page.locator('canvas').focus();
+  await page.keyboard.press('x');
+  await page.locator('.worst-mark button').waitFor();
+  const change = page.locator('.change-comparison');
+  await change.locator('[data-command="compare-one-more"]').click();
+  await change.locator('[data-command="comparison-layout"]').click();
+  await page.locator('.top [data-tab="deform"]').click();
+  await page.locator('.deform-lab [data-command="difference-colors"]').click();
+  await page.evaluate(() => window.sinew.settled());
+  return capture(page, { width: 1200, height: 560, samples: 2, labels: true });
 }
 
 type Box = Readonly<Record<'x' | 'y' | 'width' | 'height', number>>;
