@@ -1,15 +1,16 @@
 import {
-  BufferTarget,
   EncodedPacket,
   EncodedVideoPacketSource,
   Mp4OutputFormat,
   Output,
+  StreamTarget,
   WebMOutputFormat,
 } from 'mediabunny';
 import type { MoviePlan } from '../../view/movie/movie-plan.ts';
 import type { MovieSource } from '../../view/movie/movie-source.ts';
 import type { Picture } from '../../view/picture/encode-picture.ts';
 import { FrameEncoder, type Packet } from './frame-encoder.ts';
+import { GrowingFile } from './growing-file.ts';
 import type { MovieSink } from './movie-format.ts';
 import { encoderConfig, type VideoCodecRow } from './video-codecs.ts';
 
@@ -25,7 +26,8 @@ export async function openVideo(
 ): Promise<MovieSink> {
   const { rate } = plan;
   const isTransparent = container === 'webm' && !plan.background;
-  const target = new BufferTarget();
+  const file = new GrowingFile();
+  const target = new StreamTarget(new WritableStream({ write: (chunk) => file.write(chunk) }));
   const format =
     container === 'webm' ? new WebMOutputFormat() : new Mp4OutputFormat({ fastStart: 'in-memory' });
   const output = new Output({ format, target });
@@ -59,11 +61,12 @@ export async function openVideo(
       for (const encoder of encoders) await encoder.finish();
       await written;
       await output.finalize();
-      return new Blob([target.buffer!], { type: `video/${container}` });
+      return file.finish(`video/${container}`);
     },
     close() {
       for (const encoder of encoders) encoder.close();
       if (output.state !== 'finalized') output.cancel().catch(() => undefined);
+      file.close();
     },
   };
 
