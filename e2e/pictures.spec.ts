@@ -51,6 +51,7 @@ const fourMethods = {
   model: 'tube',
   compared: ['linear-blend', 'dual-quaternion', 'centers-of-rotation', 'delta-mush'],
   size: { width: 880, height: 320 },
+  keys: ['Home'],
 } as const;
 
 // `npm run test:long -- pictures` makes those too of which others show each part.
