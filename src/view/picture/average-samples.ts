@@ -71,10 +71,10 @@ function meanOfSquare(
       const at = first + (y * stride + x) * 4;
       const alpha = from[at + 3]!;
       if (alpha === 0) continue;
-      const factor = 255 / alpha;
-      red += alpha * linearOf(from[at]! * factor);
-      green += alpha * linearOf(from[at + 1]! * factor);
-      blue += alpha * linearOf(from[at + 2]! * factor);
+      // The product comes first, so that a color half between two bytes is exactly there.
+      red += alpha * linearOf((from[at]! * 255) / alpha);
+      green += alpha * linearOf((from[at + 1]! * 255) / alpha);
+      blue += alpha * linearOf((from[at + 2]! * 255) / alpha);
       alphas += alpha;
     }
   }

@@ -5,6 +5,8 @@ import { averageSamples } from '../../../src/view/picture/average-samples.ts';
 const byte = fc.nat(255);
 const pixel = fc.tuple(byte, byte, byte, fc.oneof(byte, fc.constantFrom(0, 255)));
 
+const clear: [number, number, number, number] = [0, 0, 0, 0];
+
 /** As GL blends on transparent black: colors are multiplied by their alpha. */
 const premultiplied = (pixels: readonly (readonly number[])[]): Uint8Array =>
   Uint8Array.from(
@@ -38,6 +40,8 @@ it('a pixel has the mean light of its samples, weighted by alpha', () => {
         expect(Math.abs(goal.pixels[channel]! - expected)).toBeLessThanOrEqual(0.6);
       }
     }),
+    // Without its alpha, the second red is half between two bytes.
+    { examples: [[[clear, [247, 1, 212, 210], clear, [111, 0, 88, 255]]]] },
   );
 });
 
