@@ -99,17 +99,31 @@ export function takeOffered(editor: Looking & Telling, label: string): void {
  * through it.
  */
 export function showWorst(editor: Looking & Telling): void {
+  const compared = tellWorst(editor);
+  if (compared) aimAt(editor, compared);
+}
+
+/**
+ * Says it anew after something else is compared, as another character, and goes there unless the user
+ * has moved the camera.
+ */
+export function showWorstAgain(editor: Looking & Telling): void {
+  tellWorst(editor);
+  aimAgain(editor);
+}
+
+function tellWorst(editor: Looking & Telling): Compared | null {
   const { notice } = editor;
   const compared = comparedOf(editor);
   if (!compared?.worst) {
     notice.value = 'The methods put every vertex at the same place in this pose';
-    return;
+    return null;
   }
   const { worst, base, size } = compared;
   notice.value =
     `${worst.kernel.label} and ${base.kernel.label} differ by at most ` +
     differenceText(worst.difference.largest, size);
-  aimAt(editor, compared);
+  return compared;
 }
 
 /** Aims again after the view was divided anew, unless the user has moved the camera since. */

@@ -7,6 +7,7 @@ import type { Editor } from '../../editor.ts';
 import { CommandButton } from '../command-button.tsx';
 import { HeatLegend } from './heat-legend.tsx';
 import { OfferedPoses } from './offered-poses.tsx';
+import { useTelling } from './use-telling.ts';
 import { WipeHandle } from './wipe-handle.tsx';
 import { WorstMark } from './worst-mark.tsx';
 
@@ -17,6 +18,7 @@ import { WorstMark } from './worst-mark.tsx';
 export function ComparisonOverlay({ editor }: { readonly editor: Editor }) {
   const comparison = editor.session.comparison.value;
   const compared = comparedOf(editor);
+  useTelling(editor);
   if (!comparison || !compared) return null;
   const { rows, base, worst, size } = compared;
   const isWipe = comparison.layout === 'wipe';

@@ -82,5 +82,5 @@ function timeText(time: number | null | undefined): string {
   if (time === undefined) return '…';
   if (time === null) return '–';
   // Clocks of browsers have steps of a tenth of a millisecond.
-  return time < 0.1 ? '< 0.1' : time.toFixed(time < 100 ? 1 : 0);
+  return time < 0.1 ? '< 0.1' : time.toFixed(time < 10 ? 1 : 0);
 }
