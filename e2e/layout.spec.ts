@@ -64,6 +64,7 @@ test.describe('by touch', () => {
         await button.tap();
         // Its first press is for the timeline.
         if (name === 'Animate') {
+          await page.locator('.sheet-view canvas').waitFor();
           await expectGoodBoxes(page, `${size.width} timeline`, touchTarget);
           await button.tap();
         }

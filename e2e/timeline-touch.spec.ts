@@ -59,6 +59,7 @@ test('curves are pinched, and continued by the menu of a long press', async () =
   const after = menu().getByRole('group', { name: 'After the last key' });
   await user.tap(after.getByRole('menuitemradio', { name: 'bounce' }));
   await expect(undo()).toHaveAttribute('title', /Continue after the keys: bounce/);
+  await expect(menu()).toBeHidden();
   await user.tap(undo());
   await expect(undo()).toBeDisabled();
   await page().evaluate(() => window.sinew.seek(0.37));

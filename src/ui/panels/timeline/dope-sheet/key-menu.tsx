@@ -99,7 +99,7 @@ const closingTime = 300;
  * Opens the menu at a place of the page.
  *
  * @param isHeld whether a finger that opens it is still down: when it leaves, the browser closes the
- * menu, as if that pressed beside it, and it is opened again
+ * menu, as if that pressed beside it, and it is opened again, unless it was used already
  */
 export function openMenuOfKeys(menu: HTMLElement, x: number, y: number, isHeld: boolean): void {
   openKeyMenu(menu, x, y);
@@ -108,9 +108,12 @@ export function openMenuOfKeys(menu: HTMLElement, x: number, y: number, isHeld: 
     if (newState === 'closed' && menu.isConnected) openKeyMenu(menu, x, y);
   };
   menu.addEventListener('toggle', onToggle);
+  const leaveClosed = (): void => menu.removeEventListener('toggle', onToggle);
   const end = (): void => {
-    window.setTimeout(() => menu.removeEventListener('toggle', onToggle), closingTime);
+    window.setTimeout(leaveClosed, closingTime);
   };
+  for (const type of ['pointerdown', 'keydown'])
+    menu.addEventListener(type, leaveClosed, { once: true });
   for (const type of ['pointerup', 'pointercancel'])
     window.addEventListener(type, end, { once: true, capture: true });
 }
