@@ -74,7 +74,11 @@ export default defineConfig({
     modulePreload: false,
     // Small files are not inlined, because a strict content policy allows no data: addresses.
     assetsInlineLimit: 0,
-    rolldownOptions: { output: { codeSplitting: { groups: [...firstScripts, laterScripts()] } } },
+    rolldownOptions: {
+      output: { codeSplitting: { groups: [...firstScripts, laterScripts()] } },
+      // What a part loads only when it needs it may come with the tools for the sake of another one.
+      checks: { ineffectiveDynamicImport: false, pluginTimings: false },
+    },
   },
   worker: { format: 'es', plugins: () => [pureGlMatrix()] },
 });

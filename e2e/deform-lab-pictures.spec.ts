@@ -102,7 +102,10 @@ test('a picture and a movie are saved with differences in color, side by side, a
   expect(PNG.sync.read(labeled).data.equals(data), 'a script has the same labels').toBe(true);
   const frames = await bytesOf(
     await page().evaluateHandle(() =>
-      window.sinew.movie({ format: 'png', plays: false, width: 640, height: 400 }),
+      window.sinew.movie({
+        ...{ format: 'png', plays: false, width: 640, height: 400 },
+        ...{ turns: true, turnSeconds: 1, rate: 2 },
+      }),
     ),
   );
   expectPicture('lab-movie', Buffer.from(unzipSync(frames)['frame-0000.png']!));
