@@ -77,7 +77,7 @@ export default defineConfig({
     rolldownOptions: {
       output: { codeSplitting: { groups: [...firstScripts, laterScripts()] } },
       // What a part loads only when it needs it may come with the tools for the sake of another one.
-      checks: { ineffectiveDynamicImport: false, pluginTimings: false },
+      checks: { ineffectiveDynamicImport: false, bundlerTimings: false },
     },
   },
   worker: { format: 'es', plugins: () => [pureGlMatrix()] },
