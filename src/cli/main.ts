@@ -1,13 +1,19 @@
 import { commands } from './commands.ts';
 import { UsageError } from './usage-error.ts';
 
+const helpWords: readonly string[] = ['--help', '-h'];
+
 /** Returns the exit code: 0 on success, 1 for a file that can't be used, 2 for wrong usage. */
 async function main(words: readonly string[]): Promise<number> {
   const [name, ...rest] = words;
   const command = commands.find((candidate) => candidate.name === name);
   const usage = commands.map((each) => `  sinew ${each.usage}`).join('\n');
-  if (name === 'help' || name === '--help') {
-    const help = commands.map((each) => `  sinew ${each.usage}\n      ${each.summary}`);
+  // Everybody may ask for help, in the ways that are usual.
+  if (words.some((word) => helpWords.includes(word)) || name === 'help') {
+    const named = command ?? commands.find((each) => each.name === rest[0]);
+    const help = (named ? [named] : commands).map(
+      (each) => `  sinew ${each.usage}\n      ${each.summary}`,
+    );
     console.log(`Usage:\n${help.join('\n')}`);
     return 0;
   }

@@ -93,6 +93,18 @@ describe.concurrent('sinew, as a process', () => {
     }
   });
 
+  it('prints what one command takes', async ({ expect }) => {
+    for (const words of [
+      ['stress', 'a.skel', '--help'],
+      ['help', 'stress'],
+    ]) {
+      const { code, out, errors } = await runSinew('.', ...words);
+      expect({ code, errors }).toEqual({ code: 0, errors: '' });
+      expect(out).toContain('Usage:\n  sinew stress FILES');
+      expect(out.match(/^ {2}sinew /gm)).toHaveLength(1);
+    }
+  });
+
   it('exits with 2 and prints the usage for wrong usage', async ({ expect }) => {
     const { code, out, errors } = await runSinew('.', 'bend', 'a.skel');
     expect({ code, out }).toEqual({ code: 2, out: '' });
