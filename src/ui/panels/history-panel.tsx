@@ -14,7 +14,7 @@ const [mostBefore, mostAfter] = [60, 30];
 export function HistoryPanel({ editor }: { readonly editor: Editor }) {
   const { showsHistory } = editor;
   return (
-    <details class="history" open={showsHistory.value}>
+    <details class="section history" open={showsHistory.value}>
       <summary
         onClick={(event) => {
           event.preventDefault();
