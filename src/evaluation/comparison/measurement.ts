@@ -1,6 +1,5 @@
 import { loadPart } from '../../core/failure.ts';
-import type { Actor } from '../../document/scene.ts';
-import { skinInUse } from '../../document/scene.ts';
+import { type Actor, skinInUse } from '../../document/scene.ts';
 import type { KernelId, MethodId } from '../../skinning/method.ts';
 import { WasmSkinning } from '../../skinning/wasm/wasm-skinning.ts';
 import { EvaluationPool } from '../evaluation-pool.ts';
